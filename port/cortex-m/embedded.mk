@@ -40,12 +40,15 @@ STACK_LEAST ?= 4096
 ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-inline-small-functions -ffreestanding \
   -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -fno-threadsafe-statics \
   -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS)
-# Every source is compiled twice: to code, whose stack the compiler tells and whose bill is made (obj), and for link-time
-# optimisation (lto), by which run_deck is some 4 % smaller: with that the deck reader and the parts fit the 256 KiB of a board.
-# Functions are not put into each other where that makes the stack longer.
+# Sources are compiled to code, whose stack the compiler tells and whose bill is made (obj). Where the deck reader and the parts do
+# not fit the 256 KiB of a board like that, run_deck is made of sources compiled once more for link-time optimisation (lto), some
+# 4 % smaller: functions are not put into each other where that makes the stack longer.
 flags_obj := -fstack-usage -fcallgraph-info=su
 flags_lto := -flto --param=large-stack-frame=48 --param=large-stack-frame-growth=60
-WHOLE     := $(ARM_FLAGS) $(flags_lto) -flto=1 -flto-partition=one
+link_lto  := $(ARM_FLAGS) $(flags_lto) -flto=1 -flto-partition=one
+form_m3   := lto
+form = $(or $(form_$(1)),obj)
+told = $(if $(form_$(1)),plain,run_deck)
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 # Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them as far as 256 KiB of ROM have room for
 # them beside the rest: decks that need another are refused, with the name of its call.
@@ -71,11 +74,12 @@ $(EMBEDDED)/$(1)/$(2)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES),$(
 endef
 
 define arm_board
-$(foreach f,obj lto,$(eval $(call arm_library,$(1),$(f))))
-$(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/lto/libcontact2d.a $(call arm_objects,$(1),$(sources_of_board),lto) $(call script,$(1)) $(wildcard port/cortex-m/*.ld)
-	$(ARM_PREFIX)g++ $(cpu_$(1)) $(WHOLE) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
+$(foreach f,$(sort obj $(call form,$(1))),$(eval $(call arm_library,$(1),$(f))))
+$(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/$(call form,$(1))/libcontact2d.a $(call arm_objects,$(1),$(sources_of_board),$(call form,$(1))) \
+  $(call script,$(1)) $(wildcard port/cortex-m/*.ld)
+	$(ARM_PREFIX)g++ $(cpu_$(1)) $(link_$(call form,$(1))) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
 	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T $(call script,$(1)) $(foreach p,$(PART_CALLS) $(parts_$(1)),-Wl,-u,$(p)) \
-	  $(call arm_objects,$(1),$(sources_of_board),lto) $(EMBEDDED)/$(1)/lto/libcontact2d.a -lm -lc_nano -lgcc -o $$@
+	  $(call arm_objects,$(1),$(sources_of_board),$(call form,$(1))) $(EMBEDDED)/$(1)/$(call form,$(1))/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
 	$(QEMU_ARM) -M $(board_$(1)) -nographic -monitor none -serial none -kernel $$< \
@@ -150,13 +154,13 @@ $(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
 endef
 define arm_bill
 $(foreach c,$(CONFIGURATIONS),$(eval $(call arm_size,$(1),$(c))))
-# run_deck of the code that the call graph tells of; it need not fit.
+# run_deck of the code that the call graph tells of: for a board whose own is another, one that need not fit.
 $(EMBEDDED)/$(1)/plain.elf: $(EMBEDDED)/$(1)/obj/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT),obj) $(wildcard port/cortex-m/*.ld)
 	@sed 's/LENGTH = [0-9]*K/LENGTH = 1M/' port/cortex-m/$(board_$(1)).ld > $$(@:.elf=.ld)
 	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Lport/cortex-m -Wl,--defsym=stack_least=$(STACK_LEAST)+1 \
 	  -T $$(@:.elf=.ld) $(call arm_objects,$(1),$(ARM_PORT),obj) $(EMBEDDED)/$(1)/obj/libcontact2d.a -lm -lc_nano -lgcc -o $$@
-$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/plain.elf
-	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/plain.elf $$< > $$@
+$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/$(call told,$(1)).elf
+	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/$(call told,$(1)).elf $$< > $$@
 	$(ARM_PREFIX)nm $(EMBEDDED)/$(1)/whole.elf > $$(@:.dis=.nm)
 	@echo $(ALL_CALLS) > $$(@D)/calls
 $(EMBEDDED)/$(1)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(EMBEDDED)/$(1)/%.size) $(EMBEDDED)/$(1)/whole.dis \
