@@ -112,7 +112,7 @@ embedded: $(BOARDS:%=embedded-%) embedded-float
 endif
 # Matrices in single precision on this machine.
 embedded-float: $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
-	@$(MAKE) -s BUILD=$(EMBEDDED)/float CXXFLAGS=-O1 CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
+	@$(MAKE) -s BUILD=$(EMBEDDED)/float TESTS_FROM=$(BUILD) CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
 	@$(EMBEDDED)/float/contact2d run examples/hertz.dat --no-progress --listing $(EMBEDDED)/float/hertz.lst \
 	  --csv $(EMBEDDED)/float/hertz.csv 2>$(EMBEDDED)/float/run.log || { cat $(EMBEDDED)/float/run.log; exit 1; }
 	$(call agree,this machine$(comma) C2D_REAL=float,$(EMBEDDED)/float/hertz.csv,$(agree_m4f))

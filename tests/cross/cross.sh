@@ -28,13 +28,25 @@ blocks() { # folder, compiler ...
   "$@" -std=c99 -Wall -Wextra -Werror -Iinclude -Iport/stdio tests/cross/blocks.c "$out/libcontact2d.a" -lm -o "$out/blocks"
   rm -rf "$out/saved"; mkdir -p "$out/saved"
 }
-check() { # name, make's variables; static: linked so, needs no libraries of that machine
-  name=$1 emulator=$2; shift 2
-  out=$folder/$name
-  "$MAKE" -s -j"$JOBS" --no-print-directory BUILD="$out" "$@" "$out/libcontact2d.a" "$out/contact2d"
+agrees() { # name, results
+  echo "cross: $1: the sample against this machine"
+  "$compare" "$folder/here/hertz.csv" "$2" 1e-9
+}
+library() { # name, emulator, prefix of the compilers: linked statically, it needs no libraries of that machine
+  name=$1 emulator=$2 prefix=$3 out=$folder/$1
+  set -- CXX="${prefix}g++" CC="${prefix}gcc" AR="${prefix}ar" CXXFLAGS=-O0 LDFLAGS=-static
+  "$MAKE" -s -j"$JOBS" --no-print-directory BUILD="$out" "$@" "$out/libcontact2d.a"
+  blocks "$out" "${prefix}gcc" -static
+  mkdir -p "$out/solved"
+  $emulator "$out/blocks" solve "$out/solved" > "$out/hertz.csv"
+  agrees "$name" "$out/hertz.csv"
+  if [ "${CROSS_PROGRAM:-1}" = 1 ]; then program "$name" "$emulator" "$@"; fi
+}
+program() { # name, emulator, make's variables
+  name=$1 emulator=$2 out=$folder/$1; shift 2
+  "$MAKE" -s -j"$JOBS" --no-print-directory BUILD="$out" "$@" "$out/contact2d"
   solve "$out" $emulator "$out/contact2d"
-  echo "cross: $name: the sample against this machine"
-  "$compare" "$folder/here/hertz.csv" "$out/hertz.csv" 1e-9
+  agrees "$name, program" "$out/hertz.csv"
 }
 # Blocks that `from` wrote, read by `to`: the status that must come out, and words that must be in what is said.
 pass() { # from, to's emulator, to's program, expected
@@ -55,20 +67,18 @@ pass "$folder/here/saved" '' "$folder/here/blocks" '0 *'
 if available 'i686 (32 bits)' i686-linux-gnu-g++; then
   # 32-bit programs run on x86-64 as they are
   case $(uname -m) in x86_64 | i686) run=;; *) run=qemu-i386; available 'i686 (32 bits)' qemu-i386 || exit 1;; esac
-  check i686 "$run" CXX=i686-linux-gnu-g++ CC=i686-linux-gnu-gcc AR=i686-linux-gnu-ar CXXFLAGS=-O0 LDFLAGS=-static
-  blocks "$folder/i686" i686-linux-gnu-gcc -static
+  library i686 "$run" i686-linux-gnu-
   $run "$folder/i686/blocks" write "$folder/i686/saved" >/dev/null
   pass "$folder/i686/saved" '' "$folder/here/blocks" '40 *' # C2D_ERR_MISMATCH: a state is a machine's own
   pass "$folder/here/saved" "$run" "$folder/i686/blocks" '40 *'
 fi
 if available 's390x (big-endian)' s390x-linux-gnu-g++ qemu-s390x; then
-  check s390x qemu-s390x CXX=s390x-linux-gnu-g++ CC=s390x-linux-gnu-gcc AR=s390x-linux-gnu-ar CXXFLAGS=-O0 LDFLAGS=-static
-  blocks "$folder/s390x" s390x-linux-gnu-gcc -static
+  library s390x qemu-s390x s390x-linux-gnu-
   qemu-s390x "$folder/s390x/blocks" write "$folder/s390x/saved" >/dev/null
   pass "$folder/s390x/saved" '' "$folder/here/blocks" '40 *the other byte order*'
   pass "$folder/here/saved" qemu-s390x "$folder/s390x/blocks" '40 *the other byte order*'
 fi
 # Libraries by other compilers, linked into this machine's program.
-available g++-11 g++-11 && check g++-11 '' TESTS_FROM="$here" CXX=g++-11 CC=gcc-11 CXXFLAGS='-O1 -Werror'
-available clang++-13 clang++-13 && check clang-13 '' TESTS_FROM="$here" CXX=clang++-13 CC=clang-13 CXXFLAGS='-O1 -Werror'
+available g++-11 g++-11 && program g++-11 '' TESTS_FROM="$here" CXX=g++-11 CC=gcc-11 CXXFLAGS='-O1 -Werror'
+available clang++-13 clang++-13 && program clang-13 '' TESTS_FROM="$here" CXX=clang++-13 CC=clang-13 CXXFLAGS='-O1 -Werror'
 echo "cross: done, $skipped skipped"
