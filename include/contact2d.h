@@ -119,8 +119,8 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
    What the library asks of its surroundings. Zero a struct with C2D_INIT, set what you have. Ready ports for memory, stdio and
    POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0 for success;
    anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no exception, longjmp or
-   exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for the solver that calls,
-   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state, _body_state and c2d_save are, too. */
+   exit may leave them. Inside them c2d_cancel, c2d_memory_need, c2d_get_state are legal for the solver that calls, all else is
+   C2D_ERR_BUSY; in a step callback (section 7) c2d_get_zone_state, _body_state, but for a CHANGE c2d_get, _interior, _save. */
 typedef struct c2d_progress {
   uint32_t struct_size;
   int32_t phase, body;        /* C2D_PHASE_...; the body while assembling and eliminating           */

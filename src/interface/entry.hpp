@@ -10,6 +10,23 @@ constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_
 constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 // Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
 c2d_status enter(c2d_solver* solver, uint32_t legal_states);
+// While the callback of c2d_run is shown the end of an increment or of the path, the state stands, and c2d_run knows its place:
+// a running solver may be saved there, and asked for results. (Boards have no room for it.)
+class InsideStep {
+public:
+  explicit InsideStep(c2d_solver* s)
+      : solver_(!kSmallCode && s && s->magic == kSolverMagic && s->busy == kInStepCallback && s->run_step > 0 ? s : nullptr) {
+    if (solver_) solver_->busy = 0;
+  }
+  ~InsideStep() {
+    if (solver_) solver_->busy = kInStepCallback;
+  }
+  InsideStep(const InsideStep&) = delete;
+  InsideStep& operator=(const InsideStep&) = delete;
+
+private:
+  c2d_solver* const solver_;
+};
 // Bodies are counted from 1 in calls.
 inline Body& body_numbered(c2d_solver* solver, int32_t body) { return array_of<Body>(solver, kBodies)[body - 1]; }
 // Forget the model and every result; state: empty. For the deck reader and failed model calls.

@@ -26,6 +26,7 @@ namespace {
 
 extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                                    int64_t out_stride) {
+  const InsideStep inside(s);
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status == C2D_OK) status = check_points(s, body, count, xy, xy_stride, out, out_stride);
   if (status != C2D_OK || count == 0) return status;

@@ -141,6 +141,7 @@ using namespace c2d;
 
 extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
                               int64_t stride) {
+  const InsideStep inside(s);
   const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
   const bool ends = field >= C2D_END_X && field <= C2D_END_PRINCIPAL2, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
   c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);

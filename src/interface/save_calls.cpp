@@ -11,28 +11,11 @@ C2D_MEETS(WarningPart, c2d_link_warnings);
 
 using namespace c2d;
 
-namespace {
-
-// The callback of c2d_run is shown the end of an increment or of the path: the state stands, and c2d_run knows its place.
-// (Boards have no room for it.)
-bool may_save_inside(const c2d_solver* s) {
-  return !kSmallCode && s && s->magic == kSolverMagic && s->busy == kInStepCallback && s->run_step > 0;
-}
-
-c2d_status save(c2d_solver* s) {
+extern "C" c2d_status c2d_save(c2d_solver* s) {
+  const InsideStep inside(s);
   const c2d_status status = enter(s, kStarted);
   if (status != C2D_OK) return status;
   return save_state(s); // what is prepared has a store
-}
-
-} // namespace
-
-extern "C" c2d_status c2d_save(c2d_solver* s) {
-  if (!may_save_inside(s)) return save(s);
-  s->busy = 0;
-  const c2d_status status = save(s);
-  s->busy = kInStepCallback;
-  return status;
 }
 
 extern "C" c2d_status c2d_restore(c2d_solver* s) {

@@ -117,8 +117,10 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   return C2D_OK;
 }
 
-c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
-  std::vector<double> values(wanted_.size() * C2D_POINT_FIELDS), xy, part;
+// C2D_POINT_FIELDS values of each point that is wanted.
+c2d_status InteriorPoints::compute(c2d_solver* solver, int32_t bodies, std::vector<double>& values) const {
+  std::vector<double> xy, part;
+  values.assign(wanted_.size() * C2D_POINT_FIELDS, 0.0);
   for (int32_t body = 1; body <= bodies; ++body)
     for (size_t at = 0; at < wanted_.size();) {
       std::vector<size_t> chosen;
@@ -133,8 +135,36 @@ c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
       for (size_t k = 0; k < part.size(); ++k)
         values[chosen[k / C2D_POINT_FIELDS] * C2D_POINT_FIELDS + k % C2D_POINT_FIELDS] = part[k];
     }
+  return C2D_OK;
+}
+
+c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
+  std::vector<double> values;
+  const c2d_status status = compute(solver, bodies, values);
+  if (status != C2D_OK) return status;
   keep(values);
   return find_others(solver, bodies);
+}
+
+c2d_status InteriorPoints::add_stresses(c2d_solver* solver, int32_t bodies, std::vector<double>& out) {
+  std::vector<double> values;
+  const c2d_status status = compute(solver, bodies, values);
+  for (size_t i = 0; i < wanted_.size() && status == C2D_OK; ++i) add_point_stresses(&values[i * C2D_POINT_FIELDS], out);
+  return status;
+}
+
+void InteriorPoints::add_places(std::vector<StressPlace>& out) const {
+  size_t grid = 0;
+  for (size_t i = 0; i < wanted_.size(); ++i) {
+    const WantedPoint& p = wanted_[i];
+    out.push_back({p.body, 0, static_cast<int32_t>(i) + 1, p.x, p.y, is_gridded(i, grid)});
+  }
+}
+
+// `grid`: 0 at first, as i rises from 0.
+bool InteriorPoints::is_gridded(size_t i, size_t& grid) const {
+  while (grid < grids_.size() && i >= grids_[grid].first + grids_[grid].columns * grids_[grid].rows) ++grid;
+  return grid < grids_.size() && i >= grids_[grid].first;
 }
 
 // A wrong number of the body is the likeliest reason for a point outside: of those that will be told, the
@@ -162,8 +192,7 @@ void InteriorPoints::keep(const std::vector<double>& values) {
   for (size_t i = 0; i < wanted_.size(); ++i) {
     InteriorPoint p{wanted_[i].body, wanted_[i].x, wanted_[i].y, {}};
     for (size_t c = 0; c < C2D_POINT_FIELDS; ++c) p.values[c] = values[i * C2D_POINT_FIELDS + c];
-    while (grid < grids_.size() && i >= grids_[grid].first + grids_[grid].columns * grids_[grid].rows) ++grid;
-    const bool gridded = grid < grids_.size() && i >= grids_[grid].first;
+    const bool gridded = is_gridded(i, grid);
     const int flag = flag_of(p);
     if (gridded && flag == C2D_POINT_OUTSIDE) {
       ++results_.clipped;

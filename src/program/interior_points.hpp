@@ -3,6 +3,7 @@
 
 #include "program/points_file.hpp"
 #include "report/interior.hpp"
+#include "report/stresses.hpp"
 #include "report/summary.hpp"
 
 #include <contact2d.h>
@@ -32,6 +33,9 @@ public:
   // Results of all points at the load reached. Returns the status of the first call that failed.
   c2d_status evaluate(c2d_solver* solver, int32_t bodies);
   const Interior& results() const { return results_; }
+  // Their stresses at the state of a run's step, and where they are; added to both.
+  c2d_status add_stresses(c2d_solver* solver, int32_t bodies, std::vector<double>& out);
+  void add_places(std::vector<StressPlace>& out) const;
   // Tells what lies outside (a warning each, up to a number), on the boundary and near a node; `deck` is told
   // about the deck's points. Warnings that did not go there are added to `warnings`.
   void tell(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings);
@@ -48,8 +52,10 @@ private:
     int32_t other;
   };
   void take_set(const c2d_points& set);
+  c2d_status compute(c2d_solver* solver, int32_t bodies, std::vector<double>& values) const;
   c2d_status find_others(c2d_solver* solver, int32_t bodies);
   void keep(const std::vector<double>& values);
+  bool is_gridded(size_t i, size_t& grid) const;
 
   DeckFile file_;
   Messages file_messages_;

@@ -205,7 +205,7 @@ void spread_out(Options& o) {
   if (o.out.empty()) return;
   o.interior_if_any = o.file(Output::kInterior).empty() && o.points.empty();
   for (size_t i = 0; i < kOutputs; ++i)
-    if (o.files[i].empty()) o.files[i] = o.out + "/" + kOutputTable[i].file;
+    if (o.files[i].empty() && kOutputTable[i].file != nullptr) o.files[i] = o.out + "/" + kOutputTable[i].file;
   if (o.figures.empty()) o.figures = o.out + "/figures";
 }
 
@@ -226,8 +226,10 @@ std::string fault_of(const std::string& command, const Options& options) {
   if (saves && options.store.compare(0, 5, "file:") != 0)
     return "--save-every: there is no folder to save in, expected --store file:DIR";
   if (!options.points.empty() && options.responses.empty() && options.file(Output::kInterior).empty() &&
-      options.file(Output::kVtk).empty() && !has_listing(options))
-    return "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
+      options.file(Output::kVtk).empty() && options.file(Output::kStresses).empty() && options.file(Output::kRanges).empty() &&
+      !has_listing(options))
+    return "--points " + options.points +
+           ": no output shows them, expected --interior, --stresses, --ranges, --listing or --vtk";
   return "";
 }
 
@@ -298,6 +300,8 @@ const std::array<OutputName, kOutputs> kOutputTable = {{
     {"--trace", "trace.csv"},
     {"--bodies", "bodies.csv"},
     {"--summary", "summary.csv"},
+    {"--stresses", nullptr},
+    {"--ranges", nullptr},
 }};
 
 } // namespace app

@@ -16,12 +16,12 @@ enum class Command { kRun, kCheck, kSketch, kMesh, kResume, kSweep, kConvert, kM
 enum class Progress { kAutomatic, kAlways, kNever };
 
 // Outputs that are single files. Each is named here, in kOutputTable (options.cpp) and in the table of options.
-enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies, kSummary };
+enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies, kSummary, kStresses, kRanges };
 struct OutputName {
   const char* option;
-  const char* file; // in the folder of --out
+  const char* file; // in the folder of --out; null: not there, as it may be long
 };
-constexpr size_t kOutputs = 10;
+constexpr size_t kOutputs = 12;
 extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
 
 struct Job; // program/job.hpp

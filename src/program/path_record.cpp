@@ -45,7 +45,7 @@ template <class Archive> void members(Archive& a, CornerState& c) {
 }
 template <class Archive> void members(Archive& a, StepRecord& s) {
   a(s.step), a(s.corners), a(s.work), a(s.dissipated), a(s.elastic), a(s.defect), a(s.loads), a(s.work_by_case);
-  a(s.zones), a(s.bodies), a(s.cracks), a(s.quantities);
+  a(s.zones), a(s.bodies), a(s.cracks), a(s.quantities), a(s.stresses);
 }
 template <class Archive> void members(Archive& a, CoefficientRecord& c) {
   a(c.mu), a(c.load), a(c.loads), a(c.step), a(c.changes), a(c.outcome), a(c.singular), a(c.why), a(c.body), a(c.pair);

@@ -17,6 +17,7 @@
 #include "report/listing.hpp"
 #include "report/page.hpp"
 #include "report/record.hpp"
+#include "report/stresses.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
 #include "report/vtk.hpp"
@@ -76,6 +77,7 @@ private:
   void tell_anew(c2d_status status);
   c2d_status go_on();
   bool save_path(const c2d_step& step);
+  bool show_stresses(const c2d_step& step, StepRecord& kept);
   void begin_tables();
   int prepare();
   c2d_status factorise();
@@ -116,8 +118,9 @@ private:
   Outputs outputs_;
   RunRecord record_;
   InteriorPoints interior_;
-  PathRecord path_;            // its history only if there will be pictures; its coefficients are those of record_
-  bool shows_changes_ = false; // the deck wants every change of status in the listing
+  std::vector<StressPlace> stressed_; // of --stresses and --ranges
+  PathRecord path_;                   // its history only if there will be pictures; its coefficients are those of record_
+  bool shows_changes_ = false;        // the deck wants every change of status in the listing
   std::vector<Corner> corners_;
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
@@ -169,6 +172,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step, run.summary_);
   if (row && run.outputs_.has(Output::kBodies))
     append_bodies_rows(run.outputs_.text(Output::kBodies), *step, run.session_.solver);
+  if (row && !run.stressed_.empty() && !run.show_stresses(*step, kept.steps.back())) return 1;
   if (step->kind == C2D_STEP_STOPPED) {
     c2d_summary now = C2D_INIT(c2d_summary);
     c2d_get_summary(run.session_.solver, &now);
@@ -176,6 +180,22 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
     run.session_.messages.forget_latest();
   }
   return run.outputs_.flush(run.error_) && run.save_path(*step) ? 0 : 1;
+}
+
+// At every place; kept for the ranges.
+bool Run::show_stresses(const c2d_step& step, StepRecord& kept) {
+  std::vector<double> numbers;
+  c2d_status status = add_end_stresses(session_.solver, summary_, numbers);
+  if (status == C2D_OK) status = interior_.add_stresses(session_.solver, summary_.bodies, numbers);
+  if (status != C2D_OK) {
+    c2d_error last = C2D_INIT(c2d_error);
+    c2d_last_error(session_.solver, &last);
+    error_ = last.text[0] != '\0' ? last.text : c2d_message(status);
+    return false;
+  }
+  if (outputs_.has(Output::kStresses)) append_stresses_rows(outputs_.text(Output::kStresses), step, stressed_, numbers);
+  if (outputs_.has(Output::kRanges)) kept.stresses = std::move(numbers);
+  return true;
 }
 
 // If it is time to, or the last chance.
@@ -442,6 +462,7 @@ void Run::begin_tables() {
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
   if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
   if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
+  if (outputs_.has(Output::kStresses)) append_stresses_header(outputs_.text(Output::kStresses), summary_.load_cases);
 }
 
 int Run::prepare() {
@@ -476,6 +497,10 @@ int Run::prepare() {
     status = c2d_get_zone(solver, i, &zone);
     record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
                                                                : zone.side1.body); // the first has nodes on side 2
+  }
+  if (status == C2D_OK && (outputs_.has(Output::kStresses) || outputs_.has(Output::kRanges))) {
+    status = add_end_places(solver, summary_, stressed_);
+    interior_.add_places(stressed_);
   }
   if (status == C2D_OK && tells_corners()) status = find_corners(solver, summary_, corners_);
   begin_tables();
@@ -532,6 +557,7 @@ int Run::report() {
   if (status != C2D_OK) return library_failed(status);
   record_.take_stated_errors();
   if (outputs_.has(Output::kSummary)) append_summary(outputs_.text(Output::kSummary), record_, summary_);
+  if (outputs_.has(Output::kRanges)) append_ranges(outputs_.text(Output::kRanges), record_, stressed_);
   if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
   if (status == C2D_OK && has_whole_listing()) {
     std::string& out = outputs_.text(Output::kListing);

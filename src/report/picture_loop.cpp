@@ -1,4 +1,5 @@
 #include "report/axes.hpp"
+#include "report/cycle.hpp"
 #include "report/pictures.hpp"
 #include "report/text.hpp"
 
@@ -7,10 +8,8 @@
 namespace app {
 namespace {
 
-struct Loop {
+struct Loop : Cycle {
   std::vector<Point> path; // shift, and friction force on side 1, at every recorded step
-  std::vector<size_t> turns;
-  size_t first = 0, last = 0; // of the last whole cycle; alike: there is none
 };
 
 double value_of(const StepRecord& step, Measure what, size_t zone) {
@@ -19,36 +18,10 @@ double value_of(const StepRecord& step, Measure what, size_t zone) {
   return 0.0; // nothing touches
 }
 
-bool goes_back(const std::vector<StepRecord>& steps, size_t i) {
-  double product = 0;
-  for (size_t k = 0; k < steps[i].loads.size(); ++k)
-    product += (steps[i].loads[k] - steps[i - 1].loads[k]) * (steps[i + 1].loads[k] - steps[i].loads[k]);
-  return product < 0;
-}
-
-// The last turn, or end, from which two turns before the loads were the same.
-void find_cycle(const std::vector<StepRecord>& steps, Loop& loop) {
-  std::vector<size_t> ends = loop.turns;
-  if (ends.empty() || ends.back() + 1 < steps.size()) ends.push_back(steps.size() - 1);
-  for (size_t i = ends.size(); i-- > 2;) {
-    double apart = 0, size = 0;
-    for (size_t k = 0; k < steps[ends[i]].loads.size(); ++k) {
-      apart = std::max(apart, std::fabs(steps[ends[i]].loads[k] - steps[ends[i - 2]].loads[k]));
-      size = std::max(size, std::fabs(steps[ends[i]].loads[k]));
-    }
-    if (apart > 1e-9 * size) continue;
-    loop.first = ends[i - 2], loop.last = ends[i];
-    return;
-  }
-}
-
 Loop find_loop(const CoefficientRecord& c, size_t zone) {
-  Loop out;
+  Loop out{find_cycle(c.steps), {}};
   for (const StepRecord& step : c.steps)
     out.path.push_back({value_of(step, Measure::kShift, zone), -value_of(step, Measure::kFrictionForce, zone)});
-  for (size_t i = 1; i + 1 < c.steps.size(); ++i)
-    if (goes_back(c.steps, i)) out.turns.push_back(i);
-  if (!c.steps.empty()) find_cycle(c.steps, out);
   return out;
 }
 
@@ -57,7 +30,7 @@ std::string caption(const Scene& scene, size_t coefficient, const Loop& loop) {
   std::string out =
       "The friction force on side 1 of the zone along t over how far side 2 has moved along t against side 1, on average over "
       "the pairs; markers are recorded steps.";
-  if (loop.first == loop.last) return out;
+  if (!loop.any()) return out;
   double area = 0, low = HUGE_VAL, high = -HUGE_VAL;
   for (size_t i = loop.first; i < loop.last; ++i)
     area += 0.5 * (loop.path[i].y + loop.path[i + 1].y) * (loop.path[i + 1].x - loop.path[i].x);
@@ -83,10 +56,10 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone, Pictures& out
   for (const Point& p : loop.path) points.push_back(chart.at(p.x, p.y));
   cycle.assign(points.begin() + static_cast<ptrdiff_t>(loop.first), points.begin() + static_cast<ptrdiff_t>(loop.last) + 1);
   Svg svg(name, kPictureWidth, 378.0);
-  if (loop.first != loop.last) svg.area({cycle}, "#eeeeee", Stroke{});
+  if (loop.any()) svg.area({cycle}, "#eeeeee", Stroke{});
   draw_axes(svg, chart);
   svg.polyline(points, Stroke{colour::kFaint, 1.1, "6 3"});
-  if (loop.first != loop.last) svg.polyline(cycle, Stroke{colour::kOrange, 2.0, ""});
+  if (loop.any()) svg.polyline(cycle, Stroke{colour::kOrange, 2.0, ""});
   for (const Point& p : points) svg.mark(Mark::kCircle, p, 4.5, colour::kOrange);
   Picture picture{name, "Friction over displacement, " + chart_title(scene, mu, zone), caption(scene, coefficient, loop), ""};
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -27,6 +27,7 @@ struct StepRecord {
   std::vector<c2d_body_state> bodies;
   std::vector<StressIntensity> cracks;
   std::vector<Quantity> quantities;
+  std::vector<double> stresses; // at the places of --ranges (report/stresses.hpp), if that is wanted
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.

@@ -14,8 +14,9 @@ Words operator+(Words a, const Words& b) {
 const Words kMake = {"make", "hertz", "n=2", "L=5", "ratio=1.6"};
 const Words kSmall = {"--memory", "64K", "--no-progress"};
 const Words kTables = {"--csv", "out/a.csv", "--json", "out/a.json", "--listing", "out/a.lst", "--boundary", "out/b.csv"};
-const Words kAll = {"--bodies",   "out/bodies.csv", "--trace",  "out/t.csv",  "--summary", "out/s.csv", "--points",  "in/p.csv",
-                    "--interior", "out/i.csv",      "--report", "out/r.html", "--vtk",     "out/v.vtk", "--figures", "figures"};
+const Words kAll = {"--bodies",  "out/bodies.csv", "--trace",    "out/t.csv",  "--summary",  "out/s.csv", "--points",
+                    "in/p.csv",  "--interior",     "out/i.csv",  "--report",   "out/r.html", "--vtk",     "out/v.vtk",
+                    "--figures", "figures",        "--stresses", "out/st.csv", "--ranges",   "out/ra.csv"};
 const char kPoints[] = "1,0.2,-0.5\n1,0.5,-1.5\n2,0.1,1.5\n";
 
 class Workshop {

@@ -118,7 +118,7 @@ class Header(unittest.TestCase):
 class Solve(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.result = contact2d.solve(HERTZ, points=[(0.5, 3.0, 2), (1.0, -1.0)])
+        cls.result = contact2d.solve(HERTZ, points=[(0.5, 3.0, 2), (1.0, -1.0)], stresses=True)
 
     def test_tables_have_the_programs_digits(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -135,7 +135,10 @@ class Solve(unittest.TestCase):
         self.assertEqual([int(row["pair"]) for row in rows], list(table["pair"]))
 
     def test_every_output_is_there(self):
-        self.assertEqual(set(self.result.tables), {"contact", "boundary", "interior", "summary", "bodies", "trace"})
+        self.assertEqual(set(self.result.tables), {"contact", "boundary", "interior", "summary", "bodies", "trace", "stresses",
+                                                   "ranges"})
+        last = [i for i, point in enumerate(self.result["stresses"]["point"]) if point == 2][-1]
+        self.assertEqual(self.result["stresses"]["sxx"][last], self.result["interior"]["sxx"][1])
         self.assertTrue(self.result.complete)
         self.assertEqual(self.result.outcome, "reached")
         self.assertEqual(self.result.summary["mu"], [0.4, 0.3])

@@ -21,7 +21,7 @@ from .pictures import Picture
 from .tables import Table
 
 TABLES = {"contact": "csv", "boundary": "boundary", "interior": "interior", "summary": "summary", "bodies": "bodies",
-          "trace": "trace"}
+          "trace": "trace", "stresses": "stresses", "ranges": "ranges"}
 FAILURES = {2: InputError, 3: StoreError, 4: WorkspaceError, 64: UsageError, 75: StoreError, 130: Cancelled, 143: Cancelled}
 MESSAGE = re.compile(r"^contact2d: (?:(?P<name>.*?)(?::(?P<line>\d+)(?::(?P<column>\d+))?)?: )?"
                      r"(?P<severity>error|warning|note): (?P<text>.*)$")
@@ -93,7 +93,7 @@ class Result:
     """What a run gave.
 
     Tables by name, result["contact"] (OUTPUT.md describes their columns): "contact", "boundary", "summary", "bodies",
-    "trace", and "interior" if points were asked for. `summary`: the program's JSON; `listing`, `report` (a page of HTML):
+    "trace", "interior" if points were asked for, and, if they were, "stresses" and "ranges". `summary`: the program's JSON; `listing`, `report` (a page of HTML):
     texts; `pictures`: by name; `warnings`, `notes`: messages; `complete`, `outcome`, `why`: did the path reach its end?
     """
 
@@ -147,13 +147,14 @@ class Result:
         return "".join(out) + table._repr_html_(most=40) + "".join(picture.as_image() for picture in shown)
 
 
-def solve(source, points=None, pictures=True, options=None, set=None, **parameters):
+def solve(source, points=None, pictures=True, stresses=False, options=None, set=None, **parameters):
     """Solves a deck or a sketch: the name of its file, or its text (which has more than one line).
 
     parameters  values of a sketch's parameters: solve("pin.c2s", mu=0.3); `set`: the same as a dictionary, for parameters
                 that are called as an argument here
     points      interior points: rows (x, y, body), or (x, y) in body 1; result["interior"]
     pictures    False: no pictures and no page are drawn, which takes most of the time of a small model
+    stresses    True: result["stresses"], on the boundary and at the points at every recorded step, and result["ranges"]
     options     further options of `contact2d run` by name: {"threads": 2, "stepping": "deck", "estimate": True}
 
     Faults are InputError and its neighbours (contact2d.errors). A load path that ends early is no fault: result.complete is
@@ -164,7 +165,8 @@ def solve(source, points=None, pictures=True, options=None, set=None, **paramete
         folder = pathlib.Path(place)
         words = ["run", word] + settings(dict(parameters, **(set or {})))
         words += ["--listing", folder / "listing.txt", "--json", folder / "summary.json"]
-        wanted = [name for name in TABLES if name != "interior"]
+        wanted = [name for name in TABLES if name not in ("interior", "stresses", "ranges")]
+        wanted += ["stresses", "ranges"] if stresses else []
         if points is not None:
             (folder / "points.csv").write_text(points_text(points), encoding="utf-8")
             words += ["--points", folder / "points.csv"]
