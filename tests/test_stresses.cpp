@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 
 using namespace test;
 
@@ -131,6 +132,30 @@ TEST_CASE("stresses: the last step is that of --interior and --boundary, points 
   CHECK(table_of(read_file(folder / "s"))[last]["load2"] == 1);
 }
 
+namespace {
+
+// The deck read, and prepared.
+struct Solver {
+  runs::RamStore store;
+  c2d_port port = C2D_INIT(c2d_port);
+  std::unique_ptr<runs::Machine> machine;
+  Solver(runs::Deck deck, bool every_change) {
+    store.serve(port);
+    const host::Limits limits = deck.limits();
+    uint64_t bytes = 0;
+    REQUIRE(c2d_memory_need(&limits, nullptr, &bytes, nullptr) == C2D_OK);
+    machine = std::make_unique<runs::Machine>(limits, bytes, &port);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.every_change = every_change;
+    REQUIRE(c2d_read_deck(*this, runs::Deck::read, &deck) == C2D_OK);
+    REQUIRE(c2d_set_options(*this, &options) == C2D_OK);
+    REQUIRE(c2d_prepare(*this) == C2D_OK);
+  }
+  operator c2d_solver*() const { return machine->solver; }
+};
+
+} // namespace
+
 TEST_CASE("interface: results asked for inside a run's step are those of the same load reached by calls") {
   const auto ask = [](c2d_solver* s, std::vector<double>& out) {
     const double place[2] = {0.3, -0.5};
@@ -147,11 +172,9 @@ TEST_CASE("interface: results asked for inside a run's step are those of the sam
     int busy = 0;
   };
   const runs::Deck deck = runs::deck_named("hertz_lin_l");
-  const host::Limits limits = deck.limits();
-  runs::Host host, other;
-  runs::Machine machine(limits, runs::enough(limits), &host.port), calls(limits, runs::enough(limits), &other.port);
+  const Solver whole(deck, false), calls(deck, false);
   Asked asked;
-  asked.ask = [&](std::vector<double>& out) { ask(machine.solver, out); };
+  asked.ask = [&](std::vector<double>& out) { ask(whole, out); };
   const c2d_step_fn step = [](void* context, const c2d_step* now) {
     Asked& self = *static_cast<Asked*>(context);
     self.loads.push_back(now->load);
@@ -159,38 +182,25 @@ TEST_CASE("interface: results asked for inside a run's step are those of the sam
     self.ask(self.answers.back());
     return 0;
   };
-  runs::Deck copy = deck;
-  REQUIRE(c2d_read_deck(machine.solver, runs::Deck::read, &copy) == C2D_OK);
-  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
-  REQUIRE(c2d_run(machine.solver, step, &asked) == C2D_OK);
-  copy = deck;
-  REQUIRE(c2d_read_deck(calls.solver, runs::Deck::read, &copy) == C2D_OK);
-  REQUIRE(c2d_prepare(calls.solver) == C2D_OK);
+  REQUIRE(c2d_run(whole, step, &asked) == C2D_OK);
   double mu = 0;
-  REQUIRE(c2d_get_friction(calls.solver, 0, 1, &mu) == C2D_OK);
-  REQUIRE(c2d_begin(calls.solver, &mu, 1) == C2D_OK);
+  REQUIRE(c2d_get_friction(calls, 0, 1, &mu) == C2D_OK);
+  REQUIRE(c2d_begin(calls, &mu, 1) == C2D_OK);
   REQUIRE(asked.loads.size() > 1);
   for (size_t i = 0; i < asked.loads.size() && asked.loads[i] >= (i > 0 ? asked.loads[i - 1] : 0); ++i) {
     c2d_outcome outcome = C2D_BLOCKED;
-    REQUIRE(c2d_advance(calls.solver, &asked.loads[i], 1, &outcome) == C2D_OK);
+    REQUIRE(c2d_advance(calls, &asked.loads[i], 1, &outcome) == C2D_OK);
     std::vector<double> answer;
-    ask(calls.solver, answer);
+    ask(calls, answer);
     CAPTURE(i);
     CHECK(answer == asked.answers[i]);
   }
   // A change of status on the way is no state that c2d_run can come back to.
-  c2d_options options = C2D_INIT(c2d_options);
-  options.every_change = 1;
-  runs::Host third;
-  runs::Machine again(limits, runs::enough(limits), &third.port);
-  copy = deck;
-  REQUIRE(c2d_read_deck(again.solver, runs::Deck::read, &copy) == C2D_OK);
-  REQUIRE(c2d_set_options(again.solver, &options) == C2D_OK);
-  REQUIRE(c2d_prepare(again.solver) == C2D_OK);
+  const Solver again(deck, true);
   struct Changes {
     c2d_solver* solver;
     int seen = 0, refused = 0;
-  } changes{again.solver};
+  } changes{again};
   const c2d_step_fn refused = [](void* context, const c2d_step* now) {
     Changes& self = *static_cast<Changes*>(context);
     double x = 0;
@@ -198,7 +208,7 @@ TEST_CASE("interface: results asked for inside a run's step are those of the sam
       ++self.seen, self.refused += c2d_get(self.solver, C2D_END_HOOP, 1, 1, 1, &x, 1) == C2D_ERR_BUSY;
     return 0;
   };
-  CHECK(c2d_run(again.solver, refused, &changes) == C2D_OK);
+  CHECK(c2d_run(again, refused, &changes) == C2D_OK);
   CHECK(changes.seen > 0);
   CHECK(changes.refused == changes.seen);
 }
