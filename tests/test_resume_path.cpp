@@ -52,7 +52,8 @@ public:
     write_file(folder_ / "points", "1,0.2,-0.5\n2,0.1,1.5\n");
     fs::create_directory(folder_ / "out");
     words_ = "run '" + name + "' --store file:. --no-progress " + options;
-    for (const char* output : {"listing", "csv", "boundary", "json", "vtk", "trace", "bodies", "summary", "interior", "stresses", "ranges"})
+    for (const char* output :
+         {"listing", "csv", "boundary", "json", "vtk", "trace", "bodies", "summary", "interior", "stresses", "ranges"})
       words_ += std::string(" --") + output + " out/" + output;
     words_ += " --report out/page --figures out/figures --points points";
   }

@@ -225,7 +225,8 @@ namespace {
 }
 
 // What the end at `at` takes from what faces it at `faced`. (Not inlined: the search for `faced` is deep.)
-[[gnu::noinline]] void weigh_end(const Model& m, const Zone& z, const FacePoint& at, const FacePoint& faced, TransferredEnd& out) {
+[[gnu::noinline]] void weigh_end(const Model& m, const Zone& z, const FacePoint& at, const FacePoint& faced,
+                                 TransferredEnd& out) {
   const int nf = m.head->function_nodes;
   double n[2];
   facing_direction(m, z, at, faced, n);
