@@ -176,7 +176,7 @@ TEST_CASE("words: every shell completes every command and option") {
     return run_shell("bash '" + (folder / "go") + "'").out;
   };
   CHECK(completed("contact2d m", 1) == "mesh make\n");
-  CHECK(completed("contact2d run --st", 2) == "--stepping --store\n");
+  CHECK(completed("contact2d run --st", 2) == "--stresses --stepping --store\n");
   CHECK(completed("contact2d run --stepping ''", 3) == "events deck\n");
   CHECK(completed("contact2d check --st", 2) == "\n");
   CHECK(completed("contact2d make her", 2) == "hertz\n");

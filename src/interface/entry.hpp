@@ -11,21 +11,29 @@ constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STAT
 // Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
 c2d_status enter(c2d_solver* solver, uint32_t legal_states);
 // While the callback of c2d_run is shown the end of an increment or of the path, the state stands, and c2d_run knows its place:
-// a running solver may be saved there, and asked for results. (Boards have no room for it.)
+// a running solver may be saved there, and asked for results; what that reads is not counted, so that a run that is resumed
+// counts as one that was not ended. (Boards have no room for it.)
 class InsideStep {
 public:
   explicit InsideStep(c2d_solver* s)
       : solver_(!kSmallCode && s && s->magic == kSolverMagic && s->busy == kInStepCallback && s->run_step > 0 ? s : nullptr) {
-    if (solver_) solver_->busy = 0;
+    if (!solver_) return;
+    solver_->busy = 0;
+    for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
+      reads_[tape] = solver_->tapes.reads[tape], bytes_read_[tape] = solver_->tapes.bytes_read[tape];
   }
   ~InsideStep() {
-    if (solver_) solver_->busy = kInStepCallback;
+    if (!solver_) return;
+    solver_->busy = kInStepCallback;
+    for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
+      solver_->tapes.reads[tape] = reads_[tape], solver_->tapes.bytes_read[tape] = bytes_read_[tape];
   }
   InsideStep(const InsideStep&) = delete;
   InsideStep& operator=(const InsideStep&) = delete;
 
 private:
   c2d_solver* const solver_;
+  uint64_t reads_[C2D_TAPES], bytes_read_[C2D_TAPES];
 };
 // Bodies are counted from 1 in calls.
 inline Body& body_numbered(c2d_solver* solver, int32_t body) { return array_of<Body>(solver, kBodies)[body - 1]; }

@@ -40,6 +40,7 @@ c2d_status call_back(Session& session, const c2d_step& now) {
   s->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   s->busy = 0;
+  if (!kSmallCode) s->back_substituted = 0; // a state that was saved there is taken up without
   if (code == 0) return s->state == C2D_STATE_BROKEN ? s->error.status : c2d_status{C2D_OK};
   c2d_error e = blank_error();
   e.host_code = code;
