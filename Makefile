@@ -61,20 +61,21 @@ CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
 STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
 TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
 
-# TESTS_FROM=FOLDER: another build, by a compiler whose objects go with this one's. What is the same there is linked as it is: report and program, which see the
-# headers of the interface alone, and tests, but for those that see the core's configuration; with sanitizers, tests that do not
-# ask for them. So the same tests run on a library with other flags.
+# TESTS_FROM=FOLDER: another build, by a compiler whose objects go with this one's. What is the same there is linked as it is: report and
+# program (PROGRAM_FROM), which see the headers of the interface alone, unless this build watches them too, and tests, but for those
+# that see the core's configuration; with sanitizers, tests that do not ask for them. So the same tests run on a library with
+# other flags.
 TESTS_FROM ?= $(BUILD)
 SANITIZED := $(findstring -fsanitize,$(CXXFLAGS))
-ifneq ($(TESTS_FROM),$(BUILD))
-ifeq ($(SANITIZED),)
-from_there = $(1:$(BUILD)/%=$(TESTS_FROM)/%)
+COUNTED := $(findstring -fprofile,$(CXXFLAGS))
+PROGRAM_FROM ?= $(if $(SANITIZED)$(COUNTED),$(BUILD),$(TESTS_FROM))
+ifneq ($(PROGRAM_FROM),$(BUILD))
+from_there = $(1:$(BUILD)/%=$(PROGRAM_FROM)/%)
 REPORT_OBJECTS   := $(call from_there,$(REPORT_OBJECTS))
 PROGRAM_OBJECTS  := $(call from_there,$(PROGRAM_OBJECTS))
 FAMILY_OBJECTS   := $(call from_there,$(FAMILY_OBJECTS))
 CHAPTER9_OBJECTS := $(call from_there,$(CHAPTER9_OBJECTS))
 STUDY_OBJECT     := $(call from_there,$(STUDY_OBJECT))
-endif
 endif
 
 LIBRARY := $(BUILD)/libcontact2d.a
@@ -108,7 +109,8 @@ $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM))))
+# (what counts in the program is seldom run: its compiler is what takes time)
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(if $(COUNTED),-O0))))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
@@ -161,7 +163,9 @@ $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	  $(DEPS) -c $< -o $@
 ALL_TEST_OBJECTS := $(TEST_OBJECTS) $(RANDOM_JUDGE) $(FAULTS_JUDGE) $(FUZZ_OBJECTS)
 ifneq ($(TESTS_FROM),$(BUILD))
-TESTS_OWN := paths $(notdir $(basename $(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d) \
+# (counters change nothing that tests see)
+TESTS_OWN := paths $(notdir $(basename \
+  $(if $(if $(COUNTED),$(findstring -DC2D_,$(CPPFLAGS)),any),$(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d)) \
   $(if $(SANITIZED),$(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
 TESTS_OWN := $(TESTS_OWN:%=$(BUILD)/tests/%.o)
 ALL_TEST_OBJECTS := $(filter $(TESTS_OWN),$(ALL_TEST_OBJECTS)) \
@@ -172,7 +176,9 @@ test-objects: $(ALL_TEST_OBJECTS) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS) $(CHAPTER
 # Calls that a test can refuse go through it (tests/refused_calls.hpp); linkers elsewhere cannot do that.
 WRAP_CALLS := $(if $(filter Linux,$(shell uname -s)),$(patsubst %,-Wl$(comma)--wrap=%,\
   $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p' tests/refused_calls.cpp)))
-$(TESTS): $(ALL_TEST_OBJECTS) $(STUDY_OBJECT) $(FUZZ_PROGRAM)
+# What counts stands first: of functions that stand in headers the linker takes the first copy.
+$(TESTS): $(if $(COUNTED),$(CORE_OBJECTS) $(PORT_OBJECTS) $(FAMILY_OBJECTS) $(REPORT_OBJECTS)) \
+  $(ALL_TEST_OBJECTS) $(STUDY_OBJECT) $(FUZZ_PROGRAM)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) $(WRAP_CALLS) -o $@ $^ -lm -pthread
 # C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
 test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9

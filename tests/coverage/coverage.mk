@@ -2,25 +2,25 @@
 # adds, as edges of exceptions, is no branch), once as usual and once in small code. Prints the branches that no test takes,
 # and a table; fails below the percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
 .PHONY: coverage coverage-table
-COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping
+COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
+# $(1) folder, $(2) tests left out, $(3) more variables
 coverage_run = C2D_TESTS_NOT=$(2) LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
-  $(MAKE) -s test BUILD=$(1) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
-  LDFLAGS=-fprofile-instr-generate TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' \
-  CPPFLAGS='$(CPPFLAGS) -DC2D_COUNTED $(3)'
+  $(MAKE) -s test BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
+  LDFLAGS=-fprofile-instr-generate HARDENING= TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(3)
 coverage_show = llvm-profdata-14 merge -o $(1)/all.profdata $(1)/profile/*.profraw && \
   llvm-cov-14 show -show-branches=count -instr-profile $(1)/all.profdata $(1)/tests/run_tests -object $(1)/contact2d \
   $$(for program in $(1)/counted/*; do [ ! -f $$program ] || echo -object $$program; done) \
   -ignore-filename-regex=/tests/ > $(1)/branches.txt
-coverage:
+coverage: test-objects
 	@command -v llvm-cov-14 clang++-14 >/dev/null || { echo 'needs clang-14 and llvm-14'; exit 1; }
 	@mkdir -p $(COVERAGE)/profile $(COVERAGE_SMALL)/profile
 	@rm -f $(COVERAGE)/profile/* $(COVERAGE_SMALL)/profile/*
 	+@$(call coverage_run,$(COVERAGE),tests/coverage/not.txt)
 	@cat tests/coverage/not.txt tests/small.txt > $(COVERAGE_SMALL)/not.txt
-	+@$(call coverage_run,$(COVERAGE_SMALL),$(COVERAGE_SMALL)/not.txt,-DC2D_SMALL)
+	+@$(call coverage_run,$(COVERAGE_SMALL),$(COVERAGE_SMALL)/not.txt,CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL' PROGRAM_FROM=$(COVERAGE))
 	@$(MAKE) -s coverage-table
 coverage-table: # of what has run
 	@$(call coverage_show,$(COVERAGE))
