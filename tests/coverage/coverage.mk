@@ -1,15 +1,18 @@
-# make coverage: the whole test suite in a build that counts (clang's counters stand at conditions of the source: what a compiler
-# adds, as edges of exceptions, is no branch), once as usual and once in small code. Prints the branches that no test takes,
-# and a table; fails below the percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
+# make coverage: the test suite on a library, ports, report and program that count (clang's counters stand at conditions of the
+# source: what a compiler adds, as edges of exceptions, is no branch), tests being those of make test; then those tests that cross
+# what is otherwise in small code, on a library of that. Prints the branches that no test takes, and a table; fails below the
+# percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
 .PHONY: coverage coverage-table
 COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
-# $(1) folder, $(2) tests left out, $(3) more variables
-coverage_run = C2D_TESTS_NOT=$(2) LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
+SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indicator elimination assembly store memory bodies coarse \
+  corners invariance search)
+# $(1) folder, $(2) lists of tests left out, $(3) files of tests or nothing: all, $(4) more variables
+coverage_run = C2D_TESTS_NOT='$(2)' C2D_TESTS_FILES='$(3)' LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
   $(MAKE) -s test BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
-  LDFLAGS=-fprofile-instr-generate HARDENING= TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(3)
+  LDFLAGS=-fprofile-instr-generate HARDENING= TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(4)
 coverage_show = llvm-profdata-14 merge -o $(1)/all.profdata $(1)/profile/*.profraw && \
   llvm-cov-14 show -show-branches=count -instr-profile $(1)/all.profdata $(1)/tests/run_tests -object $(1)/contact2d \
   $$(for program in $(1)/counted/*; do [ ! -f $$program ] || echo -object $$program; done) \
@@ -19,8 +22,8 @@ coverage: test-objects
 	@mkdir -p $(COVERAGE)/profile $(COVERAGE_SMALL)/profile
 	@rm -f $(COVERAGE)/profile/* $(COVERAGE_SMALL)/profile/*
 	+@$(call coverage_run,$(COVERAGE),tests/coverage/not.txt)
-	@cat tests/coverage/not.txt tests/small.txt > $(COVERAGE_SMALL)/not.txt
-	+@$(call coverage_run,$(COVERAGE_SMALL),$(COVERAGE_SMALL)/not.txt,CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL' PROGRAM_FROM=$(COVERAGE))
+	+@$(call coverage_run,$(COVERAGE_SMALL),tests/coverage/not.txt tests/small.txt,$(subst $(empty) $(empty),$(comma),$(SMALL_TESTS)),\
+	  CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL' PROGRAM_FROM=$(COVERAGE))
 	@$(MAKE) -s coverage-table
 coverage-table: # of what has run
 	@$(call coverage_show,$(COVERAGE))
