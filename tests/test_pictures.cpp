@@ -38,7 +38,7 @@ TEST_CASE("pictures: captions say what the CSV says") {
       if (row.status == "slip") ++slipping;
     }
     const std::string caption = caption_of(shown, "tractions_" + std::to_string(++index));
-    CHECK(contains(caption, "the peak pressure is " + six(peak->tn) + " at s = "));
+    CHECK(contains(caption, "the peak pressure is " + six(peak->tn) + " at x = "));
     CHECK(contains(caption, "(pair " + std::to_string(peak->pair) + ")"));
     CHECK(contains(caption, std::to_string(touching) + " of 15 pairs touch"));
     CHECK(contains(caption, "contact half width " + six(half_width)));
@@ -82,8 +82,8 @@ TEST_CASE("pictures: stick and slip of the sliding block as in the CSV") {
   REQUIRE(slip > 0);
   const std::string caption = caption_of(shown, "status");
   CHECK(contains(caption, std::to_string(stick) + " of 25 pairs stick, " + std::to_string(slip) + " slip, 0 are open"));
-  char text[40]; // s counts from the block's left corner at x = -1
-  std::snprintf(text, sizeof text, "to %.4g.", last_stick + 1.0);
+  char text[40];
+  std::snprintf(text, sizeof text, "to %.4g.", last_stick); // side 1 is straight: x is the abscissa
   CHECK_MESSAGE(contains(caption, text), caption << " lacks " << text);
 }
 
@@ -210,4 +210,14 @@ TEST_CASE("pictures: words of the user cannot break a page") {
   REQUIRE(shown.result.status == 0);
   check_page(shown);
   CHECK(contains(shown.page, "&lt;script&gt;"));
+}
+
+TEST_CASE("pictures: where side 1 is straight along an axis that is the abscissa, else the length along it") {
+  Shown flat, round;
+  show(flat, example("make_mindlin.dat"));
+  show(round, example("make_disc_in_hole.dat"));
+  CHECK(contains(flat.figures["tractions"], ">x, along body 1"));
+  CHECK(contains(flat.page, "<td>x = "));
+  CHECK(contains(round.figures["tractions"], ">distance s from "));
+  CHECK(contains(round.page, "<td>s = "));
 }

@@ -239,7 +239,7 @@ TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") 
   }
   REQUIRE(largest > 100.0 * centre);
   char text[40];
-  std::snprintf(text, sizeof text, "up to %.4g at s = 1<", largest);
+  std::snprintf(text, sizeof text, "up to %.4g at x = 1<", largest);
   CHECK_MESSAGE(contains(shown.figures["tractions"], text), text);
   const std::vector<app::Point> pressure = curve(shown.figures["tractions"], "#0060a8", "2");
   REQUIRE(pressure.size() == 289);

@@ -68,8 +68,8 @@ void append_key_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<div class=\"wide\"><table>\n";
   append_row(out,
-             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit), with_unit("at s", scene.length_unit),
-              "touch", "stick", "slip", with_unit("contact from s", scene.length_unit), with_unit("to s", scene.length_unit)},
+             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit), with_unit("at", scene.length_unit),
+              "touch", "stick", "slip", with_unit("contact from", scene.length_unit), with_unit("to", scene.length_unit)},
              "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
     for (size_t z = 0; z < scene.zones.size(); ++z) {
@@ -79,8 +79,8 @@ void append_key_numbers(std::string& out, const Scene& scene) {
       const std::string zone =
           zone_label(scene, z).substr(5) + (scene.summary.names_bodies() ? ": " + bodies_of(scene, scene.zones[z]) : "");
       append_row(out, {figure(friction_of(scene, i, z)), zone, list_of(c.loads), figure(f.peak, 6),
-                       figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
-                       std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
+                       scene.zones[z].position + (" = " + figure(scene.pairs[f.peak_pair].s)), std::to_string(f.touching),
+                       std::to_string(f.sticking), std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
                        f.touching > 0 ? figure(f.high) : "&#8211;"});
     }
   out += "</table></div>\n</section>\n";

@@ -45,8 +45,8 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
   std::string out = "At " + place_on_path(scene, coefficient) + " the widest gap is " +
                     figure(gap.value, scene.length_unit, 6) + " (pair " + std::to_string(gap.pair + 1) + ")";
   if (slip.value != 0.0)
-    out += "; the largest slip of a touching pair is " + figure(slip.value, scene.length_unit, 6) +
-           " at s = " + figure(scene.pairs[slip.pair].s, scene.length_unit) + " (pair " + std::to_string(slip.pair + 1) + ")";
+    out += "; the largest slip of a touching pair is " + figure(slip.value, scene.length_unit, 6) + " at " + zone.position +
+           " = " + figure(scene.pairs[slip.pair].s, scene.length_unit) + " (pair " + std::to_string(slip.pair + 1) + ")";
   else
     out += "; no touching pair has slipped";
   return out + ".";

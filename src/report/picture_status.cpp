@@ -59,7 +59,8 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
                     std::to_string(f.slipping) + " slip, " + std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) +
                     " are open";
   if (f.sticking > 0)
-    out += "; sticking from s = " + figure(f.stick_low, scene.length_unit) + " to " + figure(f.stick_high, scene.length_unit);
+    out += "; sticking from " + std::string(zone.position) + " = " + figure(f.stick_low, scene.length_unit) + " to " +
+           figure(f.stick_high, scene.length_unit);
   return out + ".";
 }
 

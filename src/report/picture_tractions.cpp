@@ -97,8 +97,8 @@ void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
   }
   if (beyond == 0) return;
   const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") + " beyond the axis: up to " +
-                           figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) +
-                           " at s = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
+                           figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) + " at " +
+                           l.zone.position + " = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
   svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0, Anchor::kMiddle, colour::kInk,
            false, true);
 }
@@ -128,18 +128,18 @@ std::string caption(const Layers& l) {
   std::string out = "At " + l.place + " ";
   if (f.touching == 0) return out + "no pair touches.";
   const PairScene& peak = scene.pairs[f.peak_pair];
-  out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) + " at s = " + figure(peak.s, length) + " (pair " +
-         std::to_string(f.peak_pair + 1) + "); ";
+  out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) + " at " + l.zone.position + " = " +
+         figure(peak.s, length) + " (pair " + std::to_string(f.peak_pair + 1) + "); ";
   out += std::to_string(f.touching) + " of " + std::to_string(l.zone.pairs) +
          (l.zone.pairs == 1 ? " pair touches" : " pairs touch");
   const double size = f.high - f.low;
   if (l.zone.symmetric_origin && (f.low == 0.0 || f.high == 0.0))
     out += ", contact half width " + figure(size, length) + " (to the last touching node)";
   else
-    out += " between s = " + figure(f.low, length) + " and " + figure(f.high, length);
+    out += " between " + std::string(l.zone.position) + " = " + figure(f.low, length) + " and " + figure(f.high, length);
   if (l.mu > 0.0 && f.sticking > 0)
-    out += "; sticking from s = " + figure(f.stick_low, length) + " to " + figure(f.stick_high, length) + ", " +
-           std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
+    out += "; sticking from " + std::string(l.zone.position) + " = " + figure(f.stick_low, length) + " to " +
+           figure(f.stick_high, length) + ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
   out += l.zone.free ? ". tn and tt are per unit of length of " + body_label(l.scene, l.zone.body[1]) + "." : ".";

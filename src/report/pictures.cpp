@@ -62,6 +62,7 @@ std::vector<LegendEntry> status_legend() {
 
 std::string position_name(const Scene& scene, const ZoneScene& zone) {
   const std::string along = ", along " + body_label(scene, zone.body[0]);
+  if (*zone.position != 's') return zone.position + along;
   if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + along;
   const Summary& s = scene.summary;
   std::string line;

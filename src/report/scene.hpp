@@ -39,7 +39,7 @@ struct BodyScene {
 struct PairScene {
   int32_t zone;   // from 1
   Point on[2];    // its places on both sides
-  double s;       // along side 1, see ZoneScene
+  double s;       // place along side 1, see ZoneScene
   bool symmetric; // a displacement of its node is prescribed: a line of symmetry
   int image_line; // 1 or 2: it lies on the line x = ... or y = ... of symmetry by images, 0: on none
 };
@@ -50,7 +50,9 @@ struct ZoneSample {
 };
 struct ZoneScene {
   size_t first = 0, pairs = 0;
-  size_t origin = 0; // the pair where s = 0: on a line of symmetry, or the zone's left or lower end
+  size_t origin = 0; // the pair where lengths begin: on a line of symmetry, or the zone's left or lower end
+  const char* position =
+      "s"; // what the pairs' s is called: "x" or "y" where it is that coordinate, as side 1 is straight along it
   bool symmetric_origin = false;
   bool has_images = false;
   std::vector<ZoneSample> samples; // in the order of s; a zone that ends on a line of images goes on beyond it

@@ -29,6 +29,19 @@ void make_samples(const Scene& scene, ZoneScene& zone) {
                    [](const ZoneSample& a, const ZoneSample& b) { return a.s < b.s; });
 }
 
+// Where side 1 is straight along an axis, and its origin is no line of symmetry elsewhere: that coordinate.
+void take_coordinate(PairScene* p, ZoneScene& zone, bool steep) {
+  const auto along = [steep](Point at) { return steep ? at.y : at.x; };
+  const auto across = [steep](Point at) { return steep ? at.x : at.y; };
+  const double from = along(p[zone.origin - zone.first].on[0]), line = across(p[0].on[0]);
+  const double length = std::fabs(p[zone.pairs - 1].s - p[0].s), none = 1e-9 * length;
+  for (size_t i = 0; i < zone.pairs; ++i)
+    if (!(std::fabs(across(p[i].on[0]) - line) <= none)) return;
+  if (zone.symmetric_origin && std::fabs(from) > none) return;
+  zone.position = steep ? "y" : "x";
+  for (size_t i = 0; i < zone.pairs; ++i) p[i].s = along(p[i].on[0]) - (zone.symmetric_origin ? from : 0.0);
+}
+
 // s along side 1, chord by chord, from the zone's origin; towards larger x, in a steep zone towards larger y.
 void measure(Scene& scene, ZoneScene& zone) {
   if (zone.pairs == 0) return;
@@ -47,6 +60,7 @@ void measure(Scene& scene, ZoneScene& zone) {
   zone.origin = zone.first + origin;
   const double from = p[origin].s, sign = reversed ? -1.0 : 1.0;
   for (size_t i = 0; i <= last; ++i) p[i].s = sign * (p[i].s - from) + 0.0;
+  take_coordinate(p, zone, steep);
   make_samples(scene, zone);
 }
 
