@@ -221,3 +221,21 @@ TEST_CASE("pictures: where side 1 is straight along an axis that is the abscissa
   CHECK(contains(round.figures["tractions"], ">distance s from "));
   CHECK(contains(round.page, "<td>s = "));
 }
+
+TEST_CASE("pictures: where slip at the edges of contact is narrow it is drawn again, magnified") {
+  const Folder folder;
+  const std::string made = run_shell("'" + paths::program() + "' make mindlin n=80 steps=2").out;
+  write_file(folder / "narrow", made);
+  write_file(folder / "smooth", run_shell("'" + paths::program() + "' make hertz n=40").out);
+  Shown narrow, smooth;
+  show(narrow, folder / "narrow");
+  show(smooth, folder / "smooth");
+  REQUIRE(narrow.figures.count("edges") == 1);
+  CHECK(smooth.figures.count("edges") == 0);
+  check_page(narrow);
+  const std::string& picture = narrow.figures["edges"];
+  size_t headings = 0;
+  for (size_t at = picture.find(">Friction<"); at != std::string::npos; at = picture.find(">Friction<", at + 1)) ++headings;
+  CHECK(headings == 2);
+  CHECK(contains(caption_of(narrow, "edges"), "The same around the first and the last edge of contact"));
+}

@@ -30,6 +30,10 @@ struct Layers {
   double mu;         // of the zone
   bool by_load;      // the path is one load that rises
   std::string place; // of the table on the path
+  Range window;      // of s, where it is not all of the zone that is drawn
+
+  double margin() const { return window.empty ? 5.0 : 0.0; } // for markers
+  bool shows(double s) const { return window.empty || (s >= window.low && s <= window.high); }
 };
 
 // At an edge the pressure may be as large as one likes. Where the rest of the zone, 97 % of its length, stays
@@ -60,6 +64,7 @@ Range range_of(const Layers& l, size_t column, double mu_bound, double top) {
   const auto within = [&](double value) { return std::max(-top, std::min(top, value)); };
   const auto take = [&](const std::vector<double>& table) {
     for (const ZoneSample& p : l.zone.samples) {
+      if (!l.shows(p.s)) continue;
       const double* row = table.data() + p.pair * C2D_PAIR_FIELDS;
       range.include(within((column == C2D_TT ? p.turn : 1.0) * row[column]));
       if (&table != &l.record.table || mu_bound == 0.0) continue;
@@ -92,7 +97,7 @@ void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
   size_t beyond = 0, largest = l.zone.first;
   for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
     const auto size = [&](size_t pair) { return std::fabs(l.record.table[pair * C2D_PAIR_FIELDS + column]); };
-    if (size(p) > std::max(std::fabs(chart.y.low), std::fabs(chart.y.high))) ++beyond;
+    if (l.shows(l.scene.pairs[p].s) && size(p) > std::max(std::fabs(chart.y.low), std::fabs(chart.y.high))) ++beyond;
     if (size(p) > size(largest)) largest = p;
   }
   if (beyond == 0) return;
@@ -153,7 +158,7 @@ void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
                     make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
   draw_axes(svg, chart, labels);
   draw_heading(svg, frame, "Pressure");
-  svg.begin_clip(Box{frame.left - 5.0, frame.top - 1.0, frame.right + 5.0, frame.bottom + 5.0});
+  svg.begin_clip(Box{frame.left - l.margin(), frame.top - 1.0, frame.right + l.margin(), frame.bottom + 5.0});
   draw_earlier(svg, l, C2D_TN, chart);
   svg.polyline(curve_of(l.zone, l.record.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
   draw_marks(svg, l, C2D_TN, chart, colour::kBlue);
@@ -171,7 +176,7 @@ void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
   const std::vector<Point> lower = curve_of(l.zone, l.record.table, C2D_TN, chart, -bound);
   std::vector<Point> band = upper;
   band.insert(band.end(), lower.rbegin(), lower.rend());
-  const Box room{frame.left - 5.0, frame.top, frame.right + 5.0, frame.bottom};
+  const Box room{frame.left - l.margin(), frame.top, frame.right + l.margin(), frame.bottom};
   svg.begin_clip(room);
   if (bound > 0.0) svg.area({band}, "#eeeeee", Stroke{});
   svg.end_clip();
@@ -200,6 +205,87 @@ double most_of(const Layers& l, size_t column) {
   return most;
 }
 
+// Both diagrams, one below the other, and their height.
+double height_of_diagrams(bool friction) { return friction ? 450.0 : 280.0; }
+void draw_diagrams(Svg& svg, const Layers& l, bool friction, const Box& place, const Axis& axis) {
+  constexpr double kBetween = 30.0;
+  const double high = friction ? (height_of_diagrams(true) - kBetween) / 2 : height_of_diagrams(false);
+  draw_pressure(svg, l, {place.left, place.top, place.right, place.top + high}, axis, !friction);
+  if (friction) draw_friction(svg, l, {place.left, place.top + high + kBetween, place.right, place.bottom}, axis);
+}
+
+// ---- around the edges of contact ----------------------------------------------------------------------------------------
+
+// From an edge of contact (the last pair that touches, and the next one is open) to some pairs beyond what slips there.
+Range around_edge(const Layers& l, size_t last, int outwards) {
+  constexpr int kOutside = 3, kInside = 3;
+  const std::vector<ZoneSample>& p = l.zone.samples;
+  const auto status = [&](size_t i) { return static_cast<int>(l.record.table[p[i].pair * C2D_PAIR_FIELDS + C2D_STATUS]); };
+  const auto moved = [&](size_t i, int steps) {
+    const ptrdiff_t to = static_cast<ptrdiff_t>(i) + steps;
+    return static_cast<size_t>(std::max<ptrdiff_t>(0, std::min(to, static_cast<ptrdiff_t>(p.size()) - 1)));
+  };
+  size_t inner = last;
+  while (moved(inner, -outwards) != inner && status(inner) == C2D_SLIP && l.mu > 0.0) inner = moved(inner, -outwards);
+  Range out;
+  out.include(p[moved(inner, -kInside * outwards)].s);
+  out.include(p[moved(last, kOutside * outwards)].s);
+  return out;
+}
+
+// Does what counts happen there: slip beside stick, or the largest pressure?
+bool says_much(const Layers& l, const Range& window) {
+  bool slips = false, sticks = false, holds = false;
+  double most = 0.0;
+  for (const ZoneSample& p : l.zone.samples) {
+    const double* row = l.record.table.data() + p.pair * C2D_PAIR_FIELDS;
+    const bool inside = p.s >= window.low && p.s <= window.high;
+    if (row[C2D_TN] > most) most = row[C2D_TN], holds = inside;
+    slips = slips || (inside && row[C2D_STATUS] == C2D_SLIP);
+    sticks = sticks || row[C2D_STATUS] == C2D_STICK;
+  }
+  return holds || (l.mu > 0.0 && slips && sticks);
+}
+
+// The first and the last edge at which so much happens in so little of the zone that it cannot be seen in the whole.
+std::vector<Range> find_windows(const Layers& l) {
+  constexpr double kLittle = 0.2; // of the zone
+  const std::vector<ZoneSample>& p = l.zone.samples;
+  const auto touches = [&](size_t i) { return l.record.table[p[i].pair * C2D_PAIR_FIELDS + C2D_STATUS] != C2D_OPEN; };
+  std::vector<Range> all;
+  for (size_t i = 0; i + 1 < p.size(); ++i) {
+    if (touches(i) == touches(i + 1) || (l.zone.has_images && p[i].turn < 0.0)) continue;
+    const Range window = touches(i) ? around_edge(l, i, 1) : around_edge(l, i + 1, -1);
+    if (window.high - window.low < kLittle * (p.back().s - p.front().s) && says_much(l, window)) all.push_back(window);
+  }
+  if (all.size() > 2) all = {all.front(), all.back()};
+  return all;
+}
+
+void draw_edges(const Layers& whole, bool friction, const std::string& suffix, const std::string& title, Pictures& out) {
+  const std::vector<Range> windows = find_windows(whole);
+  if (windows.empty()) return;
+  const double left = 76.0, right = kPictureWidth - 16.0, between = 76.0;
+  const std::vector<LegendEntry> entries = legend(whole, friction);
+  const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;
+  const double bottom = top + height_of_diagrams(friction), wide = (right - left - between) / 2;
+  Svg svg("edges" + suffix, kPictureWidth, bottom + 44.0);
+  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  for (size_t i = 0; i < windows.size(); ++i) {
+    Layers l = whole;
+    l.window = windows[i];
+    const double from = left + static_cast<double>(i) * (wide + between), to = windows.size() == 1 ? right : from + wide;
+    const std::string name = windows.size() == 1 ? position_name(l.scene, l.zone) : l.zone.position;
+    draw_diagrams(svg, l, friction, {from, top, to, bottom}, make_axis(l.window, name, l.scene.length_unit, 5, true));
+  }
+  Picture picture{"edges" + suffix, title,
+                  "The same around " + std::string(windows.size() == 1 ? "the edge" : "the first and the last edge") +
+                      " of contact, where most happens in little of the zone; every marker is a pair.",
+                  ""};
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   static const CoefficientHistory kNone;
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
@@ -211,26 +297,26 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
       scene.record->coefficients[coefficient],
       friction_of(scene, coefficient, zone_index),
       rises(history),
-      place_on_path(scene, coefficient)};
+      place_on_path(scene, coefficient),
+      {}};
   const double most = most_of(l, C2D_TN);
   const bool friction = l.mu > 0.0 && most_of(l, C2D_TT) > 1e-12 * most;
   if (most == 0.0) return; // nothing touches, or without force
   const double left = 76.0, right = kPictureWidth - 16.0;
   const std::vector<LegendEntry> entries = legend(l, friction);
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;
-  const double high = friction ? 210.0 : 280.0, bottom = friction ? top + 2.0 * high + 30.0 : top + high;
-  const std::string name = "tractions" + chart_suffix(scene, coefficient, zone_index);
-  Svg svg(name, kPictureWidth, bottom + 44.0);
+  const std::string suffix = chart_suffix(scene, coefficient, zone_index), name = "tractions" + suffix;
+  Svg svg(name, kPictureWidth, top + height_of_diagrams(friction) + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, entries);
   Range s;
   for (const ZoneSample& p : l.zone.samples) s.include(p.s);
   const Axis axis = make_axis(s, position_name(scene, l.zone), scene.length_unit, 9, false);
-  draw_pressure(svg, l, {left, top, right, top + high}, axis, !friction);
-  if (friction) draw_friction(svg, l, {left, top + high + 30.0, right, bottom}, axis);
+  draw_diagrams(svg, l, friction, {left, top, right, top + height_of_diagrams(friction)}, axis);
   Picture picture{name, "Pressure and friction, " + chart_title(scene, l.mu, zone_index), caption(l), ""};
   if (!friction) picture.title = "Pressure, " + chart_title(scene, l.mu, zone_index);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
+  draw_edges(l, friction, suffix, "At the edges of contact, " + chart_title(scene, l.mu, zone_index), out);
 }
 
 } // namespace
