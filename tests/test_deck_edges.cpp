@@ -22,6 +22,8 @@ Reading behind(const List& cards) {
   return read(joined(deck));
 }
 
+bool contains_text(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 // The only fault there is.
 Fault the_fault(const Reading& r) {
   CHECK(r.status == C2D_ERR_INPUT);
@@ -249,4 +251,67 @@ TEST_CASE("deck edges: an error that has no room for a status is no place to tel
   why.struct_size = sizeof why.struct_size;
   CHECK(c2d_scan_deck(read_bytes, &deck, &limits, &why) == C2D_ERR_ARGUMENT);
   CHECK(why.struct_size == sizeof why.struct_size);
+}
+
+TEST_CASE("deck edges: a byte that is no text ends the reading, on any line") {
+  const Fault f = the_fault(with(4, std::string("    2    1 \x01  2")));
+  CHECK(f.line == 4);
+  CHECK(f.column == 12);
+  CHECK(f.text == "column 12 holds the byte 1, expected plain ASCII text");
+}
+
+TEST_CASE("deck edges: load cases beyond the first 256 may stand below *CASES more than once") {
+  const List cards = {"*CASES 300", "case 257", "load 1 0 0 1 0", "case 257", "load 1 0 0 2 0"};
+  const Reading r = behind(cards);
+  CHECK(r.sizes.load_cases == 300);
+  CHECK(last_call(r, "point load") == std::vector<double>{1, 0, 0, 2, 0, 257});
+  List twice = cards;
+  twice[1] = twice[3] = "case 256";
+  CHECK(contains_text(the_fault(behind(twice)).text, "case 256 stands below *CASES twice"));
+}
+
+TEST_CASE("deck edges: a condition of a load case without elements names what it misses") {
+  const Reading r = behind({"*CASES 2", "case 2", "condition 1"});
+  CHECK(r.status == C2D_ERR_INPUT);
+  REQUIRE(!r.faults.empty());
+  CHECK(contains_text(r.faults[0].text, "elements are '', expected a number or a range e1-e2 within 1 to 4"));
+}
+
+TEST_CASE("deck edges: a model that refuses values of a later load case, new paths, or what a platen carries is not asked on") {
+  const auto calls_to = [](const List& cards, const char* name, int nth, c2d_status refusal) {
+    List deck = squares();
+    deck.insert(deck.end(), cards.begin(), cards.end());
+    const Reading whole = read(joined(deck));
+    REQUIRE(whole.status == C2D_OK);
+    int at = -1;
+    for (size_t i = 0; i < whole.model.calls.size(); ++i)
+      if (whole.model.calls[i].name == name && nth-- == 0) at = static_cast<int>(i);
+    REQUIRE(at >= 0);
+    const Reading refused = read(joined(deck), at, refusal);
+    CHECK(refused.status == refusal);
+    return static_cast<int>(refused.model.calls.size()) - at - 1; // that follow
+  };
+  const List cases = {"*CASES 2", "case 2", "condition 1 1-3 0 1 0 0 0"}, path = {"*PATH", "4 1", "4 0"};
+  CHECK(calls_to(cases, "case values", 1, C2D_ERR_LIMIT) == 0);
+  CHECK(calls_to(cases, "case values", 1, C2D_ERR_INPUT) == 0); // of the range the third would be
+  CHECK(calls_to(path, "clear paths", 0, C2D_ERR_LIMIT) == 0);
+}
+
+TEST_CASE("deck edges: what stands below a rigid body that is told wrongly is read, and no model receives it") {
+  const Reading r = behind({"*RIGID LOAD 3 0 0 X", "1 1 0 0"});
+  CHECK(r.status == C2D_ERR_INPUT);
+  CHECK(r.faults.size() == 1);
+  for (const Call& call : r.model.calls) CHECK(call.name != "rigid load");
+}
+
+TEST_CASE("deck edges: a region that is not the last of its body ends within it") {
+  List deck = squares();
+  deck[4] = "    2    2    4    4";
+  deck[6] = "    1    9";
+  deck.insert(deck.begin() + 7, "    4    4");
+  const Reading r = read(joined(deck));
+  REQUIRE(!r.faults.empty());
+  CHECK(r.faults[0].line == 7);
+  CHECK(r.faults[0].column == 6);
+  CHECK(r.faults[0].text == "last element of the region is 9, expected 1 to 4");
 }

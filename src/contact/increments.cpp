@@ -105,7 +105,7 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
     }
     if (changes < 0) break;
     ++f.stats.events;
-    if (f.watch.changed) status = f.watch.changed(f.watch.context, f.load[0]);
+    status = f.watch.changed(f.watch.context, f.load[0]);
     if (status != C2D_OK) return status;
   }
   ++f.stats.unconverged;

@@ -108,7 +108,6 @@ void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report rep
 }
 
 void refuse_tabs(Cards& cards) {
-  if (cards.free_form) return;
   const int32_t column = place_of('\t', cards.text, kCardColumns) + 1;
   if (column > kCardColumns) return;
   fault(cards, column, column, "column ", column,

@@ -68,7 +68,6 @@ void place(Deck& deck, int32_t column, int32_t column_end) {
 }
 
 void place_words(Deck& deck, const Words& words) {
-  if (deck.sink == nullptr) return;
   const int32_t first = words.count > 0 ? words.word[0].column : 1;
   const int32_t last = words.count > 0 ? words.word[words.count - 1].column_end : words.end;
   accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, first, last));

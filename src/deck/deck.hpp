@@ -53,7 +53,7 @@ struct NumbersSeen {
   uint32_t bits[kNoted / 32];
   // Notes it; true if it was there before.
   bool again(int32_t number) {
-    if (number < 1 || number > kNoted) return false;
+    if (number > kNoted) return false;
     uint32_t& word = bits[(number - 1) / 32];
     const uint32_t bit = uint32_t{1} << ((number - 1) % 32);
     const bool before = (word & bit) != 0;

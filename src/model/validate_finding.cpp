@@ -68,7 +68,7 @@ ZoneFinding::ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t p
 
 void report(Reporter& reporter, const Finding& finding) {
   if (finding.entry.severity == C2D_FAULT) ++reporter.faults;
-  if (reporter.tell != nullptr) reporter.tell(reporter.context, finding.entry);
+  reporter.tell(reporter.context, finding.entry);
 }
 
 } // namespace c2d
