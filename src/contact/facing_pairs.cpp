@@ -1,5 +1,6 @@
 #include "contact/facing_pairs.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 
 namespace c2d {
@@ -15,9 +16,11 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   for (int i = 0; i < count; ++i) {
     if (pair_of_end(m, z.body[1], ends[i] / f, ends[i] % f).pair != pair) continue;
     FacePoint at2{ends[i] / f, 0, node_eta(f, ends[i] % f)}, at;
-    if (!find_contact_element(m, z.body[1], at2.element, &place)) return false;
+    const bool in_zone = find_contact_element(m, z.body[1], at2.element, &place);
+    if (C2D_NEVER(!in_zone)) return false; // a pair's element is
     at2.place = place.place;
-    if (!face_point(m, z, at2, at)) return false;
+    const bool faces = face_point(m, z, at2, at);
+    if (C2D_NEVER(!faces)) return false; // zones whose nodes face nothing are refused before
     p.element = at.element;
     p.eta = at.eta;
     add_surface(m, z.body[0], at.element, at.eta, out);

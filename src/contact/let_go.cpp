@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "contact/limit_analysis.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 
@@ -38,7 +39,7 @@ struct LeastMotion {
             t, [&](const Pair& p, int slot) { return static_cast<double>(motion[j][p.dof + slot]) * motion[k][p.dof + slot]; });
         const double own = sum;
         for (int32_t i = 0; i < k; ++i) sum -= factor[j][i] * factor[k][i];
-        if (j == k && !(sum > 1e-12 * own)) return false;
+        if (j == k && C2D_NEVER(!(sum > 1e-12 * own))) return false; // each moves a slot that no other does
         factor[j][k] = j == k ? sqrt(sum) : sum / factor[k][k];
       }
     return true;
@@ -77,7 +78,8 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
     for (int32_t j = 0; j < count; ++j) motion[left[j]] = static_cast<Real>(j == k ? 1 : 0);
     least.motion[k] = motion;
   }
-  if (!least.prepare(t)) return false;
+  const bool apart = least.prepare(t);
+  if (C2D_NEVER(!apart)) return false; // (there)
   for (int32_t j = t.n; j < tableau_columns(t.n, t.cases); ++j) least.add_to(t, column(t, j), j == t.n);
   return true;
 }
@@ -157,7 +159,7 @@ bool rest_along(const Tableau& t, int32_t slot, Real* response) {
     push(pair.place[s], factor);
   });
   against -= response[slot];
-  if (!(fabs(against) > 0.0)) return false;
+  if (C2D_NEVER(!(fabs(against) > 0.0))) return false; // it would be no motion that nothing holds
   const auto keep_place_in = [&](Real* values, double base, bool to_place) {
     double x = -weight * (base - (to_place ? place_of(own, which) : 0.0));
     for_moved(t, alone, motion, [&](const Pair& pair, int s, double factor) {

@@ -443,9 +443,12 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
-  if (let_go && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
-  for (; !let_go && t.resting < count; ++t.resting)
-    if (!kSearchPart.rest_along(t, left[t.resting], static_cast<Real*>(tape.buffer))) return C2D_ERR_SINGULAR;
+  const bool placed = !let_go || kSearchPart.place_body(t, left, count);
+  if (C2D_NEVER(!placed)) return C2D_ERR_SINGULAR; // contact/let_go.cpp
+  for (; !let_go && t.resting < count; ++t.resting) {
+    const bool rests = kSearchPart.rest_along(t, left[t.resting], static_cast<Real*>(tape.buffer));
+    if (C2D_NEVER(!rests)) return C2D_ERR_SINGULAR; // contact/let_go.cpp
+  }
   sort_columns(t);
   leave_normal_columns(t);
   if (delays(t)) read_own(t);

@@ -1,6 +1,7 @@
 // Pieces of elements of side 1 and what they face, one after the other.
 #include "model/facing.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 
 #include <math.h>
@@ -32,7 +33,8 @@ bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint
     ZonePlace faced;
     out.element = m.pair[pair].element;
     out.eta = m.pair[pair].eta;
-    if (!find_contact_element(m, z.body[0], out.element, &faced)) return false;
+    const bool in_zone = find_contact_element(m, z.body[0], out.element, &faced);
+    if (C2D_NEVER(!in_zone)) return false; // what a pair's node faces is
     out.place = faced.place;
     return true;
   }
