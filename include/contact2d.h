@@ -347,12 +347,17 @@ enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
 /* Elements on a line of symmetry: kept, or replaced by images. The line bounds every body; each of its elements has zero
    displacement across and zero traction along the line. Results there are 0. Lines are found if none is given. */
 enum { C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1 };
+/* Compressed (METHOD 7.6): time and store grow like the number of nodes, so that it pays from some 1000 of a body on; to 1e-9 as
+   dense, else C2D_WARN_COMPRESSED. Takes up to 128 MiB beyond the least workspace, somewhat more from 10^5 nodes on, and passes
+   over keep_factors. Bodies with nodes on side 1 of a free zone stay dense, and any with more holes than 2 regions + 2. */
+enum { C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1 };
 typedef struct c2d_options {
   uint32_t struct_size;
   int32_t quadrature, stepping; /* C2D_QUADRATURE_..., C2D_STEPPING_...                             */
   int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond the limits of accuracy */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
-  int32_t keep_factors, reserved; /* 1: all of L is kept, so that new loads cost little: tape LOWER as large as UPPER */
+  int32_t keep_factors;       /* 1: all of L is kept, so that new loads cost little: tape LOWER as large as UPPER */
+  int32_t elimination;        /* C2D_ELIMINATION_...                                                */
 } c2d_options;
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
@@ -366,7 +371,7 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
    per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT:
-   changed loads. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
+   changed loads; MEMORY with bytes_needed: compressed elimination. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point
@@ -498,6 +503,9 @@ typedef struct c2d_summary {
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
   double symmetry_at[2], breach_size; /* of what the breach is measured against                         */
   int32_t point_loads, point_sets, curves, run_step; /* the first three: how many the model holds    */
+  int32_t compressed_bodies, reserved; /* how many bodies are eliminated compressed                  */
+  double compression_residual;    /* of some of their equations, over the largest term, in states with results of bodies */
+  double compression_error;       /* by it, what a step of refinement would change, over the displacements */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* zeros for what is not known yet */
 
@@ -585,7 +593,7 @@ const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
 /* These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function:
-   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
+   bodies with holes; zones of kind C2D_ZONE_FREE; compressed elimination; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
    except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and what few states need, which c2d_run
    brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how
    many solutions there are, and a body that nothing presses any more. Without it a path ends there with C2D_UNDECIDED. */
@@ -593,6 +601,7 @@ void c2d_link_holes(void);
 void c2d_link_free_zones(void);
 void c2d_link_warnings(void);
 void c2d_link_search(void);
+void c2d_link_compressed(void);
 
 #ifdef __cplusplus
 }

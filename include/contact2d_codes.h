@@ -116,7 +116,8 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do ab
   C2D_WARN_SURFACE = 222,          /* the error of a surface matters beside how far the bodies come closer */
   C2D_WARN_ENERGY = 223,           /* between turns of the loads work and friction differ by more than 10 % */
   C2D_WARN_UNHELD = 224,           /* motions of bodies that no support, tie or possible contact prevents  */
-  C2D_WARN_TIE_END = 225           /* stresses are singular where a tie of unlike materials ends           */
+  C2D_WARN_TIE_END = 225,          /* stresses are singular where a tie of unlike materials ends           */
+  C2D_WARN_COMPRESSED = 226        /* by its residual compressed elimination may be off by more than 1e-9  */
 };
 
 #endif

@@ -693,7 +693,7 @@ TEST_CASE("source, watch and sink can stop it at every call, at once") {
 }
 
 TEST_CASE("blocks hold the row exchanges, too, where strips of L are shorter") {
-  EliminationPlan plan = {12, 8, 3, 4, 1, 0, 0, 1, 1};
+  EliminationPlan plan = {12, 8, 3, 4, 1, 0, 0, 0, 1, 1};
   CHECK(lower_use(plan).max_data_bytes == 8 * sizeof(int32_t));
   CHECK(lower_use(plan).blocks > 8 * 8 / 2);
   plan.block_rows = 12;

@@ -4,10 +4,16 @@
 #include "elimination/cells.hpp"
 #include "elimination/compressed_work.hpp"
 #include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 
 C2D_USES(HolePart);
+
+void list_holes(const ColumnSystem& system, int32_t count, Hole* out) {
+  HoleWalk walk{};
+  for (int32_t k = 0; k < count; ++k) kHolePart.next_hole(system.model, system.body, walk, out[k]);
+}
 
 namespace {
 
@@ -34,14 +40,10 @@ double reach_of(const Compression& t, int32_t node) {
   return reach;
 }
 
-void list_holes(Compression& t) {
-  HoleWalk walk{};
-  Hole hole;
-  for (int32_t k = 0; k < t.plan.holes; ++k) {
-    kHolePart.next_hole(t.system.model, t.system.body, walk, hole);
-    t.w.hole[k] = hole;
-    visit_hole(t.system, hole, [&](int32_t node, const double*) { t.w.hole_at[node] = k; });
-  }
+void place_holes(Compression& t) {
+  list_holes(t.system, t.plan.holes, t.w.hole);
+  for (int32_t k = 0; k < t.plan.holes; ++k)
+    visit_hole(t.system, t.w.hole[k], [&](int32_t node, const double*) { t.w.hole_at[node] = k; });
 }
 
 // A fixed sequence of 1 and -1.
@@ -69,9 +71,38 @@ void start_lists(Compression& t) {
     (is_tree_node(m, t.system.body, node) ? w.order[tree++] : w.border[border++]) = node;
   }
   for (int32_t j = 0; j < t.plan.columns + 2 * t.plan.contact; ++j) w.place[j] = -1;
+  C2D_ASSERT(tree == t.plan.tree);
   order_nodes(t.system.point, t.plan.tree, t.depth, w.order, w.room);
-  list_holes(t);
+  place_holes(t);
   fill_right(t);
+}
+
+// Spread over the numbers of the nodes.
+void write_samples(Compression& t) {
+  const int32_t count = sample_count(t.plan);
+  const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
+  for (int32_t i = 0; i < count; ++i) {
+    const int64_t node = (2 * static_cast<int64_t>(i) + 1) * t.plan.nodes / (2 * count);
+    Sample sample;
+    memset(&sample, 0, sizeof sample); // padding
+    sample.node = static_cast<int32_t>(node);
+    sample.twin = t.system.twin[node];
+    sample.hole = t.w.hole_at[node];
+    memcpy(sample.point, t.system.point + 2 * node, sizeof sample.point);
+    memcpy(sample.diagonal, t.system.diagonal + 4 * node, sizeof sample.diagonal);
+    append(t.upper, &sample, sizeof sample);
+    for (int32_t k = 0; k < t.plan.loads; ++k) append(t.upper, t.w.right + 2 * node + k * rows, 2 * sizeof(Real));
+  }
+}
+
+// What is left of the last block, and where the records end.
+c2d_status finish_records(Compression& t) {
+  const uint64_t end = t.upper.end;
+  const c2d_status status = finish_block(t.upper);
+  if (status != C2D_OK) return status;
+  memset(t.upper.buffer + kBlockHeaderBytes, 0, kEndBytes);
+  memcpy(t.upper.buffer + kBlockHeaderBytes, &end, sizeof end);
+  return write_block(*t.upper.tapes, C2D_TAPE_UPPER, t.upper.first_block - 1, t.upper.buffer, kEndBytes);
 }
 
 // The equations and unknowns of the leaves.
@@ -420,22 +451,21 @@ c2d_status keep_root(Compression& t, const Depth& d, bool leaf, uint64_t at, con
 
 } // namespace
 
-c2d_status eliminate_compressed(CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
+c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
                                 PivotStats* pivots, CompressedStats* stats, const Watch& watch, const Engine& engine) {
   Compression t{plan, system, {}, engine, tree_depth(plan.tree, plan.leaf), 0, stats, pivots, {}, {}, {}};
   lay_out_work(plan, static_cast<char*>(work), &t.w);
   *t.stats = CompressedStats{};
   t.pivots->base = 0;
   start_stats(*t.pivots);
-  const uint64_t lower_first = plan.border.lower_first_block + lower_use(plan.border).blocks,
-                 upper_first = plan.border.upper_first_block + upper_use(plan.border).blocks;
-  const uint64_t lower_blocks = compressed_lower_use(plan).blocks - lower_use(plan.border).blocks,
-                 upper_blocks = compressed_upper_use(plan).blocks - upper_use(plan.border).blocks;
+  const uint64_t lower_first = plan.border.lower_first_block + lower_use(plan.border).blocks;
+  const uint64_t lower_blocks = compressed_lower_use(plan).blocks - lower_use(plan.border).blocks;
   t.lower = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.lower_buffer);
   t.read = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.read_buffer);
-  t.upper = open_stream(tapes, C2D_TAPE_UPPER, upper_first, upper_blocks, plan.block_bytes, t.w.upper_buffer);
+  t.upper = records_of(plan, tapes, t.w.upper_buffer);
   start_lists(t);
   start_leaves(t);
+  write_samples(t);
   Depth depth{1 << t.depth, 0};
   c2d_status status = C2D_OK;
   bool leaf = true;
@@ -447,8 +477,7 @@ c2d_status eliminate_compressed(CompressedPlan& plan, const ColumnSystem& system
     join_lists(t, depth);
   }
   if (status == C2D_OK) status = keep_root(t, depth, leaf, from, sink, tapes, watch);
-  plan.records = t.upper.end;
-  return status == C2D_OK ? finish_block(t.upper) : status;
+  return status == C2D_OK ? finish_records(t) : status;
 }
 
 } // namespace c2d

@@ -17,21 +17,33 @@ struct CompressedPlan {
   int32_t rank, leaf;     // most equations and unknowns that a cell may keep; nodes of a leaf, at most `rank`
   EliminationPlan border; // of the dense system; its blocks come first on both tapes
   uint64_t block_bytes;   // of data, of the blocks behind them
-  uint64_t records;       // bytes of what back substitution needs, set by eliminate_compressed
 };
+constexpr int32_t kLeafNodes = 40;
 
-// Nodes that go into the tree: those without a part in the contact.
+// Does a node go into the tree? Those do without a part in the contact.
 bool is_tree_node(const Model& model, int b, int32_t node);
-// The plan of a body but for how its border is cut, of which every column is a panel. Not for bodies with equations of free
-// zones (Body::free_rows).
+// How many holes the body's plan may count, by its regions. With elements on lines of symmetry there may be more.
+inline int32_t most_holes(int32_t regions) { return 2 * regions + 2; }
+// Not for bodies with equations of free zones, nor with more holes than that.
+bool may_compress(const Model& model, int b);
+// The plan of a body but for how its border is cut, of which every column is a panel. `rank` may be more than is of use.
 CompressedPlan plan_compressed(const Model& model, int b, int32_t rank, int32_t leaf);
+// One that no body with at most so many nodes, of them so many in contact, contact unknowns and holes goes beyond.
+struct CompressedLimits {
+  int32_t nodes, touching, contact, loads, holes;
+};
+CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int32_t leaf);
 // Cuts the border for a work area of `bytes` bytes. Errors: C2D_ERR_MEMORY, with *needed = the bytes that would do.
 c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed);
+// The plan of a body whose border is cut and has its place on the tapes; and whether a border can be one.
+CompressedPlan plan_around(const Model& model, int b, const EliminationPlan& border);
+bool is_border(const Model& model, int b, const EliminationPlan& border);
 
-// Upper bounds, known before: of the work area, of blocks of the tapes and of their largest data.
+// Upper bounds, known before: of the work area, of blocks of the tapes and of their largest data. With `most` of any body
+// within the plan's numbers whose border is cut alike.
 uint64_t compressed_bytes(const CompressedPlan& plan);
 TapeUse compressed_lower_use(const CompressedPlan& plan);
-TapeUse compressed_upper_use(const CompressedPlan& plan);
+TapeUse compressed_upper_use(const CompressedPlan& plan, bool most = false);
 
 // What has been found on the way.
 struct CompressedStats {
@@ -41,7 +53,7 @@ struct CompressedStats {
 
 // As eliminate(), with the same rows going to the sink. The system's sources are placed and its diagonal filled.
 // C2D_ERR_MEMORY: a cell would keep more than `rank`; then stats->largest_rank is what that cell asks for.
-c2d_status eliminate_compressed(CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
+c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
                                 PivotStats* pivots, CompressedStats* stats, const Watch& watch, const Engine& engine);
 
 // As back_substitute() and transposed_functional(); without w, f comes back as it is.
@@ -50,5 +62,14 @@ c2d_status back_substitute_compressed(const CompressedPlan& plan, Tapes& tapes, 
 c2d_status compressed_functional(const CompressedPlan& plan, Tapes& tapes, Real* f, Real* w, void* work);
 // As back_substitute_compressed with right-hand sides of 1 and -1 at random: how much round-off of the equations grows.
 c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, void* work);
+
+// What x leaves of some equations, spread over the whole body, that are assembled anew: the mean square root, and the largest
+// over the largest term. Of the system `diagonal`, `point` and `twin` are not looked at. work: compressed_check_bytes.
+struct Remainder {
+  double mean, relative;
+};
+uint64_t compressed_check_bytes(const CompressedPlan& plan);
+c2d_status check_compressed(const CompressedPlan& plan, const ColumnSystem& system, Tapes& tapes, const Real* coefficient,
+                            const Real* x, void* work, Remainder* out);
 
 } // namespace c2d

@@ -6,6 +6,21 @@
 
 namespace c2d {
 
+Stream records_of(const CompressedPlan& plan, Tapes& tapes, char* buffer) {
+  const uint64_t dense = upper_use(plan.border).blocks;
+  return open_stream(tapes, C2D_TAPE_UPPER, plan.border.upper_first_block + dense + 1,
+                     compressed_upper_use(plan).blocks - dense - 1, plan.block_bytes, buffer);
+}
+
+Stream open_records(const CompressedPlan& plan, Tapes& tapes, char* buffer, uint64_t* end) {
+  Stream out = records_of(plan, tapes, buffer);
+  *end = 0;
+  out.status = read_block(tapes, C2D_TAPE_UPPER, out.first_block - 1, buffer, kEndBytes);
+  if (out.status == C2D_OK) memcpy(end, buffer + kBlockHeaderBytes, sizeof *end);
+  if (*end > out.blocks * out.block_bytes) *end = 0;
+  return out;
+}
+
 namespace {
 
 struct BackWork {
@@ -28,7 +43,8 @@ uint64_t lay_out_back(const CompressedPlan& plan, char* base, BackWork* out) {
     return base ? base + at : nullptr;
   };
   BackWork w{};
-  w.dense = take(back_substitution_bytes(plan.border));
+  const uint64_t block = round_up(kBlockHeaderBytes + plan.block_bytes), own = back_substitution_bytes(plan.border);
+  w.dense = take(own > block ? own : block); // however the border is cut
   w.y = reinterpret_cast<Real*>(take(static_cast<uint64_t>(plan.border.pivots) * sizeof(Real)));
   w.coefficient = reinterpret_cast<Real*>(take(static_cast<uint64_t>(plan.border.trailing) * sizeof(Real)));
   w.record = take(record_bytes(plan));
@@ -49,45 +65,71 @@ struct Record {
   }
 };
 
+int32_t border_id(const char* record, int32_t j) {
+  int32_t out;
+  memcpy(&out, record + static_cast<size_t>(j) * sizeof out, sizeof out);
+  return out;
+}
+
 Real number(const char* at, int64_t i) {
   Real out;
   memcpy(&out, at + static_cast<size_t>(i) * sizeof out, sizeof out);
   return out;
 }
 
-Record open_record(const char* at) {
-  Record r;
-  memcpy(&r.spare, at, sizeof r.spare);
-  memcpy(&r.kept, at + sizeof r.spare, sizeof r.kept);
-  r.ids = at + 2 * sizeof(int32_t);
-  r.m = r.ids + static_cast<size_t>(r.spare + r.kept) * sizeof(int32_t);
-  r.h = r.m + static_cast<size_t>(r.spare) * static_cast<size_t>(r.kept) * sizeof(Real);
-  return r;
-}
-
 struct Records {
   const CompressedPlan& plan;
   Stream stream;
   BackWork w;
+  uint64_t end;
 };
 
-Records open_records(const CompressedPlan& plan, Tapes& tapes, void* work) {
-  Records r{plan, {}, {}};
+Records begin_reading(const CompressedPlan& plan, Tapes& tapes, void* work) {
+  Records r{plan, {}, {}, 0};
   lay_out_back(plan, static_cast<char*>(work), &r.w);
-  const uint64_t dense = upper_use(plan.border).blocks;
-  r.stream = open_stream(tapes, C2D_TAPE_UPPER, plan.border.upper_first_block + dense,
-                         compressed_upper_use(plan).blocks - dense, plan.block_bytes, r.w.buffer);
+  r.stream = open_records(plan, tapes, r.w.buffer, &r.end);
   return r;
 }
 
-// The record that ends at `end` comes into w.record; `end` goes to where it begins.
-c2d_status read_backwards(Records& r, uint64_t& end) {
-  uint64_t length;
-  const c2d_status status = read_at(r.stream, end - sizeof length, &length, sizeof length);
-  if (status != C2D_OK) return status;
-  if (length > record_bytes(r.plan) || length + sizeof length > end) return C2D_ERR_INTERNAL;
+// Counts and identities lead to places in memory: those of another maker's record may be any.
+c2d_status fault_of(const Records& r) { return r.stream.status != C2D_OK ? r.stream.status : c2d_status{C2D_ERR_INTERNAL}; }
+
+uint64_t length_of(const Records& r, int64_t spare, int64_t kept) {
+  const int64_t numbers = spare * (kept + right_sides(r.plan)), most = 2 * static_cast<int64_t>(r.plan.rank);
+  if (spare < 0 || kept < 0 || spare + kept > most) return UINT64_MAX;
+  return static_cast<uint64_t>(2 + spare + kept) * sizeof(int32_t) + static_cast<uint64_t>(numbers) * sizeof(Real);
+}
+
+bool open_record(const Records& r, uint64_t length, Record& out) {
+  const char* at = r.w.record;
+  memcpy(&out.spare, at, sizeof out.spare);
+  memcpy(&out.kept, at + sizeof out.spare, sizeof out.kept);
+  if (length_of(r, out.spare, out.kept) != length) return false;
+  out.ids = at + 2 * sizeof(int32_t);
+  out.m = out.ids + static_cast<size_t>(out.spare + out.kept) * sizeof(int32_t);
+  out.h = out.m + static_cast<size_t>(out.spare) * static_cast<size_t>(out.kept) * sizeof(Real);
+  for (int32_t i = 0; i < out.spare + out.kept; ++i)
+    if (out.id(i) < 0 || out.id(i) >= r.plan.columns) return false;
+  return true;
+}
+
+// The record that ends at `end` comes into w.record; `end` goes to where it begins, and its length is returned; 0: no record.
+uint64_t read_backwards(Records& r, uint64_t& end) {
+  uint64_t length = 0;
+  if (r.stream.status != C2D_OK || end < sizeof length ||
+      read_at(r.stream, end - sizeof length, &length, sizeof length) != C2D_OK)
+    return 0;
+  if (length < 2 * sizeof(int32_t) || length > record_bytes(r.plan) || length + sizeof length > end) return 0;
   end -= length + sizeof length;
-  return read_at(r.stream, end, r.w.record, length);
+  return read_at(r.stream, end, r.w.record, length) == C2D_OK ? length : 0;
+}
+
+// Which unknown of the body each of the border's is, -1: none, in w.record; false: nothing of the kind.
+bool read_border(Records& r, uint64_t& end) {
+  if (read_backwards(r, end) != static_cast<uint64_t>(r.plan.border.pivots) * sizeof(int32_t)) return false;
+  for (int32_t j = 0; j < r.plan.border.pivots; ++j)
+    if (border_id(r.w.record, j) < -1 || border_id(r.w.record, j) >= r.plan.columns) return false;
+  return true;
 }
 
 // x of what a cell has eliminated from x of what it kept.
@@ -106,19 +148,20 @@ void substitute(const Records& r, const Record& cell, Real* x) {
 
 // Its coefficients stand in w.coefficient.
 c2d_status solve(Records& r, Tapes& tapes, Real* x) {
-  uint64_t end = r.plan.records;
-  c2d_status status = back_substitute(r.plan.border, tapes, r.w.coefficient, r.w.y, r.w.dense);
-  if (status == C2D_OK) status = read_backwards(r, end);
+  uint64_t end = r.end;
+  if (r.stream.status != C2D_OK) return r.stream.status;
+  const c2d_status status = back_substitute(r.plan.border, tapes, r.w.coefficient, r.w.y, r.w.dense);
   if (status != C2D_OK) return status;
+  if (!read_border(r, end)) return fault_of(r);
   for (int32_t j = 0; j < r.plan.border.pivots; ++j) {
-    int32_t id;
-    memcpy(&id, r.w.record + static_cast<size_t>(j) * sizeof id, sizeof id);
+    const int32_t id = border_id(r.w.record, j);
     if (id >= 0) x[id] = r.w.y[j];
   }
-  while (end > 0) {
-    status = read_backwards(r, end);
-    if (status != C2D_OK) return status;
-    substitute(r, open_record(r.w.record), x);
+  while (end > sample_bytes(r.plan)) {
+    Record cell;
+    const uint64_t length = read_backwards(r, end);
+    if (length == 0 || !open_record(r, length, cell)) return fault_of(r);
+    substitute(r, cell, x);
   }
   return C2D_OK;
 }
@@ -128,7 +171,7 @@ c2d_status solve(Records& r, Tapes& tapes, Real* x) {
 uint64_t compressed_back_bytes(const CompressedPlan& plan) { return lay_out_back(plan, nullptr, nullptr); }
 
 c2d_status back_substitute_compressed(const CompressedPlan& plan, Tapes& tapes, const Real* coefficient, Real* x, void* work) {
-  Records r = open_records(plan, tapes, work);
+  Records r = begin_reading(plan, tapes, work);
   const int32_t last = plan.border.trailing - 1;
   for (int32_t j = 0; j < last; ++j) r.w.coefficient[j] = coefficient[j];
   r.w.coefficient[last] = 0;
@@ -136,7 +179,7 @@ c2d_status back_substitute_compressed(const CompressedPlan& plan, Tapes& tapes, 
 }
 
 c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, void* work) {
-  Records r = open_records(plan, tapes, work);
+  Records r = begin_reading(plan, tapes, work);
   const int32_t last = plan.border.trailing - 1;
   for (int32_t j = 0; j < last; ++j) r.w.coefficient[j] = 0;
   r.w.coefficient[last] = 1;
@@ -145,18 +188,14 @@ c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, v
 
 namespace {
 
-// The next record from `at` on: w.record holds it from its length on, which stands behind it.
-c2d_status read_forwards(Records& r, uint64_t& at) {
+// The next record from `at` on comes into w.record; its length stands behind it. False: no record.
+bool read_forwards(Records& r, uint64_t& at, Record& out) {
   int32_t counts[2];
-  c2d_status status = read_at(r.stream, at, counts, sizeof counts);
-  if (status != C2D_OK) return status;
-  const uint64_t spare = static_cast<uint64_t>(counts[0]), kept = static_cast<uint64_t>(counts[1]);
-  const uint64_t length = sizeof counts + (spare + kept) * sizeof(int32_t) +
-                          spare * (kept + static_cast<uint64_t>(right_sides(r.plan))) * sizeof(Real);
-  if (length > record_bytes(r.plan)) return C2D_ERR_INTERNAL;
-  status = read_at(r.stream, at, r.w.record, length);
+  if (read_at(r.stream, at, counts, sizeof counts) != C2D_OK) return false;
+  const uint64_t length = length_of(r, counts[0], counts[1]);
+  if (length > record_bytes(r.plan) || read_at(r.stream, at, r.w.record, length) != C2D_OK) return false;
   at += length + sizeof length;
-  return status;
+  return open_record(r, length, out);
 }
 
 void carry_weights(const Records& r, const Record& cell, Real* f, Real* w) {
@@ -174,25 +213,24 @@ void carry_weights(const Records& r, const Record& cell, Real* f, Real* w) {
 
 c2d_status compressed_functional(const CompressedPlan& plan, Tapes& tapes, Real* f, Real* w, void* work) {
   if (w == nullptr) return C2D_OK;
-  Records r = open_records(plan, tapes, work);
+  Records r = begin_reading(plan, tapes, work);
   const int32_t trailing = plan.border.trailing - 1;
   for (int32_t j = 0; j < trailing; ++j) w[j] = 0;
-  uint64_t end = plan.records, last = 0;
-  c2d_status status = read_backwards(r, end);
+  uint64_t end = r.end, last = sample_bytes(plan);
+  if (!read_border(r, end)) return fault_of(r);
   const uint64_t border = end;
-  while (last < border && status == C2D_OK) {
-    status = read_forwards(r, last);
-    if (status == C2D_OK) carry_weights(r, open_record(r.w.record), f, w);
+  while (last < border) {
+    Record cell;
+    if (!read_forwards(r, last, cell)) return fault_of(r);
+    carry_weights(r, cell, f, w);
   }
-  end = plan.records;
-  if (status == C2D_OK) status = read_backwards(r, end);
-  if (status != C2D_OK) return status;
+  end = r.end;
+  if (!read_border(r, end)) return fault_of(r);
   for (int32_t j = 0; j < plan.border.pivots; ++j) {
-    int32_t id;
-    memcpy(&id, r.w.record + static_cast<size_t>(j) * sizeof id, sizeof id);
+    const int32_t id = border_id(r.w.record, j);
     r.w.y[j] = id >= 0 ? f[id] : Real(0);
   }
-  status = transposed_functional(plan.border, tapes, r.w.y, r.w.coefficient, r.w.dense);
+  const c2d_status status = transposed_functional(plan.border, tapes, r.w.y, r.w.coefficient, r.w.dense);
   for (int32_t j = 0; j < trailing && status == C2D_OK; ++j) w[j] += r.w.coefficient[j];
   return status;
 }

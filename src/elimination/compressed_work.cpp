@@ -10,7 +10,7 @@ C2D_USES(HolePart);
 
 namespace {
 
-constexpr uint64_t kStreamBytes = 32768; // of data in a block, if the dense blocks are no larger
+constexpr uint64_t kStreamBytes = 131072; // of data in a block, if a column of the border is no longer
 
 struct Bump {
   char* base;
@@ -114,26 +114,88 @@ bool is_tree_node(const Model& m, int b, int32_t node) {
   return m.node_column[b][node + 1] - m.node_column[b][node] == 2 && pair_of_node(m, b, node).pair < 0;
 }
 
-CompressedPlan plan_compressed(const Model& m, int b, int32_t rank, int32_t leaf) {
+namespace {
+
+// Nodes of the body that make pairs; every other one has two unknowns of its own.
+int32_t touching_nodes(const Model& m, int b) {
+  int32_t count = 0;
+  for (int32_t i = 0; i < m.head->zones; ++i)
+    for (int side = m.zone[i].is_free != 0 ? 1 : 0; side < 2; ++side) count += m.zone[i].body[side] == b ? m.zone[i].pairs : 0;
+  return count;
+}
+
+int32_t count_holes(const Model& m, int b) {
+  HoleWalk walk{};
+  Hole hole;
+  int32_t holes = 0;
+  while (kHolePart.next_hole(m, b, walk, hole)) ++holes;
+  return holes;
+}
+
+// `tree`, `holes` and the body's numbers stand in the plan.
+void complete_plan(int32_t rank, int32_t leaf, CompressedPlan& plan) {
+  plan.rank = smaller(rank, plan.tree > 1 ? plan.tree : 1);
+  plan.leaf = smaller(leaf, plan.rank);
+  const int32_t root = root_size(plan);
+  plan.border = EliminationPlan{};
+  plan.border.rows = root + border_rows(plan);
+  plan.border.pivots = root + plan.columns - 2 * plan.tree + plan.holes;
+  plan.border.trailing = 2 * plan.contact + right_sides(plan);
+  plan.border.panel_columns = plan.border.block_columns = 1;
+  plan.border.rank = plan.rank;
+  const uint64_t column = round_up(static_cast<uint64_t>(plan.border.rows) * sizeof(Real));
+  plan.block_bytes = column > kStreamBytes ? column : kStreamBytes;
+}
+
+CompressedPlan plan_with_holes(const Model& m, int b, int32_t holes, int32_t rank, int32_t leaf) {
   const Body& body = m.body[b];
   CompressedPlan plan{};
   plan.nodes = body.nodes;
   plan.columns = outer_columns(m, b);
   plan.contact = body.contact;
   plan.loads = m.head->load_cases;
-  for (int32_t node = 0; node < body.nodes; ++node) plan.tree += is_tree_node(m, b, node) ? 1 : 0;
-  HoleWalk walk{};
-  Hole hole;
-  while (kHolePart.next_hole(m, b, walk, hole)) ++plan.holes;
-  plan.rank = rank;
-  plan.leaf = smaller(leaf, rank);
-  const int32_t root = root_size(plan);
-  plan.border.rows = root + border_rows(plan);
-  plan.border.pivots = root + plan.columns - 2 * plan.tree + plan.holes;
-  plan.border.trailing = 2 * plan.contact + right_sides(plan);
-  plan.border.panel_columns = plan.border.block_columns = 1;
-  plan.block_bytes = kStreamBytes;
+  plan.tree = body.nodes - touching_nodes(m, b);
+  plan.holes = holes;
+  complete_plan(rank, leaf, plan);
   return plan;
+}
+
+} // namespace
+
+bool may_compress(const Model& m, int b) {
+  return m.body[b].rigid == 0 && m.body[b].free_rows == 0 && count_holes(m, b) <= most_holes(m.body[b].regions);
+}
+
+CompressedPlan plan_compressed(const Model& m, int b, int32_t rank, int32_t leaf) {
+  return plan_with_holes(m, b, count_holes(m, b), rank, leaf);
+}
+
+CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int32_t leaf) {
+  CompressedPlan plan{};
+  plan.nodes = limits.nodes + limits.touching; // as if those in contact were in the tree, too
+  plan.tree = limits.nodes;
+  plan.columns = 2 * plan.nodes + 3;
+  plan.contact = limits.contact;
+  plan.loads = limits.loads;
+  plan.holes = limits.holes;
+  complete_plan(rank, leaf, plan);
+  return plan;
+}
+
+CompressedPlan plan_around(const Model& m, int b, const EliminationPlan& border) {
+  CompressedPlan plan = plan_with_holes(m, b, 0, border.rank, kLeafNodes);
+  plan = plan_with_holes(m, b, border.rows - plan.border.rows, border.rank, kLeafNodes); // (none is looked for again)
+  plan.border = border;
+  return plan;
+}
+
+bool is_border(const Model& m, int b, const EliminationPlan& border) {
+  if (border.rank < 1 || !may_compress(m, b)) return false;
+  const EliminationPlan least = plan_compressed(m, b, border.rank, kLeafNodes).border;
+  return border.rows == least.rows && border.pivots == least.pivots && border.trailing == least.trailing &&
+         border.rank == least.rank && border.panel_columns >= 1 && border.panel_columns <= least.pivots + least.trailing &&
+         border.block_columns >= 1 && border.block_columns <= border.panel_columns && border.block_rows == 0 &&
+         border.keep_lower == 0;
 }
 
 c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
@@ -141,28 +203,34 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
   const uint64_t least = compressed_bytes(plan);
   if (needed) *needed = least;
   if (least > bytes) return C2D_ERR_MEMORY;
-  // What stands before the dense work area stays; blocks that grow with the border's make it a little longer.
-  uint64_t room = elimination_bytes(narrow) + (bytes - least);
-  for (;; room -= room / 16 + 1) {
-    c2d_status status = plan_elimination(room, narrow.rows, narrow.pivots, narrow.trailing, 0, plan.border, nullptr);
-    if (status != C2D_OK) {
-      plan.border = narrow;
-      plan.block_bytes = kStreamBytes;
-      return C2D_OK;
-    }
-    const uint64_t upper = upper_use(plan.border).max_data_bytes, lower = lower_use(plan.border).max_data_bytes;
-    plan.block_bytes = upper > lower ? upper : lower;
-    plan.block_bytes = (plan.block_bytes > kStreamBytes ? plan.block_bytes : kStreamBytes) / 64 * 64;
-    if (compressed_bytes(plan) <= bytes) return C2D_OK;
-  }
+  const uint64_t room = elimination_bytes(narrow) + (bytes - least);
+  EliminationPlan& cut = plan.border;
+  plan_elimination(room, narrow.rows, narrow.pivots, narrow.trailing, 0, cut, nullptr); // (one column fits)
+  cut.rank = plan.rank;
+  // Blocks are no longer than those of the records, so that bounds of their number are none of much larger ones.
+  const uint64_t column = static_cast<uint64_t>(narrow.rows) * sizeof(Real);
+  cut.block_rows = 0;
+  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(column > 0 ? plan.block_bytes / column : 1));
+  while (elimination_bytes(cut) > room) --cut.block_columns;
+  return C2D_OK;
 }
 
 namespace {
 
-TapeUse with_stream(const CompressedPlan& plan, TapeUse use, int64_t numbers) {
-  // Every cell but the root has one; each depth begins a block.
-  const uint64_t depth = static_cast<uint64_t>(tree_depth(plan.tree, plan.leaf)), cells = 2 * cells_of(plan) - 2;
-  const uint64_t blocks = cells * static_cast<uint64_t>(numbers) * sizeof(double) / plan.block_bytes + 2 + depth;
+// Numbers of all cells but the root, from the leaves up: of what is kept of them, or of their records. Leaves may be full.
+uint64_t numbers_of_cells(const CompressedPlan& plan, bool records) {
+  const uint64_t loads = static_cast<uint64_t>(right_sides(plan)), rank = static_cast<uint64_t>(plan.rank);
+  uint64_t n = 2 * static_cast<uint64_t>(plan.leaf), sum = 0;
+  for (uint64_t cells = cells_of(plan); cells > 1; cells /= 2) {
+    const uint64_t k = n < rank ? n : rank;
+    sum += cells * (records ? n * n / 4 + n * loads + n + 8 : 2 * k * k + 2 * k * loads + k + 8);
+    n = 2 * k;
+  }
+  return sum;
+}
+
+TapeUse with_stream(const CompressedPlan& plan, TapeUse use, uint64_t bytes, uint64_t blocks_beside) {
+  const uint64_t blocks = bytes / plan.block_bytes + 1 + blocks_beside;
   use.blocks += blocks;
   use.bytes_written += blocks * (plan.block_bytes + kBlockHeaderBytes);
   use.bytes_read += blocks * (plan.block_bytes + kBlockHeaderBytes);
@@ -173,10 +241,14 @@ TapeUse with_stream(const CompressedPlan& plan, TapeUse use, int64_t numbers) {
 } // namespace
 
 TapeUse compressed_lower_use(const CompressedPlan& plan) {
-  return with_stream(plan, lower_use(plan.border), result_numbers(plan));
+  // Each depth begins a block.
+  return with_stream(plan, lower_use(plan.border), numbers_of_cells(plan, false) * sizeof(double),
+                     static_cast<uint64_t>(tree_depth(plan.tree, plan.leaf)));
 }
-TapeUse compressed_upper_use(const CompressedPlan& plan) {
-  return with_stream(plan, upper_use(plan.border), record_numbers(plan));
+TapeUse compressed_upper_use(const CompressedPlan& plan, bool most) {
+  const uint64_t border = static_cast<uint64_t>(plan.border.pivots) * sizeof(int32_t) + sizeof(uint64_t);
+  return with_stream(plan, most ? most_upper_use(plan.border) : upper_use(plan.border),
+                     numbers_of_cells(plan, true) * sizeof(double) + border + sample_bytes(plan), 1);
 }
 
 } // namespace c2d

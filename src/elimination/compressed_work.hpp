@@ -62,9 +62,30 @@ inline int32_t border_rows(const CompressedPlan& plan) { return 2 * (plan.nodes 
 int64_t result_numbers(const CompressedPlan& plan);
 int64_t record_numbers(const CompressedPlan& plan);
 
+// A node whose equations are looked at again when there is a solution, and behind it their right-hand sides: two for each load
+// case. The first of the records.
+struct Sample {
+  int32_t node, twin, hole;
+  double point[2], diagonal[4];
+};
+constexpr int32_t kSamples = 32;
+inline int32_t sample_count(const CompressedPlan& plan) { return plan.nodes < kSamples ? plan.nodes : kSamples; }
+inline uint64_t sample_bytes(const CompressedPlan& plan) {
+  const uint64_t each = sizeof(Sample) + 2 * static_cast<uint64_t>(plan.loads) * sizeof(Real);
+  return static_cast<uint64_t>(sample_count(plan)) * each;
+}
+
+// The records, to be read: what of them there is stands in a block of its own, before them. The stream's status tells what went wrong.
+constexpr uint64_t kEndBytes = 64;
+Stream open_records(const CompressedPlan& plan, Tapes& tapes, char* buffer, uint64_t* end);
+Stream records_of(const CompressedPlan& plan, Tapes& tapes, char* buffer);
+
+// The holes of a body, so many.
+void list_holes(const ColumnSystem& system, int32_t count, Hole* out);
+
 // A tree under way.
 struct Compression {
-  CompressedPlan& plan;
+  const CompressedPlan& plan;
   const ColumnSystem& system;
   CompressedWork w;
   Engine engine;

@@ -128,7 +128,7 @@ WorkLayout work_layout(const EliminationPlan& plan) {
 uint64_t elimination_bytes(const EliminationPlan& plan) { return work_layout(plan).total; }
 
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
-  return elimination_bytes({rows, pivots, 0, panel_columns, block_columns, 0, 0, 0, 0});
+  return elimination_bytes({rows, pivots, 0, panel_columns, block_columns, 0, 0, 0, 0, 0});
 }
 
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing) {
@@ -141,7 +141,7 @@ c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_
   if (rows < 0 || pivots < 0 || pivots > rows || trailing < 0 || trailing >= INT32_MAX - pivots || forced_columns < 0) {
     return C2D_ERR_ARGUMENT;
   }
-  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0, 0};
+  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0, 0, 0};
   const int32_t columns = all_columns(plan) > 0 ? all_columns(plan) : 1;
   const int32_t forced = smaller(forced_columns, columns);
   const int32_t least = forced > 0 ? forced : 1;

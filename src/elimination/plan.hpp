@@ -17,11 +17,13 @@ namespace c2d {
 struct EliminationPlan {
   int32_t rows, pivots, trailing;                // 0 <= pivots <= rows, 0 <= trailing
   int32_t panel_columns, block_columns;          // both >= 1, block_columns <= panel_columns
+  int32_t rank;                                  // of compressed elimination, whose border this plan is of; 0: all is dense
   uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
   int32_t keep_lower;                            // set by the caller: 1: tape LOWER shall hold all of L, and one block
                                                  // more the row exchanges, so that eliminate_again is possible
   int32_t block_rows;                            // of a block of LOWER; 0: all
 };
+inline bool is_compressed(const EliminationPlan& plan) { return !kSmallCode && plan.rank > 0; }
 // The plan with the chunks of tape UPPER.
 EliminationPlan upper_cut(const EliminationPlan& plan);
 

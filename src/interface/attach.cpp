@@ -20,6 +20,7 @@ C2D_MEETS(BodyForcePart, c2d_set_body_force);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
 C2D_MEETS(EnergyPart, c2d_get_summary);
+C2D_MEETS(CompressedPart, c2d_link_compressed);
 
 namespace {
 
@@ -129,6 +130,7 @@ const char* missing_part(const char* at) {
   const Layout layout = C2D_MEMBER(layout);
   const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
   if (!kSymmetryPart.linked && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
+  if (!kSmallCode && !kCompressedPart.linked && C2D_MEMBER(options).elimination != 0) return "c2d_link_compressed";
   const char* const bodies = at + layout.offset[kBodies];
   for (int32_t b = 0; b < C2D_MEMBER(sizes).bodies; ++b) {
     const Body body = member_at<Body>(bodies, static_cast<size_t>(b) * sizeof(Body));

@@ -66,7 +66,11 @@ void fill_motion(c2d_solver* s, c2d_summary& out) {
 
 void fill_work(c2d_solver* s, c2d_summary& out) {
   for (int b = 0; b < s->sizes.bodies; ++b)
-    if (plan_of(s, b).panel_columns > out.panel_columns) out.panel_columns = plan_of(s, b).panel_columns;
+  {
+    const EliminationPlan& plan = plan_of(s, b);
+    if (plan.panel_columns > out.panel_columns) out.panel_columns = plan.panel_columns;
+    if (!kSmallCode && plan.rank > 0) ++out.compressed_bodies;
+  }
   out.warnings = s->warnings;
   out.run_step = s->run_step;
   out.run_coefficient = s->run_step > 0 ? s->coefficient : 0;
@@ -84,6 +88,10 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   out.max_residual = s->max_residual;
   out.elimination_residual = s->pivot_growth;
   out.condition = s->condition;
+  if (!kSmallCode) {
+    out.compression_residual = s->compression_residual;
+    out.compression_error = s->compression_error;
+  }
   out.force_applied = s->force_applied;
   out.force_contact = s->force_contact;
   out.force_error = s->force_error;

@@ -3,10 +3,13 @@
 
 #include "contact/contact_tape.hpp"
 #include "interface/entry.hpp"
+#include "memory/parts.hpp"
 #include "solver/phases.hpp"
 #include "solver/save.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -42,6 +45,20 @@ void factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape
     out.blocks += use.blocks;
     if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
   }
+}
+
+// The same where bodies are compressed. Each may be one that is not: with equations of free zones, or where elements on lines of
+// symmetry cut its curves into many holes.
+c2d_status compressed_tape(const Sizes& sizes, uint64_t bytes, const c2d_options& options, bool upper, Tape& out) {
+  TapeUse use{};
+  const c2d_status status = kCompressedPart.compression_tape(phase_sizes(sizes), bytes, upper, use);
+  if (status != C2D_OK) return status;
+  out = {0, 0};
+  if (sizes.free_pairs > 0 || options.symmetry == C2D_SYMMETRY_IMAGES)
+    factor_tape(sizes, bytes, options.keep_factors != 0, upper, out);
+  out.blocks += use.blocks;
+  if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
+  return C2D_OK;
 }
 
 // Which tape, and the options that are chosen: a copy of the caller's, or what stands for none.
@@ -86,7 +103,14 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
     need = control_tape(sizes, layout);
   else if (tape == C2D_TAPE_CONTACT)
     need = contact_tape(sizes);
-  else
+  else if (!kSmallCode && chosen.elimination == C2D_ELIMINATION_COMPRESSED) {
+    const c2d_status fits = compressed_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen,
+                                            tape == C2D_TAPE_UPPER, need);
+    if (fits != C2D_OK) {
+      explain(why, fits, layout.persistent + kCompressedPart.compression_need(phase_sizes(sizes), 0) + kAlignment - 1);
+      return fits;
+    }
+  } else
     factor_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen.keep_factors != 0, tape == C2D_TAPE_UPPER,
                 need);
   if (blocks) *blocks = need.blocks;

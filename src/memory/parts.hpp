@@ -188,6 +188,27 @@ struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction.cpp
   Function<c2d_status, const Reduction&> reduce_loads = NotLinked();
 };
 
+struct PhaseSizes;
+struct TapeUse;
+struct PivotStats;
+
+struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp
+  bool linked = false;
+  Function<c2d_status, const PhaseSizes&, uint64_t, const Model&, EliminationPlan*> plan_compression = NotLinked();
+  Function<uint64_t, const PhaseSizes&, int32_t> compression_need = Nothing();
+  Function<c2d_status, const PhaseSizes&, uint64_t, bool, TapeUse&> compression_tape = NotLinked();
+  Function<bool, const Model&, int, const EliminationPlan&> is_compression_of = Nothing();
+  Function<uint64_t, const Model&, int, const EliminationPlan&> compression_bytes = Nothing();
+  Function<uint64_t, const Model&, int, const EliminationPlan&> compression_back_bytes = Nothing();
+  Function<void, const Model&, int, const EliminationPlan&, TapeUse&, TapeUse&> compression_uses = Nothing();
+  Function<c2d_status, const EliminationPlan&, const ColumnSystem&, const RowSink&, Tapes&, void*, PivotStats*, int32_t*,
+           const Watch&, const Engine&>
+      compress = NotLinked();
+  Function<c2d_status, Session&, int> solve_compressed = NotLinked();
+  Function<c2d_status, Session&, int, Real*, Real*> compression_functional = NotLinked();
+  Function<c2d_status, Session&, int, double*> compression_growth = NotLinked();
+};
+
 extern const SymmetryPart kSymmetryPart;   // interface/symmetry_calls.cpp
 extern const FreeZonePart kFreeZonePart;   // free_zone_calls.cpp
 extern const HolePart kHolePart;           // hole_calls.cpp
@@ -198,6 +219,7 @@ extern const EnergyPart kEnergyPart;       // summary.cpp
 extern const WarningPart kWarningPart;     // warning_calls.cpp
 extern const SearchPart kSearchPart;       // search_calls.cpp
 extern const NewLoadsPart kNewLoadsPart;   // new_loads_calls.cpp
+extern const CompressedPart kCompressedPart; // compressed_calls.cpp
 
 } // namespace c2d
 

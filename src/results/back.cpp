@@ -13,6 +13,7 @@ namespace c2d {
 C2D_USES(FreeZonePart);
 C2D_USES(RigidPart);
 C2D_USES(EnergyPart);
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -151,8 +152,10 @@ c2d_status back_substitute_body(Session& session, int b) {
   }
   trailing_coefficients(session, b, session.area.coefficient);
   c2d_solver* s = session.solver;
+  const EliminationPlan& plan = plan_of(s, b);
   const c2d_status status =
-      back_substitute(plan_of(s, b), s->tapes, session.area.coefficient, session.area.outer, session.area.work);
+      is_compressed(plan) ? kCompressedPart.solve_compressed(session, b)
+                          : back_substitute(plan, s->tapes, session.area.coefficient, session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
   for (int i = 0; i < 3; ++i) results_of(s, b).multiplier[i] = session.area.outer[m.body[b].columns + i];
   fill_displacements(session, b);

@@ -11,6 +11,7 @@
 namespace c2d {
 
 C2D_USES(BodyForcePart);
+C2D_USES(CompressedPart);
 C2D_USES(RigidPart);
 
 namespace {
@@ -28,7 +29,10 @@ c2d_status remove_outer(Adjoint& a) {
   const Model& m = a.model();
   const PathArea& area = a.session.area;
   c2d_solver* s = a.session.solver;
-  const c2d_status status = transposed_functional(plan_of(s, a.b), s->tapes, a.outer, area.coefficient, area.work);
+  const EliminationPlan& plan = plan_of(s, a.b);
+  const c2d_status status = is_compressed(plan)
+                                ? kCompressedPart.compression_functional(a.session, a.b, a.outer, area.coefficient)
+                                : transposed_functional(plan, s->tapes, a.outer, area.coefficient, area.work);
   if (status != C2D_OK) return status;
   const Real* w = area.coefficient;
   const int32_t own = m.body[a.b].contact;

@@ -23,6 +23,7 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
   Hash hash{sizeof(Real)};
   hash.add(&options.quadrature, sizeof options.quadrature);
   hash.add(&m.head->plane, sizeof m.head->plane);
+  if (!kSmallCode && options.elimination != 0) hash.add(&options.elimination, sizeof options.elimination);
   if (m.head->symmetry != 0) {
     hash.add(&m.head->symmetry, sizeof m.head->symmetry);
     hash.add_array(m.head->line_at, 2);

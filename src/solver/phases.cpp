@@ -6,8 +6,11 @@
 #include "bie/columns.hpp"
 #include "contact2d_memory.h"
 #include "memory/hostile.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
 
 // What the lists of contact2d_memory.h say in numbers.
 static_assert(kStripColumns == 4 && tableau_columns(5, 2) == 5 + 1 + 2 && kBlockHeaderBytes == 64, "columns, header");
@@ -92,7 +95,19 @@ EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32
                          0,
                          0,
                          0,
+                         0,
                          0};
+}
+
+} // namespace
+
+namespace {
+
+uint64_t work_bytes(const PhaseSizes& s, int b, const EliminationPlan& plan) {
+  return is_compressed(plan) ? kCompressedPart.compression_bytes(*s.model, b, plan) : elimination_bytes(plan);
+}
+uint64_t back_bytes(const PhaseSizes& s, int b, const EliminationPlan& plan) {
+  return is_compressed(plan) ? kCompressedPart.compression_back_bytes(*s.model, b, plan) : back_substitution_bytes(plan);
 }
 
 } // namespace
@@ -101,7 +116,7 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
   PhaseCarver carver(base);
   EliminationArea area{};
   const uint64_t nodes = static_cast<uint64_t>(s.of(b).nodes), m = static_cast<uint64_t>(s.widest);
-  C2D_ELIMINATION_ARRAYS_(C2D_TAKE, nodes, m, elimination_bytes(plan))
+  C2D_ELIMINATION_ARRAYS_(C2D_TAKE, nodes, m, work_bytes(s, b, plan))
   if (out) *out = area;
   return carver.total();
 }
@@ -119,7 +134,7 @@ namespace {
 
 void add_back_need(const PhaseSizes& s, int b, const EliminationPlan& plan, BackNeed& out) {
   if (s.of(b).rows == 0) return;
-  out.work = larger(out.work, back_substitution_bytes(plan));
+  out.work = larger(out.work, back_bytes(s, b, plan));
   out.outer = larger(out.outer, static_cast<uint64_t>(s.of(b).outer));
 }
 
@@ -257,11 +272,8 @@ template <bool hostile> void double_buffers(const PhaseSizes& s, uint64_t bytes,
       }
 }
 
-// What stood on the stack where a plan has no member is not to reach a tape with it (solver/save.cpp).
-void clear_padding(EliminationPlan& plan) {
-  constexpr size_t kEnd = offsetof(EliminationPlan, block_columns) + sizeof plan.block_columns;
-  memset(reinterpret_cast<char*>(&plan) + kEnd, 0, offsetof(EliminationPlan, lower_first_block) - kEnd);
-}
+// (Nothing that stood on the stack reaches a tape with a plan, solver/save.cpp.)
+static_assert(sizeof(EliminationPlan) == 8 * sizeof(int32_t) + 2 * sizeof(uint64_t), "no padding");
 
 } // namespace
 
@@ -279,13 +291,13 @@ void plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, Elimi
     for (int b = 0; b < s.bodies; ++b) out[b] = plan_by(rule, s, b);
   }
   double_buffers<kHostile>(s, bytes, out);
-  for (int b = 0; b < s.bodies; ++b) clear_padding(out[b]);
 }
 
 bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
+  if (is_compressed(plan)) return kCompressedPart.is_compression_of(*s.model, b, plan);
   const EliminationPlan least = plan_of(s, b, 1, 1);
   const int32_t most = s.of(b).rows > 0 ? least.pivots + least.trailing : 1;
-  return plan.rows == least.rows && plan.pivots == least.pivots && plan.trailing == least.trailing && plan.panel_columns >= 1 &&
+  return plan.rank == 0 && plan.rows == least.rows && plan.pivots == least.pivots && plan.trailing == least.trailing && plan.panel_columns >= 1 &&
          plan.panel_columns <= most && plan.block_columns >= 1 && plan.block_columns <= plan.panel_columns &&
          plan.block_rows >= 0 && plan.block_rows <= plan.rows && (plan.keep_lower == 0 || plan.keep_lower == 1);
 }

@@ -23,6 +23,7 @@
 namespace c2d {
 
 C2D_USES(EnergyPart);
+C2D_USES(CompressedPart);
 C2D_USES(NewLoadsPart);
 C2D_USES(WarningPart);
 
@@ -37,7 +38,13 @@ TapeShapes shape_tapes(c2d_solver* s, const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b) {
     if (is_rigid(m, b)) continue;
     EliminationPlan& plan = plan_of(s, b);
-    const TapeUse lower = lower_use(plan), upper = upper_use(plan);
+    TapeUse lower, upper;
+    if (is_compressed(plan)) {
+      kCompressedPart.compression_uses(m, b, plan, lower, upper);
+    } else {
+      lower = lower_use(plan);
+      upper = upper_use(plan);
+    }
     plan.lower_first_block = blocks[C2D_TAPE_LOWER];
     plan.upper_first_block = blocks[C2D_TAPE_UPPER];
     blocks[C2D_TAPE_LOWER] += lower.blocks;
@@ -209,7 +216,11 @@ BodyJob job_of(c2d_solver* s, const Model& m, int b, const EliminationArea& area
   const Watch watch{&job, watch_column};
   const Engine& engine = job.engine;
   c2d_status status;
-  if (loads_only) {
+  if (is_compressed(plan)) {
+    PivotStats stats{};
+    status = kCompressedPart.compress(plan, job.system, sink, s->tapes, area.work, &stats, &s->rank_needed, watch, engine);
+    note_pivots(s, stats);
+  } else if (loads_only) {
     status = kNewLoadsPart.eliminate_again(plan, 2 * m.body[b].contact, source, sink, s->tapes, area.work, watch, engine);
   } else {
     PivotStats stats{};
@@ -266,7 +277,7 @@ Together together_from(c2d_solver* s, const Model& m, const PhaseSizes& sizes, I
   if (kSmallCode || workers == 1 || bytes < scratch) return all;
   for (int b = first; b < m.head->bodies && all.count < most; ++b, ++all.count) {
     const EliminationPlan& plan = plan_of(s, b);
-    if (is_rigid(m, b) || panel_count(plan) != 1 || plan.pivots + plan.trailing > kColumnsForOne) break;
+    if (is_rigid(m, b) || is_compressed(plan) || panel_count(plan) != 1 || plan.pivots + plan.trailing > kColumnsForOne) break;
     const uint64_t own = elimination_area(sizes, b, plan, nullptr, nullptr) + Together::kOutcomeBytes;
     const uint64_t each = own > all.each ? own : all.each;
     if ((bytes - scratch) / each < static_cast<uint64_t>(all.count) + 1) break;
@@ -379,9 +390,14 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   const uint64_t bytes = s->bytes - s->layout.persistent;
   EliminationPlan* const plans = &plan_of(s, 0);
   plan_phases(sizes_of(s), sizes, bytes, plans);
+  if (!kSmallCode && s->options.elimination == C2D_ELIMINATION_COMPRESSED) {
+    s->rank_needed = 0;
+    const c2d_status status = kCompressedPart.plan_compression(phase_sizes(sizes_of(s)), bytes, m, plans);
+    if (status != C2D_OK) return status;
+  }
   const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
-  for (int b = 0; b < m.head->bodies; ++b) plans[b].keep_lower = s->options.keep_factors;
+  for (int b = 0; b < m.head->bodies; ++b) if (!is_compressed(plans[b])) plans[b].keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, plans, flexibility);
   c2d_status status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
@@ -421,6 +437,17 @@ void weigh_pairs(const Model& m) {
   s->peak_bytes = s->layout.persistent + open_path_area(s, m, false, area);
 }
 
+// Compressed elimination asks for more than the least memory.
+[[gnu::noinline]] c2d_status tell_need(c2d_solver* s) {
+  const Sizes limits = sizes_of(s);
+  c2d_error e = blank_error();
+  e.bytes_needed = s->layout.persistent + kCompressedPart.compression_need(phase_sizes(limits), s->rank_needed) + kAlignment - 1;
+  char what[128];
+  Text text = text_in(what);
+  put_all(text, status_text(C2D_ERR_MEMORY), " for compressed elimination: ", e.bytes_needed, " bytes would do");
+  return fail_with(s, e, C2D_ERR_MEMORY, what);
+}
+
 c2d_status prepare_once(c2d_solver* s) {
   const Model m = model_of(s);
   c2d_status status = validate_changes(s, m);
@@ -434,6 +461,7 @@ c2d_status prepare_once(c2d_solver* s) {
   } else {
     s->smallest_pivot = 1e300;
     s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+    if (!kSmallCode) s->compression_residual = s->compression_error = 0.0;
     plan_bodies(s, m);
     weigh_pairs(m);
     status = close_all(s->tapes);
@@ -448,7 +476,7 @@ c2d_status prepare_once(c2d_solver* s) {
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
-    s->factors = s->options.keep_factors != 0 && !s->blocked;
+    s->factors = s->options.keep_factors != 0 && !s->blocked && (kSmallCode || s->options.elimination == C2D_ELIMINATION_DENSE);
     if (!s->blocked && !loads_only) kWarningPart.warn_condition(s);
     return C2D_OK;
   }
@@ -457,6 +485,7 @@ c2d_status prepare_once(c2d_solver* s) {
   if (closed != C2D_OK) return fail_store(s, closed);
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
+  if (!kSmallCode && status == C2D_ERR_MEMORY) return tell_need(s);
   return fail(s, status, status_text(status));
 }
 

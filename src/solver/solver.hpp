@@ -35,7 +35,9 @@ struct c2d_solver {
   int32_t warnings;
   int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed; // since they were last validated
+  int32_t rank_needed;   // by compressed elimination, where memory was too small; 0: not known
   double smallest_pivot, largest_pivot, pivot_growth, condition;
+  double compression_residual, compression_error; // largest of the states that were looked at (solver/compressed.cpp)
   uint64_t peak_bytes;
   double seconds[C2D_PHASES];
   // written by c2d_begin, c2d_advance

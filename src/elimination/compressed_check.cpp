@@ -1,0 +1,206 @@
+// What a solution leaves of equations that are assembled anew: the dense ones, of a few nodes.
+#include <math.h>
+#include <string.h>
+#include <type_traits>
+
+#include "elimination/compressed_work.hpp"
+#include "memory/sizes.hpp"
+#include "model/symmetry.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr int32_t kNodesAtOnce = 32, kColumnsOfNode = 6; // outer unknowns, contact displacements, contact tractions
+constexpr int32_t kMostColumns = kNodesAtOnce * kColumnsOfNode + 3;
+
+struct CheckWork {
+  double* diagonal;          // [4 nodes], of the samples alone
+  double *sum, *largest;     // [2 samples]
+  double* trace;             // [holes] tr V
+  Real *block, *row, *value; // [2 samples * columns], [columns], [columns]
+  Real* right;               // [2 samples * loads]
+  int32_t *place, *stamp;    // of all columns, -1; of elements
+  int32_t *elements, *node, *column;
+  int32_t* hole; // of the samples
+  double* point;
+  int32_t* twin;
+  Hole* holes;
+  char* buffer;
+};
+
+uint64_t lay_out_check(const CompressedPlan& plan, char* base, CheckWork* out) {
+  CheckWork w{};
+  Carver carver{0, true};
+  const auto take = [&](auto*& to, uint64_t count) {
+    carver.align();
+    const uint64_t at = carver.carve(count, sizeof *to);
+    if (base) to = reinterpret_cast<std::remove_reference_t<decltype(to)>>(base + at);
+  };
+  const uint64_t samples = kSamples, nodes = static_cast<uint64_t>(plan.nodes), columns = kMostColumns;
+  const uint64_t holes = static_cast<uint64_t>(plan.holes);
+  take(w.diagonal, 4 * nodes);
+  take(w.sum, 2 * samples);
+  take(w.largest, 2 * samples);
+  take(w.trace, holes);
+  take(w.block, 2 * samples * columns);
+  take(w.row, columns);
+  take(w.value, columns);
+  take(w.right, 2 * samples * static_cast<uint64_t>(plan.loads));
+  take(w.place, static_cast<uint64_t>(plan.columns) + 2 * static_cast<uint64_t>(plan.contact));
+  take(w.stamp, nodes);
+  take(w.elements, 2 * kNodesAtOnce);
+  take(w.node, samples);
+  take(w.column, columns);
+  take(w.hole, samples);
+  take(w.point, 2 * samples);
+  take(w.twin, samples);
+  take(w.holes, holes);
+  take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
+  carver.align();
+  if (out) *out = w;
+  return carver.fits ? carver.used : UINT64_MAX;
+}
+
+struct Check {
+  const CompressedPlan& plan;
+  const ColumnSystem& system; // of the samples
+  const Real *coefficient, *x;
+  CheckWork w;
+  int32_t samples, listed; // columns of a chunk
+};
+
+c2d_status read_samples(const CompressedPlan& plan, Tapes& tapes, const CheckWork& w) {
+  uint64_t end = 0, at = 0;
+  Stream stream = open_records(plan, tapes, w.buffer, &end);
+  if (stream.status == C2D_OK && end < sample_bytes(plan)) return C2D_ERR_INTERNAL;
+  for (int32_t i = 0; i < sample_count(plan); ++i) {
+    Sample sample{};
+    if (read_at(stream, at, &sample, sizeof sample) != C2D_OK) return stream.status;
+    at += sizeof sample;
+    if (sample.node < 0 || sample.node >= plan.nodes || sample.hole < -1 || sample.hole >= plan.holes) return C2D_ERR_INTERNAL;
+    w.node[i] = sample.node;
+    w.twin[i] = sample.twin;
+    w.hole[i] = sample.hole;
+    memcpy(w.point + 2 * i, sample.point, sizeof sample.point);
+    memcpy(w.diagonal + 4 * static_cast<int64_t>(sample.node), sample.diagonal, sizeof sample.diagonal);
+    const uint64_t bytes = 2 * static_cast<uint64_t>(plan.loads) * sizeof(Real);
+    read_at(stream, at, w.right + 2 * static_cast<int64_t>(i) * plan.loads, bytes);
+    at += bytes;
+  }
+  return stream.status;
+}
+
+void list_column(Check& c, int32_t column, Real value) {
+  c.w.place[column] = c.listed;
+  c.w.column[c.listed] = column;
+  c.w.value[c.listed++] = value;
+}
+
+// Columns of a node, and what the solution says of them.
+void list_columns(Check& c, int32_t node) {
+  const Model& m = c.system.model;
+  const int b = c.system.body;
+  for (int32_t j = m.node_column[b][node]; j < m.node_column[b][node + 1]; ++j) list_column(c, j, c.x[j]);
+  const PairSide at = pair_of_node(m, b, node);
+  if (at.pair < 0) return;
+  const int32_t dof = dof_on(m, m.pair[at.pair], at.side);
+  for (int32_t k = 0; k <= m.pair[at.pair].tangential; ++k)
+    for (int32_t part = 0; part < 2; ++part) {
+      const int32_t j = dof + k + part * c.plan.contact;
+      list_column(c, c.plan.columns + j, -c.coefficient[j]);
+    }
+}
+
+int32_t list_elements_at(Check& c, int32_t first, int32_t end) {
+  const Model& m = c.system.model;
+  int32_t listed = 0;
+  for (int32_t node = first; node < end; ++node) {
+    int32_t ends[2];
+    const int found = ends_at_node(m, c.system.body, node, ends);
+    for (int k = 0; k < found; ++k) {
+      const int32_t element = ends[k] / m.head->function_nodes;
+      if (c.w.stamp[element] == first) continue;
+      c.w.stamp[element] = first;
+      c.w.elements[listed++] = element;
+    }
+  }
+  return listed;
+}
+
+void add_chunk(Check& c, int32_t first, int32_t end) {
+  const CheckWork& w = c.w;
+  c.listed = 0;
+  for (int32_t node = first; node < end; ++node) list_columns(c, node);
+  for (int32_t k = 0; k < 3 && end == c.plan.nodes; ++k) // rho and omega
+    list_column(c, c.plan.columns - 3 + k, c.x[c.plan.columns - 3 + k]);
+  const ChosenColumns columns{w.place, c.listed, w.elements, list_elements_at(c, first, end)};
+  const int32_t rows = 2 * c.samples;
+  fill_chosen(c.system, columns, w.block, rows);
+  for (int32_t j = 0; j < c.listed; ++j)
+    for (int32_t i = 0; i < rows; ++i) {
+      const double term = static_cast<double>(w.block[i + static_cast<int64_t>(j) * rows]) * static_cast<double>(w.value[j]);
+      w.sum[i] += term;
+      w.largest[i] = fmax(w.largest[i], fabs(term));
+    }
+  for (int32_t k = 0; k < c.plan.holes; ++k) {
+    fill_hole_row(c.system, w.holes[k], columns, w.row, 1);
+    for (int32_t j = 0; j < c.listed; ++j) w.trace[k] += static_cast<double>(w.row[j]) * static_cast<double>(w.value[j]);
+  }
+  for (int32_t j = 0; j < c.listed; ++j) w.place[w.column[j]] = -1;
+}
+
+// What the rows of holes have beside (METHOD (4.1)), and the right-hand sides.
+void add_rest(Check& c) {
+  const CheckWork& w = c.w;
+  for (int32_t i = 0; i < 2 * c.samples; ++i) {
+    const int32_t s = i / 2, hole = w.hole[s];
+    if (hole >= 0 && w.twin[s] >= kSingle && !is_held_by_symmetry(c.system.model, c.system.body, w.node[s], i % 2)) {
+      double n[2];
+      hole_normal(c.system.model, c.system.body, w.node[s], n);
+      w.sum[i] += n[i % 2] * w.trace[hole];
+    }
+    for (int32_t k = 0; k < c.plan.loads; ++k)
+      w.sum[i] -= static_cast<double>(w.right[(static_cast<int64_t>(s) * c.plan.loads + k) * 2 + i % 2]) *
+                  static_cast<double>(c.coefficient[2 * c.plan.contact + k]);
+  }
+}
+
+} // namespace
+
+uint64_t compressed_check_bytes(const CompressedPlan& plan) { return lay_out_check(plan, nullptr, nullptr); }
+
+c2d_status check_compressed(const CompressedPlan& plan, const ColumnSystem& whole, Tapes& tapes, const Real* coefficient,
+                            const Real* x, void* work, Remainder* out) {
+  CheckWork w;
+  lay_out_check(plan, static_cast<char*>(work), &w);
+  const c2d_status status = read_samples(plan, tapes, w);
+  if (status != C2D_OK) return status;
+  ColumnSystem system = whole;
+  system.diagonal = w.diagonal;
+  system.point = w.point;
+  system.twin = w.twin;
+  system.chosen = w.node;
+  system.sources = sample_count(plan);
+  system.some_passed_over = true;
+  Check c{plan, system, coefficient, x, w, system.sources, 0};
+  list_holes(system, plan.holes, w.holes);
+  for (int32_t j = 0; j < plan.columns + 2 * plan.contact; ++j) w.place[j] = -1;
+  for (int32_t node = 0; node < plan.nodes; ++node) w.stamp[node] = -1;
+  for (int32_t k = 0; k < plan.holes; ++k) w.trace[k] = 0.0;
+  for (int32_t i = 0; i < 2 * system.sources; ++i) w.sum[i] = w.largest[i] = 0.0;
+  for (int32_t node = 0; node < plan.nodes; node += kNodesAtOnce)
+    add_chunk(c, node, node + kNodesAtOnce < plan.nodes ? node + kNodesAtOnce : plan.nodes);
+  add_rest(c);
+  double squares = 0.0, most = 0.0, terms = 0.0;
+  for (int32_t i = 0; i < 2 * system.sources; ++i) {
+    squares += w.sum[i] * w.sum[i];
+    most = fmax(most, fabs(w.sum[i]));
+    terms = fmax(terms, w.largest[i]);
+  }
+  out->mean = sqrt(squares / (2 * system.sources));
+  out->relative = terms > 0.0 ? most / terms : 0.0;
+  return C2D_OK;
+}
+
+} // namespace c2d

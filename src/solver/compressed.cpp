@@ -1,0 +1,196 @@
+#include "solver/compressed.hpp"
+
+#include <math.h>
+
+#include "bie/batch.hpp"
+#include "bie/panel.hpp"
+#include "memory/hostile.hpp"
+#include "model/validate_finding.hpp"
+#include "solver/judge.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr int32_t kLeastRank = 2 * kLeafNodes, kMostRank = 512;
+constexpr int32_t kUsualRank = 256; // the largest measured are below
+constexpr double kErrorLimit = sizeof(Real) == sizeof(double) ? 1e-9 : 1e-3;
+
+CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
+  const BodyPhase body = most.of(b);
+  const int64_t pairs = most.limits->pairs, touching = body.nodes < pairs ? body.nodes : pairs;
+  return plan_compressed(CompressedLimits{static_cast<int32_t>(body.nodes), static_cast<int32_t>(touching),
+                                          static_cast<int32_t>(body.contact), static_cast<int32_t>(most.cases),
+                                          most_holes(static_cast<int32_t>(sizes_of_body(*most.limits, b).regions))},
+                         rank, kLeafNodes);
+}
+
+uint64_t back_bytes_of(const CompressedPlan& plan) {
+  const uint64_t back = compressed_back_bytes(plan), check = round_up(kAssemblyBytes) + compressed_check_bytes(plan);
+  return back > check ? back : check;
+}
+
+// What elimination_area holds beside the work of the elimination.
+uint64_t beside_work(const PhaseSizes& s, int b) {
+  return elimination_area(s, b, EliminationPlan{}, nullptr, nullptr) - elimination_bytes(EliminationPlan{});
+}
+
+uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+// The largest rank for which there is room; 0: for none.
+int32_t rank_within(const PhaseSizes& most, uint64_t bytes) {
+  int32_t rank = kMostRank;
+  while (rank >= kLeastRank && compression_need(most, rank) > bytes) rank -= 8;
+  return rank >= kLeastRank ? rank : 0;
+}
+
+// Of a body within the limits, its border cut for these bytes of the phase area.
+CompressedPlan cut_most(const PhaseSizes& most, uint64_t bytes, int b, int32_t rank) {
+  CompressedPlan plan = most_of(most, b, rank);
+  const c2d_status status = cut_border(bytes - beside_work(most, b), plan, nullptr);
+  C2D_ASSERT(status == C2D_OK);
+  static_cast<void>(status);
+  return plan;
+}
+
+} // namespace
+
+uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
+  if (rank < 1) rank = kUsualRank;
+  uint64_t need = reduction_area(most, nullptr, nullptr);
+  BackNeed back = {0, 0};
+  for (int b = 0; b < most.bodies; ++b) {
+    if (most.of(b).rows == 0) continue;
+    const CompressedPlan plan = most_of(most, b, rank);
+    need = larger(need, beside_work(most, b) + compressed_bytes(plan));
+    back.work = larger(back.work, back_bytes_of(plan));
+    back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
+  }
+  return larger(need, path_area(most, back, false, nullptr, nullptr));
+}
+
+c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model& m, EliminationPlan* out) {
+  const int32_t rank = rank_within(most, bytes);
+  if (rank == 0) return C2D_ERR_MEMORY;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    if (!may_compress(m, b)) continue;
+    out[b] = plan_compressed(m, b, rank, kLeafNodes).border;
+    cut_alike(cut_most(most, bytes, b, rank).border, out[b]);
+  }
+  return C2D_OK;
+}
+
+c2d_status compression_tape(const PhaseSizes& most, uint64_t bytes, bool upper, TapeUse& out) {
+  const int32_t rank = rank_within(most, bytes);
+  out = TapeUse{0, 0, 0, 0};
+  if (rank == 0) return C2D_ERR_MEMORY;
+  for (int b = 0; b < most.bodies; ++b) {
+    if (most.of(b).rows == 0) continue;
+    const CompressedPlan plan = cut_most(most, bytes, b, rank);
+    const TapeUse use = upper ? compressed_upper_use(plan, true) : compressed_lower_use(plan);
+    out.blocks += use.blocks;
+    out.max_data_bytes = larger(out.max_data_bytes, use.max_data_bytes);
+  }
+  return C2D_OK;
+}
+
+bool is_compression_of(const Model& m, int b, const EliminationPlan& border) { return is_border(m, b, border); }
+
+uint64_t compression_bytes(const Model& m, int b, const EliminationPlan& border) {
+  return compressed_bytes(plan_around(m, b, border));
+}
+
+uint64_t compression_back_bytes(const Model& m, int b, const EliminationPlan& border) {
+  return back_bytes_of(plan_around(m, b, border));
+}
+
+void compression_uses(const Model& m, int b, const EliminationPlan& border, TapeUse& lower, TapeUse& upper) {
+  const CompressedPlan plan = plan_around(m, b, border);
+  lower = compressed_lower_use(plan);
+  upper = compressed_upper_use(plan);
+}
+
+c2d_status compress(const EliminationPlan& border, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
+                    PivotStats* stats, int32_t* rank, const Watch& watch, const Engine& engine) {
+  const CompressedPlan plan = plan_around(system.model, system.body, border);
+  CompressedStats found;
+  const c2d_status status = eliminate_compressed(plan, system, sink, tapes, work, stats, &found, watch, engine);
+  // Cells of the depths above ask for somewhat more.
+  if (status == C2D_ERR_MEMORY) *rank = found.largest_rank + found.largest_rank / 4 + 16;
+  return status;
+}
+
+namespace {
+
+// Sum over the displacements among the unknowns x of a body.
+double squares_of_displacements(const Model& m, int b, const Real* x) {
+  double sum = 0.0;
+  for (int32_t node = 0; node < m.body[b].nodes; ++node) {
+    Unknown unknown[2];
+    unknowns_at(m, b, node, unknown);
+    for (int c = 0; c < 2; ++c) {
+      if (unknown[c].kind != UnknownKind::displacement) continue;
+      const double u = static_cast<double>(x[outer_column(m, b, node, c)]);
+      sum += u * u;
+    }
+  }
+  return sum;
+}
+
+void warn_of_error(c2d_solver* s, const Model& m, int b) {
+  Finding out(C2D_WARN_COMPRESSED, in_body(b));
+  put_all(out.text, "body ", body_named(m, b), ": by what is left of its equations the compressed elimination may be wrong by ",
+          s->compression_error, " of the displacements, above ", kErrorLimit, "; the dense one would tell");
+  report_fault(s, out.entry);
+}
+
+// How far off is area.outer? One step of refinement would change it by what the inverse makes of the remainder.
+c2d_status note_remainder(Session& session, int b, double growth) {
+  c2d_solver* s = session.solver;
+  const Model& m = session.model;
+  const PathArea& area = session.area;
+  char* work = static_cast<char*>(area.work);
+  const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
+  const ColumnSystem system{m,       b,       quadrature,
+                            nullptr, nullptr, nullptr,
+                            reinterpret_cast<AssemblyScratch*>(work), batch_for(s->instructions)};
+  Remainder left;
+  const c2d_status status = check_compressed(plan_around(m, b, plan_of(s, b)), system, s->tapes, area.coefficient, area.outer,
+                                             work + round_up(kAssemblyBytes), &left);
+  if (status != C2D_OK) return status;
+  const double size = sqrt(squares_of_displacements(m, b, area.outer));
+  const double error = size > 0.0 ? left.mean * growth / size : 0.0, before = s->compression_error;
+  s->compression_residual = fmax(s->compression_residual, left.relative);
+  s->compression_error = fmax(before, error);
+  if (before <= kErrorLimit && error > kErrorLimit) warn_of_error(s, m, b);
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status compression_growth(Session& session, int b, double* growth) {
+  c2d_solver* s = session.solver;
+  const c2d_status status =
+      substitute_noise(plan_around(session.model, b, plan_of(s, b)), s->tapes, session.area.outer, session.area.work);
+  if (status == C2D_OK) *growth = sqrt(squares_of_displacements(session.model, b, session.area.outer));
+  return status;
+}
+
+c2d_status solve_compressed(Session& session, int b) {
+  c2d_solver* s = session.solver;
+  const PathArea& area = session.area;
+  double growth = 0.0;
+  c2d_status status = compression_growth(session, b, &growth);
+  if (status == C2D_OK)
+    status = back_substitute_compressed(plan_around(session.model, b, plan_of(s, b)), s->tapes, area.coefficient, area.outer,
+                                        area.work);
+  return status == C2D_OK ? note_remainder(session, b, growth) : status;
+}
+
+c2d_status compression_functional(Session& session, int b, Real* f, Real* w) {
+  c2d_solver* s = session.solver;
+  return compressed_functional(plan_around(session.model, b, plan_of(s, b)), s->tapes, f, w, session.area.work);
+}
+
+} // namespace c2d
