@@ -134,7 +134,7 @@ int32_t count_holes(const Model& m, int b) {
 
 // `tree`, `holes` and the body's numbers stand in the plan.
 void complete_plan(int32_t rank, int32_t leaf, CompressedPlan& plan) {
-  plan.rank = smaller(rank, plan.tree > 1 ? plan.tree : 1);
+  plan.rank = smaller(rank, plan.tree + 1); // of half the nodes all equations
   plan.leaf = smaller(leaf, plan.rank);
   const int32_t root = root_size(plan);
   plan.border = EliminationPlan{};

@@ -6,6 +6,8 @@
 #include "report/summary.hpp"
 #include "report/text.hpp"
 
+#include <vector>
+
 namespace app {
 namespace {
 
@@ -34,14 +36,18 @@ std::string names_of(const Summary& s) {
   return out;
 }
 
-// What the store is asked for, with the least workspace and with a body's whole matrix in it.
-void append_tapes(std::string& out, const Session& session) {
+// What the store is asked for, with the least workspace and with a body's whole matrix in it, or by compressed elimination.
+void append_tapes(std::string& out, const Session& session, int32_t elimination) {
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = elimination;
+  std::vector<uint64_t> memory = {session.workspace.minimum, session.workspace.in_core};
+  if (elimination == C2D_ELIMINATION_COMPRESSED) memory = {compressed_bytes(session.workspace.minimum)};
   const char* const names[C2D_TAPES] = {"tape control", "tape lower", "tape upper", "tape contact"};
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     std::string text;
-    for (const uint64_t bytes : {session.workspace.minimum, session.workspace.in_core}) {
+    for (const uint64_t bytes : memory) {
       uint64_t blocks = 0, each = 0;
-      c2d_tape_need(&session.limits, nullptr, bytes, tape, &blocks, &each, nullptr);
+      c2d_tape_need(&session.limits, &options, bytes, tape, &blocks, &each, nullptr);
       text += text.empty() ? "" : "; all in RAM: ";
       text += std::to_string(blocks) + " blocks of " + std::to_string(each) + " bytes";
     }
@@ -49,7 +55,7 @@ void append_tapes(std::string& out, const Session& session) {
   }
 }
 
-void append_check(std::string& out, const Session& session, const Summary& s) {
+void append_check(std::string& out, const Session& session, const Summary& s, int32_t elimination) {
   append_line(out, "deck", session.deck.name());
   append_line(out, "title", s.title);
   append_line(out, "bodies", std::to_string(s.bodies));
@@ -66,7 +72,9 @@ void append_check(std::string& out, const Session& session, const Summary& s) {
   append_line(out, "increments", std::to_string(s.steps));
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
   append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
-  append_tapes(out, session);
+  if (elimination == C2D_ELIMINATION_COMPRESSED)
+    append_line(out, "memory, compressed", std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes");
+  append_tapes(out, session, elimination);
   append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
 }
 
@@ -84,7 +92,7 @@ int check_one(const std::string& deck, const Options& options) {
   Summary summary;
   if (const c2d_status status = get_summary(session.solver, summary); status != C2D_OK) return session.failed(status);
   std::string text, error;
-  if (!options.quiet) append_check(text, session, summary);
+  if (!options.quiet) append_check(text, session, summary, options.elimination);
   if (write_output("-", text, error)) return kExitSolved;
   session.messages.fail(error);
   return kExitFiles;

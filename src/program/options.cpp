@@ -65,6 +65,7 @@ void set_choice(Options& o, const std::string& name, const std::string& value, i
   if (name == "--stepping") o.stepping = choice;
   if (name == "--quadrature") o.quadrature = choice;
   if (name == "--symmetry") o.symmetry = choice;
+  if (name == "--elimination") o.elimination = choice;
   if (name == "--to") o.convert_to = value;
 }
 

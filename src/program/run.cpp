@@ -316,7 +316,7 @@ int Run::read() {
   record_.meshes = session_.meshes;
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
-  if (exit == 0) exit = session_.take_memory(options_.memory);
+  if (exit == 0) exit = session_.take_memory(options_.memory, options_.elimination);
   if (exit != 0) return exit;
   const uint64_t free = free_memory() / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
@@ -339,6 +339,7 @@ int Run::read() {
   if (options_.estimate && !record_.meshes.ran()) {
     estimate::Demand demand;
     demand.memory = options_.memory, demand.symmetry = options_.symmetry, demand.quadrature = options_.quadrature;
+    demand.elimination = options_.elimination;
     record_.meshes = estimate::estimate_deck(session_.solver, session_.deck.text(), demand);
     if (!record_.meshes.stopped.empty()) session_.messages.note("no errors are stated: " + record_.meshes.stopped);
   }
@@ -472,6 +473,7 @@ int Run::prepare() {
   c2d_options options = C2D_INIT(c2d_options);
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
+  options.elimination = options_.elimination;
   std::vector<int64_t> equations;
   for (int32_t b = 0; b < summary_.bodies; ++b) equations.push_back(summary_.body[static_cast<size_t>(b)].unknowns);
   line_.work.expect(equations, summary_.steps, summary_.coefficients);

@@ -72,9 +72,9 @@ int Session::check_cards() {
   return exit_code(status);
 }
 
-int Session::take_memory(uint64_t wanted) {
+int Session::take_memory(uint64_t wanted, int32_t elimination) {
   std::string error;
-  const c2d_status status = take_workspace(limits, wanted, workspace, error);
+  const c2d_status status = take_workspace(limits, wanted, elimination, workspace, error);
   if (status != C2D_OK) messages.fail(error);
   return exit_code(status);
 }

@@ -38,16 +38,22 @@ void ask_for_huge_pages(void* memory, uint64_t bytes) {
 #endif
 }
 
-c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error) {
+// (The minimum grows with the nodes, as what compressed elimination lists of them.)
+uint64_t compressed_bytes(uint64_t minimum) { return 2 * minimum + (uint64_t{128} << 20); }
+
+c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error) {
   c2d_error why = C2D_INIT(c2d_error);
   const c2d_status status = c2d_memory_need(&limits, &out.minimum, &out.in_core, &why);
   if (status != C2D_OK) {
     error = why.text;
     return status;
   }
-  const uint64_t useful = std::max(out.in_core, out.minimum);
+  const bool compressed = elimination == C2D_ELIMINATION_COMPRESSED;
+  const uint64_t useful = compressed ? compressed_bytes(out.minimum) : std::max(out.in_core, out.minimum);
   if (wanted != 0)
-    out.bytes = std::min(wanted, useful);
+    out.bytes = compressed ? wanted : std::min(wanted, useful);
+  else if (compressed)
+    out.bytes = useful;
   else
     out.bytes = std::max(std::min(useful, free_memory() / 2), out.minimum);
   if (out.bytes < out.minimum) {

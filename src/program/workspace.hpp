@@ -26,8 +26,11 @@ uint64_t free_memory();
 // costs hardly more than one of 4 KiB. A hint; nothing follows from it but speed.
 void ask_for_huge_pages(void* memory, uint64_t bytes);
 
-// Takes `wanted` bytes, 0: everything in memory but at most half of what is free, at least the minimum.
-// Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
-c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error);
+// What compressed elimination makes use of, beside this minimum.
+uint64_t compressed_bytes(uint64_t minimum);
+
+// Takes `wanted` bytes, 0: everything in memory but at most half of what is free, at least the minimum; for compressed
+// elimination what that makes use of. Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
+c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error);
 
 } // namespace app

@@ -60,6 +60,14 @@ void append_name(Object& o, const std::vector<std::string>& names, size_t i) {
   if (i < names.size() && !names[i].empty()) o.word("name", names[i].c_str());
 }
 
+void append_compression(std::string& out, const Summary& s) {
+  Object o(out, "{", ", ");
+  o.integer("bodies", s.compressed_bodies);
+  o.number("residual", s.compression_residual);
+  o.number("error", s.compression_error);
+  out += '}';
+}
+
 void append_force(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
   o.number("applied", s.force_applied);
@@ -362,6 +370,8 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   o.number("max_residual", s.max_residual);
   o.number("elimination_residual", s.elimination_residual);
   o.number("condition", s.condition);
+  o.word("elimination", s.compressed_bodies > 0 ? "compressed" : "dense");
+  if (s.compressed_bodies > 0) append_compression(o.key("compression"), s);
   o.number("tension_ratio", s.tension_ratio);
   append_force(o.key("force"), s);
   append_runs(o.key("runs"), record);

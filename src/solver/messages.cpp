@@ -60,6 +60,7 @@ const Word kStatusWords[] = {
     {C2D_WARN_SURFACE, "a surface that is not certain enough"},
     {C2D_WARN_UNHELD, "nothing holds some motions of bodies"},
     {C2D_WARN_TIE_END, "stresses are singular where a tie of unlike materials ends"},
+    {C2D_WARN_COMPRESSED, "inexact compression"},
     {C2D_WARN_ENERGY, "the work of friction is not certain enough"},
 };
 

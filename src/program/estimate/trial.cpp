@@ -39,6 +39,7 @@ c2d_options options_of(const Demand& demand) {
   c2d_options options = C2D_INIT(c2d_options);
   options.symmetry = demand.symmetry;
   options.quadrature = demand.quadrature;
+  options.elimination = demand.elimination;
   return options;
 }
 
@@ -72,7 +73,7 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   limits_.body = bodies_.data();
   c2d_error error = C2D_INIT(c2d_error);
   c2d_status status = c2d_scan_deck(app::DeckFile::read_line, &deck_, &limits_, &error);
-  if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, workspace_, why);
+  if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, demand.elimination, workspace_, why);
   if (!why.empty()) return status;
   c2d_port port = C2D_INIT(c2d_port);
   if (status == C2D_OK) status = make_store(demand, port);

@@ -23,7 +23,7 @@ struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
   std::vector<Place> points;
   bool all_steps = false;               // states of every increment; else only where the loads turn and midway
-  int32_t symmetry = 0, quadrature = 0; // as in c2d_options
+  int32_t symmetry = 0, quadrature = 0, elimination = 0; // as in c2d_options
 };
 
 enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
