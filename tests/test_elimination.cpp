@@ -145,7 +145,7 @@ c2d_status open_for(const EliminationPlan& plan, Tapes& tapes) {
 }
 
 EliminationPlan plan_of(const Problem& p, int32_t width, int32_t block) {
-  return {p.rows, p.pivots, p.trailing, width, block, 0, 0, 0, 0};
+  return {p.rows, p.pivots, p.trailing, width, block, 0, 0, 0, 0, 0};
 }
 
 uint64_t work_bytes(const EliminationPlan& plan) { return elimination_bytes(plan); }

@@ -64,6 +64,7 @@ void assembly();
 void interior_points();
 void contact_events(const Options& options);
 void many_bodies();
+void compressed_elimination(const Options& options);
 void whole_program(const Options& options);
 
 } // namespace bench

@@ -1,5 +1,5 @@
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept, LARGE=1 adds the sizes
-# that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,bodies,program takes parts of it.
+# that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,bodies,compressed,program takes parts of it.
 # Rivals are processes of their own, compiled if what they need is here; the library itself needs none of them.
 BENCH := $(BUILD)/bench
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BENCH)/%.o,$(wildcard tests/bench/*.cpp)) $(BENCH)/many_bodies.o

@@ -181,6 +181,7 @@ int main(int argc, char** argv) {
   if (wanted("interior")) bench::interior_points();
   if (wanted("events")) bench::contact_events(options);
   if (wanted("bodies")) bench::many_bodies();
+  if (wanted("compressed")) bench::compressed_elimination(options);
   if (wanted("program")) bench::whole_program(options);
   std::printf("\nFigures asked for: %d met, %d missed\n", bench::met, static_cast<int>(bench::missed.size()));
   for (const std::string& line : bench::missed) std::printf("  %s\n", line.c_str());

@@ -1,0 +1,292 @@
+// Compressed elimination: against the dense one, its growth, and what it leaves of the equations of awkward bodies. Every run is
+// a process of its own, whose processor time and memory count.
+#include "../host_structs.hpp"
+#include "../many_bodies.hpp"
+#include "bench.hpp"
+
+#include "c2d_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace bench {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr uint64_t kBeside = uint64_t{128} << 20; // workspace beyond twice the minimum, as the program takes it
+
+struct Outcome {
+  double seconds, megabytes, residual, error;
+  std::vector<double> pressure, status;
+};
+
+struct FreeMemory {
+  void operator()(void* memory) const { std::free(memory); }
+};
+using Memory = std::unique_ptr<void, FreeMemory>;
+
+[[noreturn]] void fail(c2d_solver* solver, c2d_status status) {
+  c2d_error why = C2D_INIT(c2d_error);
+  c2d_last_error(solver, &why);
+  give_up(std::string(c2d_message(status)) + ": " + why.text);
+}
+
+// What a run writes to whoever waits for it.
+void write_numbers(int file, const std::vector<double>& numbers) {
+  const char* from = reinterpret_cast<const char*>(numbers.data());
+  for (size_t left = numbers.size() * sizeof(double); left > 0;) {
+    const ssize_t done = write(file, from, left);
+    if (done <= 0) std::_Exit(1);
+    from += done, left -= static_cast<size_t>(done);
+  }
+}
+
+void solve(const many::Model& m, int32_t elimination, int file) {
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  uint64_t minimum = 0, in_core = 0, tapes = 0;
+  if (c2d_memory_need(&limits, &minimum, &in_core, nullptr) != C2D_OK) give_up("limits refused");
+  const bool compressed = elimination == C2D_ELIMINATION_COMPRESSED;
+  const uint64_t bytes = compressed ? 2 * minimum + kBeside : in_core;
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = elimination;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    uint64_t blocks = 0, each = 0;
+    if (c2d_tape_need(&limits, &options, bytes, tape, &blocks, &each, nullptr) != C2D_OK) give_up("no tapes");
+    tapes += blocks * each + 64;
+  }
+  const Memory workspace(std::malloc(bytes)), region(std::calloc(tapes, 1)); // pages that are not touched cost nothing
+  c2d_memory_store store;
+  c2d_memory_store_init(&store, region.get(), tapes);
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_memory_store_port(&store, &port);
+  c2d_solver* solver = nullptr;
+  if (c2d_create(&solver, workspace.get(), bytes, &limits, &port, nullptr) != C2D_OK) give_up("not created");
+  c2d_status status = many::feed(solver, m);
+  if (status == C2D_OK) status = c2d_set_options(solver, &options);
+  if (status == C2D_OK) status = c2d_prepare(solver);
+  if (status == C2D_OK) status = c2d_run(solver, nullptr, nullptr);
+  if (status != C2D_OK) fail(solver, status);
+  host::Summary summary;
+  host::get_summary(solver, summary);
+  if (summary.outcome != C2D_REACHED) give_up(c2d_outcome_message(summary.outcome));
+  std::vector<double> all = {processor_seconds(), summary.compression_residual, summary.compression_error};
+  const size_t pairs = static_cast<size_t>(summary.pairs);
+  all.resize(3 + 2 * pairs);
+  if (pairs > 0) {
+    c2d_get(solver, C2D_TN, 0, 1, summary.pairs, all.data() + 3, 1);
+    c2d_get(solver, C2D_STATUS, 0, 1, summary.pairs, all.data() + 3 + pairs, 1);
+  }
+  write_numbers(file, all);
+}
+
+Outcome run(const many::Model& m, int32_t elimination) {
+  int ends[2];
+  if (pipe(ends) != 0) give_up("no pipe");
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) give_up("no process");
+  if (child == 0) {
+    close(ends[0]);
+    solve(m, elimination, ends[1]);
+    std::_Exit(0);
+  }
+  close(ends[1]);
+  std::vector<double> all;
+  double numbers[512];
+  size_t held = 0;
+  for (;;) {
+    const ssize_t got = read(ends[0], reinterpret_cast<char*>(numbers) + held, sizeof numbers - held);
+    if (got <= 0) break;
+    held += static_cast<size_t>(got);
+    all.insert(all.end(), numbers, numbers + held / sizeof(double));
+    std::copy(reinterpret_cast<char*>(numbers) + held / sizeof(double) * sizeof(double),
+              reinterpret_cast<char*>(numbers) + held, reinterpret_cast<char*>(numbers));
+    held %= sizeof(double);
+  }
+  close(ends[0]);
+  int ended = 0;
+  rusage used = {};
+  if (wait4(child, &ended, 0, &used) != child || ended != 0 || all.size() < 3) give_up("a run has failed");
+  const int64_t pairs = static_cast<int64_t>(all.size() - 3) / 2;
+  return {all[0], static_cast<double>(used.ru_maxrss) / 1024, all[1], all[2],
+          {all.begin() + 3, all.begin() + 3 + pairs}, {all.begin() + 3 + pairs, all.end()}};
+}
+
+Outcome compressed(const many::Model& m) { return run(m, C2D_ELIMINATION_COMPRESSED); }
+
+using Curve = std::vector<double>; // x y x y ...
+
+// Closed curves of straight elements.
+many::Body body_of(const std::vector<Curve>& curves) {
+  many::Body body;
+  for (const Curve& curve : curves) {
+    const int32_t before = body.elements(), count = static_cast<int32_t>(curve.size() / 2);
+    body.xy.insert(body.xy.end(), curve.begin(), curve.end());
+    body.regions.push_back({before + 1, before + count});
+  }
+  body.ends.resize(2 * static_cast<size_t>(body.elements()));
+  return body;
+}
+
+// ---- a pair of bodies -------------------------------------------------------------------------------------------------
+
+// Two blocks of so many nodes each, the upper one rounded below, that may touch in their middle, in 200 pairs if there are as
+// many.
+many::Model pressed(int32_t nodes) {
+  const int32_t face = nodes / 8 * 3, rest = (nodes - 2 * face) / 2, pairs = std::min(200, face / 2);
+  const double half_width = 0.5 * pairs / face; // of the zone, of faces from -1/2 to 1/2
+  const auto flat = [](double) { return 0.0; };
+  const auto round = [&](double x) { return 0.02 * half_width * (x / half_width) * (x / half_width) / 2; };
+  many::Model m;
+  for (int upper = 0; upper < 2; ++upper) {
+    const std::function<double(double)> gap = upper == 1 ? std::function<double(double)>(round) : flat;
+    const double far = upper == 1 ? 1 : -1;
+    std::vector<double> xy;
+    const auto side = [&](double x0, double y0, double x1, double y1, int32_t count, bool contact) {
+      for (int32_t i = 0; i < count; ++i) {
+        const double s = static_cast<double>(i) / count, x = x0 + (x1 - x0) * s;
+        xy.insert(xy.end(), {x, contact ? gap(x) : y0 + (y1 - y0) * s});
+      }
+    };
+    // Counter-clockwise; the face that may touch is the first side of the upper block, the third of the lower one.
+    const double low = upper == 1 ? gap(0.5) : far, high = upper == 1 ? far : gap(0.5);
+    side(-0.5, low, 0.5, low, face, upper == 1);
+    side(0.5, low, 0.5, high, rest, false);
+    side(0.5, high, -0.5, high, face, upper == 0);
+    side(-0.5, high, -0.5, low, rest, false);
+    many::Body body = body_of({xy});
+    body.sides = {{1, face}, {face + 1, face + rest}, {face + rest + 1, 2 * face + rest}, {2 * face + rest + 1, 2 * (face + rest)}};
+    m.add(body);
+  }
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0.15 * pairs / face, -1.5 * pairs / face));
+  const int32_t first = (face - pairs) / 2 + 1, last = first + pairs - 2;
+  const many::Range lower = m.side(1, 3), top = m.side(2, 1);
+  m.zones.push_back({C2D_ZONE_MATCHING,
+                     {{1, lower.first + face - last, lower.first + face - first}, {2, top.first + last - 1, top.first + first - 1}}});
+  m.friction = 0.3;
+  return m;
+}
+
+double farthest(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0, size = 0;
+  for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - b[i])), size = std::max(size, std::fabs(a[i]));
+  return size > 0 ? most / size : 0;
+}
+
+void against_dense(bool large) {
+  for (int32_t nodes : {500, 1000, 2000, 4000}) {
+    if (nodes > 2000 && !large) continue;
+    const many::Model m = pressed(nodes);
+    const Outcome dense = run(m, C2D_ELIMINATION_DENSE), own = compressed(m);
+    const std::string key = "compressed." + std::to_string(nodes);
+    const double ratio = own.seconds / dense.seconds, apart = farthest(dense.pressure, own.pressure);
+    row(key + ".time", own.seconds, "s", "dense " + std::to_string(dense.seconds));
+    row(key + ".over_dense", ratio, "", nodes == 2000 ? judged(key + ".ratio", ratio, "<=", 1.5, "") : "");
+    row(key + ".pressures", apart, "",
+        std::string(dense.status == own.status ? "same statuses" : "OTHER STATUSES") + ", " +
+            judged(key + ".apart", apart, "<=", 1e-9, ""));
+  }
+}
+
+void growth(bool large) {
+  std::vector<double> sizes, times;
+  for (int32_t nodes : {10000, 30000, 100000}) {
+    if (nodes > 10000 && !large) continue;
+    const Outcome own = compressed(pressed(nodes));
+    const std::string key = "compressed." + std::to_string(nodes);
+    const double seconds = nodes == 10000 ? 10 : nodes == 100000 ? 150 : 0, memory = nodes == 10000 ? 300 : nodes == 100000 ? 2500 : 0;
+    row(key + ".time", own.seconds, "s", judged(key + ".seconds", own.seconds, "<=", seconds, ""));
+    row(key + ".memory", own.megabytes, "MB", judged(key + ".megabytes", own.megabytes, "<=", memory, ""));
+    row(key + ".residual", own.residual, "", "a step of refinement would change " + std::to_string(own.error * 1e12) + "e-12");
+    sizes.push_back(nodes), times.push_back(own.seconds);
+  }
+  if (sizes.size() > 1) {
+    const double power = exponent(sizes, times);
+    row("compressed.growth", power, "", judged("compressed.exponent", power, "<=", 1.15, ""));
+  }
+}
+
+// ---- one body ---------------------------------------------------------------------------------------------------------
+
+// From (x0, y0), left out (x1, y1): equal elements, or elements that grow from both ends, the first so long.
+void straight(Curve& c, double x0, double y0, double x1, double y1, int count, double smallest = 0) {
+  std::vector<double> s;
+  if (smallest > 0) {
+    std::vector<double> half;
+    for (double at = smallest; at < 0.5; at *= 1.3) half.push_back(at);
+    s.push_back(0);
+    s.insert(s.end(), half.begin(), half.end());
+    for (size_t k = half.size(); k-- > 0;) s.push_back(1 - half[k]);
+  } else {
+    for (int i = 0; i < count; ++i) s.push_back(static_cast<double>(i) / count);
+  }
+  for (double at : s) c.insert(c.end(), {x0 + (x1 - x0) * at, y0 + (y1 - y0) * at});
+}
+Curve box(double width, double height, int along, int across, double smallest = 0) {
+  Curve c;
+  straight(c, 0, 0, width, 0, along, smallest), straight(c, width, 0, width, height, across, smallest);
+  straight(c, width, height, 0, height, along, smallest), straight(c, 0, height, 0, 0, across, smallest);
+  return c;
+}
+Curve circle(double x, double y, double radius, int count, double turn) {
+  Curve c;
+  for (int i = 0; i < count; ++i) {
+    const double angle = turn * 2 * kPi * i / count;
+    c.insert(c.end(), {x + radius * std::cos(angle), y + radius * std::sin(angle)});
+  }
+  return c;
+}
+
+// Held at its first elements, pulled at others on the far side of its first curve.
+many::Model held(const std::vector<Curve>& curves) {
+  many::Model m;
+  many::Body body = body_of(curves);
+  const int32_t count = static_cast<int32_t>(curves[0].size() / 2), some = std::max(1, count / 12);
+  body.sides = {{1, some}, {count / 2 + 1, count / 2 + some}};
+  m.add(body);
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(1, 2, many::end_of(many::kPulled, 0.3, 1));
+  return m;
+}
+
+void awkward(bool large) {
+  const int n = large ? 4 : 1;
+  std::vector<Curve> plate = {box(5, 4, 500 * n, 400 * n)};
+  for (int h = 0; h < 20; ++h) plate.push_back(circle(0.5 + h % 5, 0.5 + h / 5, 0.3, 100 * n, -1));
+  const std::pair<const char*, many::Model> bodies[] = {
+      {"graded", held({box(1, 1, 0, 0, 1e-6)})},
+      {"square", held({box(1, 1, 1000 * n, 1000 * n)})},
+      {"layer", held({box(1, 0.001, 1000 * n, 1)})},
+      {"ring", held({circle(0, 0, 1, 2000 * n, 1), circle(0, 0, 0.7, 1500 * n, -1)})},
+      {"holes", held(plate)},
+  };
+  for (const auto& [name, m] : bodies) {
+    const Outcome own = compressed(m);
+    const std::string key = std::string("compressed.") + name;
+    row(key + ".time", own.seconds, "s");
+    row(key + ".residual", own.residual, "", judged(key + ".left", own.residual, "<=", 1e-10, ""));
+  }
+}
+
+} // namespace
+
+void compressed_elimination(const Options& options) {
+  heading("Compressed elimination: two blocks that touch in at most 200 pairs, whole runs");
+  against_dense(options.large);
+  growth(options.large);
+  heading("Compressed elimination: what is left of the equations of awkward bodies");
+  awkward(options.large);
+}
+
+} // namespace bench
