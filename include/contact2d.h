@@ -66,11 +66,9 @@ extern "C" {
    warnings (C2D_WARN_...) and of the fields of c2d_get stand in contact2d_codes.h. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
-
 enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2, C2D_TIED = 3 }; /* status of a pair   */
 enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1 };
 enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 }; /* c2d_error.severity */
-
 /* Everything known about a fault, a warning or a note. Numbers that do not apply are 0. */
 typedef struct c2d_error {
   uint32_t struct_size;
@@ -92,7 +90,6 @@ typedef struct c2d_body_limits {
   int32_t points;             /* boundary points (NBP), ends of open regions included               */
   int32_t elements, regions, reserved; /* elements (NEL); closed and open curves (NREN)             */
 } c2d_body_limits;
-
 typedef struct c2d_limits {
   uint32_t struct_size;
   int32_t bodies;             /* how many (NBODY)                                                   */
@@ -109,7 +106,6 @@ typedef struct c2d_limits {
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
   int32_t platens, reserved;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each, counted as others are */
 } c2d_limits;
-
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
    holds a body's whole matrix at once; more is of use to threads alone. Outputs and `why` may be null. Errors: OVERFLOW. */
 c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
@@ -162,9 +158,8 @@ typedef struct c2d_port {
   int32_t threads;            /* tasks that parallel_for runs at once; 0 and 1: it is not called    */
 } c2d_port;
 
-/* Make a solver in memory[0 .. bytes), in state empty. On success *out points into that memory. `port` may be null (then no
-   store: the model can be checked but not prepared) and is copied; its context must outlive the solver. `why` may be null.
-   Errors: OVERFLOW, MEMORY with why->bytes_needed. */
+/* Make a solver in memory[0 .. bytes), in state empty; *out points into it. `port` is copied, its context must live on; null:
+   no store, the model can only be checked. `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed. */
 c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port,
                       c2d_error* why);
 /* Take up a solver whose memory was moved, reloaded or handed to another process of the same build: memory[0 .. bytes) is a
@@ -194,8 +189,7 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 
 /* ---------------------------------------------------------------- 5 a model by calls ---------------------------
 
-   The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction and paths (for c2d_run), and
-   c2d_complete. Each of these calls may return C2D_ERR_LIMIT. */
+   The order: problem, bodies, regions, nodes, conditions, loads, zones, friction, paths, c2d_complete. All may return LIMIT. */
 enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 1, C2D_ANALYSIS_FULL = 2,
        C2D_ANALYSIS_ITERATIONS = 3 };
 typedef struct c2d_problem {
@@ -304,8 +298,7 @@ typedef struct c2d_curve {
   double centre[2], radius;   /* of an arc                                                          */
 } c2d_curve;
 c2d_status c2d_add_curve(c2d_solver* solver, const c2d_curve* curve);
-/* A coefficient to be run by c2d_run: zero or more, infinity is full adhesion; c2d_set_zone_friction: the coefficient of one
-   zone in the i-th of these runs, instead of the one for all zones. */
+/* A coefficient for c2d_run, zero or more, infinity is full adhesion; c2d_set_zone_friction: of one zone, in the i-th run. */
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);
 c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double mu);
 /* Symmetry by images (METHOD 5): everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each
@@ -347,9 +340,8 @@ enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
 /* Elements on a line of symmetry: kept, or replaced by images. The line bounds every body; each of its elements has zero
    displacement across and zero traction along the line. Results there are 0. Lines are found if none is given. */
 enum { C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1 };
-/* Compressed (METHOD 7.6): time and store grow like the number of nodes, so that it pays from some 1000 of a body on; to 1e-9 as
-   dense, else C2D_WARN_COMPRESSED. Takes up to 128 MiB beyond the least workspace, somewhat more from 10^5 nodes on, and passes
-   over keep_factors. Bodies with nodes on side 1 of a free zone stay dense, and any with more holes than 2 regions + 2. */
+/* Compressed (METHOD 7.6): cost grows like the number of nodes; to 1e-9 as dense, else C2D_WARN_COMPRESSED. Takes 128 MiB at
+   most beyond twice the least workspace. Bodies on side 1 of a free zone, or with more holes than 2 regions + 2, stay dense. */
 enum { C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1 };
 typedef struct c2d_options {
   uint32_t struct_size;
@@ -357,7 +349,7 @@ typedef struct c2d_options {
   int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond the limits of accuracy */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
   int32_t keep_factors;       /* 1: all of L is kept, so that new loads cost little: tape LOWER as large as UPPER */
-  int32_t elimination;        /* C2D_ELIMINATION_...                                                */
+  int32_t elimination;        /* C2D_ELIMINATION_...; then that is passed over                      */
 } c2d_options;
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
@@ -371,7 +363,7 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
    per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT:
-   changed loads; MEMORY with bytes_needed: compressed elimination. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
+   changed loads; compressed: MEMORY with bytes_needed. That contact cannot hold a body is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point
@@ -408,7 +400,6 @@ c2d_status c2d_save(c2d_solver* solver);
    anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing whole is there; MEMORY with bytes_needed:
    saved in a larger workspace. Broken only if the store fails while the state is taken over, or a number cannot be meant. */
 c2d_status c2d_restore(c2d_solver* solver);
-
 /* What a step callback sees. `table` has a row per pair and the columns C2D_X ... C2D_PAIR_ZONE of section 8: column c of pair
    p at table[(p-1) * stride + c]. All pointers are valid during the call only. */
 enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
@@ -503,9 +494,9 @@ typedef struct c2d_summary {
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
   double symmetry_at[2], breach_size; /* of what the breach is measured against                         */
   int32_t point_loads, point_sets, curves, run_step; /* the first three: how many the model holds    */
-  int32_t compressed_bodies, reserved; /* how many bodies are eliminated compressed                  */
-  double compression_residual;    /* of some of their equations, over the largest term, in states with results of bodies */
-  double compression_error;       /* by it, what a step of refinement would change, over the displacements */
+  int32_t compressed_bodies, reserved; /* how many bodies are eliminated compressed                 */
+  double compression_residual, compression_error; /* of 32 nodes' equations, over their largest term, where bodies' results were
+                                     asked for; what a step of refinement would change by it, over displacements */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* zeros for what is not known yet */
 
@@ -521,8 +512,7 @@ typedef struct c2d_body_result {
 } c2d_body_result;
 c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out); /* zeros for what is not known yet */
 
-/* The contact of a zone as it stands. Forces are on side 2; the moment is about the origin. A mean is weighted with the length
-   that belongs to a pair, of the side that tractions are counted on. */
+/* The contact of a zone as it stands. Forces are on side 2, moments about the origin; means are weighted by pairs' lengths. */
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
@@ -593,10 +583,11 @@ const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
 /* These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function:
-   bodies with holes; zones of kind C2D_ZONE_FREE; compressed elimination; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
-   except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and what few states need, which c2d_run
+   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
+   except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; what few states need, which c2d_run
    brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how
-   many solutions there are, and a body that nothing presses any more. Without it a path ends there with C2D_UNDECIDED. */
+   many solutions there are, and a body that nothing presses any more (without it a path ends there with C2D_UNDECIDED); and
+   compressed elimination, of which small code has none. */
 void c2d_link_holes(void);
 void c2d_link_free_zones(void);
 void c2d_link_warnings(void);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <vector>
@@ -579,6 +580,86 @@ TEST_CASE("compressed: streams of records") {
     CHECK(c2d::read_at(in, 2 * block_bytes, back.data(), block_bytes) == C2D_OK);
     CHECK(std::equal(back.begin(), back.begin() + static_cast<int64_t>(block_bytes), data.begin()));
   }
+}
+
+// Equations assembled anew, of the dense form, at the true solution and beside it.
+TEST_CASE("compressed: what a solution leaves of the equations is seen") {
+  for (int32_t holes : {0, 2}) {
+    ModelData d = boxes(2, 2, holes, 60, 0.1);
+    REQUIRE(d.complete());
+    for (int b = 0; b < 2; ++b) {
+      CAPTURE(holes);
+      CAPTURE(b);
+      Dense dense(d, b);
+      Compressed compressed(d, b, 160, 12);
+      REQUIRE(compressed.status == C2D_OK);
+      const Numbers c = coefficients(dense, 3);
+      Numbers x = dense.solve(c);
+      Aligned work(c2d::compressed_check_bytes(compressed.plan));
+      c2d::ColumnSystem system = compressed.system;
+      system.diagonal = system.point = nullptr;
+      system.twin = nullptr;
+      c2d::Remainder left;
+      const auto check = [&] {
+        REQUIRE(c2d::check_compressed(compressed.plan, system, compressed.tapes, c.data(), x.data(), work.at, &left) == C2D_OK);
+        return left.relative;
+      };
+      CHECK(check() < kNear);
+      CHECK(left.mean <= largest(x));
+      // Whatever unknown is wrong by a thousandth of the largest, some equation tells.
+      for (size_t j = 0; j < x.size(); j += 1 + x.size() / 20) {
+        CAPTURE(j);
+        const c2d::Real kept = x[j];
+        x[j] += largest(x) / 1000;
+        CHECK(check() > 1e-7);
+        x[j] = kept;
+      }
+    }
+  }
+}
+
+// Blocks are whole and sealed, and what stands in them is not what was written.
+TEST_CASE("compressed: records of a stranger lead nowhere") {
+  ModelData d = disc(2, 2, 100);
+  REQUIRE(d.complete());
+  Compressed::Trouble trouble;
+  trouble.block_bytes = 1024;
+  Compressed compressed(d, 0, 100, 8, trouble);
+  REQUIRE(compressed.status == C2D_OK);
+  const c2d::CompressedPlan& plan = compressed.plan;
+  const uint64_t first = c2d::upper_use(plan.border).blocks;
+  Numbers x(static_cast<size_t>(compressed.pivots)), w(static_cast<size_t>(compressed.trailing));
+  const Numbers c(w.size(), 0);
+  Aligned work(std::max(c2d::compressed_back_bytes(plan), c2d::compressed_check_bytes(plan)));
+  int refused = 0;
+  const auto use = [&] {
+    Numbers f(x.size(), 1);
+    c2d::Remainder left;
+    for (const c2d_status status :
+         {c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at),
+          c2d::compressed_functional(plan, compressed.tapes, f.data(), w.data(), work.at),
+          c2d::check_compressed(plan, compressed.system, compressed.tapes, c.data(), x.data(), work.at, &left)}) {
+      CHECK((status == C2D_OK || status == C2D_ERR_INTERNAL));
+      refused += status == C2D_OK ? 0 : 1;
+    }
+  };
+  std::vector<unsigned char> block(c2d::kBlockHeaderBytes + 1024), spoilt;
+  for (uint64_t k = first; k < first + 30; ++k) {
+    const uint64_t bytes = k == first ? 64 : 1024; // that tells where the records end
+    REQUIRE(c2d::read_block(compressed.tapes, C2D_TAPE_UPPER, k, block.data(), bytes) == C2D_OK);
+    for (uint64_t at = 0; at < bytes; at += 4 + bytes / 32)
+      for (int32_t number : {-7, 1 << 30, 3}) {
+        spoilt = block;
+        std::memcpy(spoilt.data() + c2d::kBlockHeaderBytes + at, &number, sizeof number);
+        REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, k, spoilt.data(), bytes) == C2D_OK);
+        use();
+      }
+    REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, k, block.data(), bytes) == C2D_OK);
+  }
+  CHECK(refused > 100);
+  refused = 0;
+  use();
+  CHECK(refused == 0);
 }
 
 // Records in blocks of 512 bytes, so that each piece of them is written and read by itself.

@@ -451,8 +451,9 @@ c2d_status keep_root(Compression& t, const Depth& d, bool leaf, uint64_t at, con
 
 } // namespace
 
-c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
-                                PivotStats* pivots, CompressedStats* stats, const Watch& watch, const Engine& engine) {
+c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes,
+                                void* work, PivotStats* pivots, CompressedStats* stats, const Watch& watch,
+                                const Engine& engine) {
   Compression t{plan, system, {}, engine, tree_depth(plan.tree, plan.leaf), 0, stats, pivots, {}, {}, {}};
   lay_out_work(plan, static_cast<char*>(work), &t.w);
   *t.stats = CompressedStats{};

@@ -53,8 +53,9 @@ struct CompressedStats {
 
 // As eliminate(), with the same rows going to the sink. The system's sources are placed and its diagonal filled.
 // C2D_ERR_MEMORY: a cell would keep more than `rank`; then stats->largest_rank is what that cell asks for.
-c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
-                                PivotStats* pivots, CompressedStats* stats, const Watch& watch, const Engine& engine);
+c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes,
+                                void* work, PivotStats* pivots, CompressedStats* stats, const Watch& watch,
+                                const Engine& engine);
 
 // As back_substitute() and transposed_functional(); without w, f comes back as it is.
 uint64_t compressed_back_bytes(const CompressedPlan& plan);

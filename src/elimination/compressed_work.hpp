@@ -75,7 +75,8 @@ inline uint64_t sample_bytes(const CompressedPlan& plan) {
   return static_cast<uint64_t>(sample_count(plan)) * each;
 }
 
-// The records, to be read: what of them there is stands in a block of its own, before them. The stream's status tells what went wrong.
+// The records, to be read: what of them there is stands in a block of its own, before them. The stream's status tells what went
+// wrong.
 constexpr uint64_t kEndBytes = 64;
 Stream open_records(const CompressedPlan& plan, Tapes& tapes, char* buffer, uint64_t* end);
 Stream records_of(const CompressedPlan& plan, Tapes& tapes, char* buffer);

@@ -2,17 +2,19 @@
 #include "memory/parts.hpp"
 #include "solver/compressed.hpp"
 
-const c2d::CompressedPart c2d::kCompressedPart = {true,
-                                                  plan_compression,
-                                                  compression_need,
-                                                  compression_tape,
-                                                  is_compression_of,
-                                                  compression_bytes,
-                                                  compression_back_bytes,
-                                                  compression_uses,
-                                                  compress,
-                                                  solve_compressed,
-                                                  compression_functional,
-                                                  compression_growth};
+// (Small code has none.)
+const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
+                                                            : CompressedPart{true,
+                                                                             plan_compression,
+                                                                             compression_need,
+                                                                             compression_tape,
+                                                                             is_compression_of,
+                                                                             compression_bytes,
+                                                                             compression_back_bytes,
+                                                                             compression_uses,
+                                                                             compress,
+                                                                             solve_compressed,
+                                                                             compression_functional,
+                                                                             compression_growth};
 
 extern "C" void c2d_link_compressed(void) {}

@@ -33,15 +33,14 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   status = take(s, "c2d_options", options, ours);
   if (status != C2D_OK) return status;
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
-      !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1) ||
-      (!kSmallCode && !in_range(ours.elimination, 0, 1)))
+      !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1) || !in_range(ours.elimination, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
   if (ours.symmetry == C2D_SYMMETRY_IMAGES && !kSymmetryPart.linked)
     return fail(s, C2D_ERR_ARGUMENT,
                 "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): c2d_set_symmetry links it");
-  if (ours.elimination != C2D_ELIMINATION_DENSE && (kSmallCode || !kCompressedPart.linked))
+  if (ours.elimination != C2D_ELIMINATION_DENSE && !kCompressedPart.linked)
     return fail(s, C2D_ERR_ARGUMENT,
-                "this program is linked without compressed elimination (C2D_PARTS_BY_CALL, C2D_SMALL): c2d_link_compressed links it");
+                "this program is linked without compressed elimination: c2d_link_compressed links it, but not in small code");
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
     return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
   if (ours.quadrature != s->options.quadrature || ours.keep_factors != s->options.keep_factors ||

@@ -65,8 +65,7 @@ void fill_motion(c2d_solver* s, c2d_summary& out) {
 }
 
 void fill_work(c2d_solver* s, c2d_summary& out) {
-  for (int b = 0; b < s->sizes.bodies; ++b)
-  {
+  for (int b = 0; b < s->sizes.bodies; ++b) {
     const EliminationPlan& plan = plan_of(s, b);
     if (plan.panel_columns > out.panel_columns) out.panel_columns = plan.panel_columns;
     if (!kSmallCode && plan.rank > 0) ++out.compressed_bodies;

@@ -47,7 +47,7 @@ void factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape
   }
 }
 
-// The same where bodies are compressed. Each may be one that is not: with equations of free zones, or where elements on lines of
+// The same where bodies are compressed. Each may be one that is not: with equations of free zones, or if elements on lines of
 // symmetry cut its curves into many holes.
 c2d_status compressed_tape(const Sizes& sizes, uint64_t bytes, const c2d_options& options, bool upper, Tape& out) {
   TapeUse use{};
@@ -104,8 +104,8 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
   else if (tape == C2D_TAPE_CONTACT)
     need = contact_tape(sizes);
   else if (!kSmallCode && chosen.elimination == C2D_ELIMINATION_COMPRESSED) {
-    const c2d_status fits = compressed_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen,
-                                            tape == C2D_TAPE_UPPER, need);
+    const c2d_status fits =
+        compressed_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen, tape == C2D_TAPE_UPPER, need);
     if (fits != C2D_OK) {
       explain(why, fits, layout.persistent + kCompressedPart.compression_need(phase_sizes(sizes), 0) + kAlignment - 1);
       return fits;

@@ -209,16 +209,16 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, Session&, int, double*> compression_growth = NotLinked();
 };
 
-extern const SymmetryPart kSymmetryPart;   // interface/symmetry_calls.cpp
-extern const FreeZonePart kFreeZonePart;   // free_zone_calls.cpp
-extern const HolePart kHolePart;           // hole_calls.cpp
-extern const CurvePart kCurvePart;         // curves.cpp
-extern const BodyForcePart kBodyForcePart; // body_force_calls.cpp
-extern const RigidPart kRigidPart;         // rigid_calls.cpp
-extern const EnergyPart kEnergyPart;       // summary.cpp
-extern const WarningPart kWarningPart;     // warning_calls.cpp
-extern const SearchPart kSearchPart;       // search_calls.cpp
-extern const NewLoadsPart kNewLoadsPart;   // new_loads_calls.cpp
+extern const SymmetryPart kSymmetryPart;     // interface/symmetry_calls.cpp
+extern const FreeZonePart kFreeZonePart;     // free_zone_calls.cpp
+extern const HolePart kHolePart;             // hole_calls.cpp
+extern const CurvePart kCurvePart;           // curves.cpp
+extern const BodyForcePart kBodyForcePart;   // body_force_calls.cpp
+extern const RigidPart kRigidPart;           // rigid_calls.cpp
+extern const EnergyPart kEnergyPart;         // summary.cpp
+extern const WarningPart kWarningPart;       // warning_calls.cpp
+extern const SearchPart kSearchPart;         // search_calls.cpp
+extern const NewLoadsPart kNewLoadsPart;     // new_loads_calls.cpp
 extern const CompressedPart kCompressedPart; // compressed_calls.cpp
 
 } // namespace c2d

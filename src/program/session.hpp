@@ -29,7 +29,7 @@ public:
   // The deck of a job, or the sketch.
   int take_job(const Job& job, const Drawing& drawing);
   int take_memory(uint64_t wanted, int32_t elimination = C2D_ELIMINATION_DENSE); // workspace; 0 bytes wanted: chosen by size
-  int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK); // the solver, and the model in it
+  int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK);    // the solver, and the model in it
   // Both in the least memory, for a model that is looked at and not solved.
   int read_model_alone(int32_t symmetry = C2D_SYMMETRY_DECK);
   // Prints why the library's last call failed; returns the exit status.

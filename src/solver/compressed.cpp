@@ -152,9 +152,8 @@ c2d_status note_remainder(Session& session, int b, double growth) {
   const PathArea& area = session.area;
   char* work = static_cast<char*>(area.work);
   const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  const ColumnSystem system{m,       b,       quadrature,
-                            nullptr, nullptr, nullptr,
-                            reinterpret_cast<AssemblyScratch*>(work), batch_for(s->instructions)};
+  const ColumnSystem system{
+      m, b, quadrature, nullptr, nullptr, nullptr, reinterpret_cast<AssemblyScratch*>(work), batch_for(s->instructions)};
   Remainder left;
   const c2d_status status = check_compressed(plan_around(m, b, plan_of(s, b)), system, s->tapes, area.coefficient, area.outer,
                                              work + round_up(kAssemblyBytes), &left);

@@ -1,12 +1,12 @@
 #pragma once
-// Compressed elimination (METHOD 7.6) as a part of the solver: which bodies it takes, in what memory, and what its solutions are
+// Compressed elimination (METHOD 7.6) as a part of the solver: which bodies it takes, in what memory, and what solutions are
 // worth. A body that it takes has the plan of its border among the plans; every other one is eliminated as ever.
 #include "elimination/compressed.hpp"
 #include "solver/phases.hpp"
 
 namespace c2d {
 
-// Plans of a model's bodies, in place of those for the dense elimination where they may be. `most`: of the limits; the bytes are
+// Plans of a model's bodies, in place of those for dense elimination where they may be. `most`: of the limits; the bytes are
 // those of the phase area. Errors: C2D_ERR_MEMORY.
 c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model& m, EliminationPlan* out);
 // Bytes of the phase area that will do for cells of this rank; 0: for that of most bodies.

@@ -297,9 +297,10 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
   if (is_compressed(plan)) return kCompressedPart.is_compression_of(*s.model, b, plan);
   const EliminationPlan least = plan_of(s, b, 1, 1);
   const int32_t most = s.of(b).rows > 0 ? least.pivots + least.trailing : 1;
-  return plan.rank == 0 && plan.rows == least.rows && plan.pivots == least.pivots && plan.trailing == least.trailing && plan.panel_columns >= 1 &&
-         plan.panel_columns <= most && plan.block_columns >= 1 && plan.block_columns <= plan.panel_columns &&
-         plan.block_rows >= 0 && plan.block_rows <= plan.rows && (plan.keep_lower == 0 || plan.keep_lower == 1);
+  return plan.rank == 0 && plan.rows == least.rows && plan.pivots == least.pivots && plan.trailing == least.trailing &&
+         plan.panel_columns >= 1 && plan.panel_columns <= most && plan.block_columns >= 1 &&
+         plan.block_columns <= plan.panel_columns && plan.block_rows >= 0 && plan.block_rows <= plan.rows &&
+         (plan.keep_lower == 0 || plan.keep_lower == 1);
 }
 
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {

@@ -397,7 +397,8 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   }
   const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
-  for (int b = 0; b < m.head->bodies; ++b) if (!is_compressed(plans[b])) plans[b].keep_lower = s->options.keep_factors;
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (!is_compressed(plans[b])) plans[b].keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, plans, flexibility);
   c2d_status status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
@@ -441,7 +442,8 @@ void weigh_pairs(const Model& m) {
 [[gnu::noinline]] c2d_status tell_need(c2d_solver* s) {
   const Sizes limits = sizes_of(s);
   c2d_error e = blank_error();
-  e.bytes_needed = s->layout.persistent + kCompressedPart.compression_need(phase_sizes(limits), s->rank_needed) + kAlignment - 1;
+  e.bytes_needed =
+      s->layout.persistent + kCompressedPart.compression_need(phase_sizes(limits), s->rank_needed) + kAlignment - 1;
   char what[128];
   Text text = text_in(what);
   put_all(text, status_text(C2D_ERR_MEMORY), " for compressed elimination: ", e.bytes_needed, " bytes would do");

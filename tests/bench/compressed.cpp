@@ -1,5 +1,5 @@
-// Compressed elimination: against the dense one, its growth, and what it leaves of the equations of awkward bodies. Every run is
-// a process of its own, whose processor time and memory count.
+// Compressed elimination: against the dense one, its growth, and what it leaves of equations of awkward bodies. Every run is a
+// process of its own, whose processor time and memory count.
 #include "../host_structs.hpp"
 #include "../many_bodies.hpp"
 #include "bench.hpp"
@@ -118,8 +118,8 @@ Outcome run(const many::Model& m, int32_t elimination) {
   rusage used = {};
   if (wait4(child, &ended, 0, &used) != child || ended != 0 || all.size() < 3) give_up("a run has failed");
   const int64_t pairs = static_cast<int64_t>(all.size() - 3) / 2;
-  return {all[0], static_cast<double>(used.ru_maxrss) / 1024, all[1], all[2],
-          {all.begin() + 3, all.begin() + 3 + pairs}, {all.begin() + 3 + pairs, all.end()}};
+  return {all[0], static_cast<double>(used.ru_maxrss) / 1024, all[1],
+          all[2], {all.begin() + 3, all.begin() + 3 + pairs}, {all.begin() + 3 + pairs, all.end()}};
 }
 
 Outcome compressed(const many::Model& m) { return run(m, C2D_ELIMINATION_COMPRESSED); }
@@ -165,15 +165,17 @@ many::Model pressed(int32_t nodes) {
     side(0.5, high, -0.5, high, face, upper == 0);
     side(-0.5, high, -0.5, low, rest, false);
     many::Body body = body_of({xy});
-    body.sides = {{1, face}, {face + 1, face + rest}, {face + rest + 1, 2 * face + rest}, {2 * face + rest + 1, 2 * (face + rest)}};
+    body.sides = {
+        {1, face}, {face + 1, face + rest}, {face + rest + 1, 2 * face + rest}, {2 * face + rest + 1, 2 * (face + rest)}};
     m.add(body);
   }
   m.set(1, 1, many::end_of(many::kHeld));
-  m.set(2, 3, many::end_of(many::kPulled, 0.15 * pairs / face, -1.5 * pairs / face));
+  m.set(2, 3, many::end_of(many::kPulled, 0.15 * half_width * half_width, -3 * half_width));
   const int32_t first = (face - pairs) / 2 + 1, last = first + pairs - 2;
   const many::Range lower = m.side(1, 3), top = m.side(2, 1);
-  m.zones.push_back({C2D_ZONE_MATCHING,
-                     {{1, lower.first + face - last, lower.first + face - first}, {2, top.first + last - 1, top.first + first - 1}}});
+  m.zones.push_back(
+      {C2D_ZONE_MATCHING,
+       {{1, lower.first + face - last, lower.first + face - first}, {2, top.first + last - 1, top.first + first - 1}}});
   m.friction = 0.3;
   return m;
 }
@@ -205,7 +207,12 @@ void growth(bool large) {
     if (nodes > 10000 && !large) continue;
     const Outcome own = compressed(pressed(nodes));
     const std::string key = "compressed." + std::to_string(nodes);
-    const double seconds = nodes == 10000 ? 10 : nodes == 100000 ? 150 : 0, memory = nodes == 10000 ? 300 : nodes == 100000 ? 2500 : 0;
+    const double seconds = nodes == 10000    ? 10
+                           : nodes == 100000 ? 150
+                                             : 0,
+                 memory = nodes == 10000    ? 300
+                          : nodes == 100000 ? 2500
+                                            : 0;
     row(key + ".time", own.seconds, "s", judged(key + ".seconds", own.seconds, "<=", seconds, ""));
     row(key + ".memory", own.megabytes, "MB", judged(key + ".megabytes", own.megabytes, "<=", memory, ""));
     row(key + ".residual", own.residual, "", "a step of refinement would change " + std::to_string(own.error * 1e12) + "e-12");

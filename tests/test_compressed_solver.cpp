@@ -1,0 +1,515 @@
+// Compressed elimination through the C interface and the program: the answers of the dense one, in known memory and on known
+// tapes, saved, moved, failing and cut off like those.
+#include "contact2d_memory.h"
+#include "many_bodies.hpp"
+#include "shell.hpp"
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace runs;
+
+namespace {
+
+const bool kIsDouble = C2D_REAL_BYTES == 8;
+
+Deck deck_at(const std::string& file) {
+  Deck deck;
+  std::ifstream in(paths::root() + "/" + file);
+  for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
+  return deck;
+}
+
+c2d_options compressed() {
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = C2D_ELIMINATION_COMPRESSED;
+  return options;
+}
+
+uint64_t minimum_of(const c2d_limits& limits) {
+  uint64_t minimum = 0;
+  REQUIRE(c2d_memory_need(&limits, &minimum, nullptr, nullptr) == C2D_OK);
+  return minimum;
+}
+uint64_t enough_for(const c2d_limits& limits) { return 2 * minimum_of(limits) + (uint64_t{32} << 20); }
+
+// A solver in memory of its own, with a store and what it told.
+struct Own {
+  RamStore store;
+  c2d_port port = C2D_INIT(c2d_port);
+  std::unique_ptr<Machine> machine;
+  std::vector<c2d_error> told;
+  RamStore* shared = nullptr; // the store of another one
+  explicit Own(const c2d_limits& limits, uint64_t bytes, RamStore* with = nullptr) : shared(with) {
+    port.context = this;
+    port.open = [](void* c, int32_t t, uint64_t n, uint64_t bytes_each) { return RamStore::open(&at(c), t, n, bytes_each); };
+    port.read = [](void* c, int32_t t, uint64_t k, void* data, uint64_t n) { return RamStore::read(&at(c), t, k, data, n); };
+    port.write = [](void* c, int32_t t, uint64_t k, const void* data, uint64_t n) {
+      return RamStore::write(&at(c), t, k, data, n);
+    };
+    port.sync = [](void* c, int32_t t) { return RamStore::sync(&at(c), t); };
+    port.close = [](void* c, int32_t t) { return RamStore::close(&at(c), t); };
+    port.log = [](void* c, const c2d_error* entry) { static_cast<Own*>(c)->told.push_back(*entry); };
+    machine = std::make_unique<Machine>(limits, bytes, &port, 0);
+    REQUIRE(machine->created == C2D_OK);
+  }
+  static RamStore& at(void* context) {
+    Own& own = *static_cast<Own*>(context);
+    return own.shared != nullptr ? *own.shared : own.store;
+  }
+  c2d_solver* solver() const { return machine->solver; }
+  bool told_of(int32_t number) const {
+    return std::any_of(told.begin(), told.end(), [&](const c2d_error& e) { return e.status == number; });
+  }
+};
+
+struct Answer {
+  Numbers numbers;
+  host::Summary summary;
+  bool warned = false;
+};
+
+Answer answer_of(const Deck& deck, const c2d_options& options) {
+  const host::Limits limits = deck.limits();
+  Own own(limits, enough_for(limits));
+  Answer out;
+  const c2d_status status = run_all(own.solver(), deck, out.numbers, &options);
+  REQUIRE_MESSAGE(status == C2D_OK, error_of(own.solver()).text);
+  CHECK(own.machine->guards_are_whole());
+  out.summary = summary_of(own.solver());
+  out.warned = own.told_of(C2D_WARN_COMPRESSED);
+  return out;
+}
+
+// Pressures and friction over the largest pressure, displacements, gaps and slips over the largest of these; of the boundary
+// tractions and displacements alike. Statuses must be the same.
+struct Difference {
+  double tractions = 0, lengths = 0;
+};
+void take(const std::vector<double>& a, const std::vector<double>& b, const std::vector<size_t>& at, double& most) {
+  double size = 0, apart = 0;
+  for (size_t i : at) size = std::max(size, std::fabs(a[i])), apart = std::max(apart, std::fabs(a[i] - b[i]));
+  if (size > 0) most = std::max(most, apart / size);
+}
+Difference compare(const Answer& a, const Answer& b) {
+  Difference out;
+  REQUIRE(a.numbers.outcome == b.numbers.outcome);
+  REQUIRE(a.numbers.steps.size() == b.numbers.steps.size());
+  REQUIRE(a.numbers.boundary.size() == b.numbers.boundary.size());
+  const size_t pairs = static_cast<size_t>(a.summary.pairs), step = 1 + pairs * C2D_PAIR_FIELDS;
+  std::vector<size_t> tractions, lengths;
+  for (size_t s = 0; s < a.numbers.steps.size(); s += step)
+    for (size_t p = 0; p < pairs; ++p) {
+      const size_t row = s + 1 + p * C2D_PAIR_FIELDS;
+      CHECK(a.numbers.steps[row + C2D_STATUS] == b.numbers.steps[row + C2D_STATUS]);
+      for (int32_t c : {C2D_TN, C2D_TT}) tractions.push_back(row + static_cast<size_t>(c));
+      for (int32_t c : {C2D_UN1, C2D_UN2, C2D_UT1, C2D_UT2, C2D_GAP}) lengths.push_back(row + static_cast<size_t>(c));
+    }
+  take(a.numbers.steps, b.numbers.steps, tractions, out.tractions);
+  take(a.numbers.steps, b.numbers.steps, lengths, out.lengths);
+  size_t at = 0;
+  tractions.clear(), lengths.clear();
+  for (int32_t body = 1; body <= a.summary.bodies; ++body) {
+    const size_t ends = static_cast<size_t>(a.summary.body[static_cast<size_t>(body) - 1].elements * a.summary.function_nodes);
+    for (int32_t field = C2D_END_X; field <= C2D_END_STATUS; ++field, at += ends)
+      for (size_t k = 0; k < ends; ++k) {
+        if (field == C2D_END_UX || field == C2D_END_UY) lengths.push_back(at + k);
+        if (field == C2D_END_TX || field == C2D_END_TY) tractions.push_back(at + k);
+      }
+  }
+  take(a.numbers.boundary, b.numbers.boundary, tractions, out.tractions);
+  take(a.numbers.boundary, b.numbers.boundary, lengths, out.lengths);
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("compressed solver: decks of every kind as by the dense elimination") {
+  const double limit = kIsDouble ? 1e-9 : 5e-3;
+  std::vector<std::string> files;
+  for (const std::string& name : deck_names()) files.push_back("tests/data/decks/" + name + ".dat");
+  for (const char* name :
+       {"make_hole", "make_ring", "make_bearing", "make_bimaterial", "make_coating", "make_cylinder_friction", "make_crack",
+        "make_rollers", "make_cantilever", "make_stack", "three_bodies", "thick_ring", "roller"})
+    files.push_back(std::string("examples/") + name + ".dat");
+  for (const std::string& file : files) {
+    CAPTURE(file);
+    const Deck deck = deck_at(file);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.symmetry = file.find("half_cylinder") != std::string::npos ? C2D_SYMMETRY_IMAGES : C2D_SYMMETRY_DECK;
+    const Answer dense = answer_of(deck, options);
+    options.elimination = C2D_ELIMINATION_COMPRESSED;
+    const Answer own = answer_of(deck, options);
+    CHECK(dense.summary.compressed_bodies == 0);
+    CHECK(own.summary.compressed_bodies > 0);
+    const Difference apart = compare(dense, own);
+    CHECK(apart.tractions < limit);
+    CHECK(apart.lengths < limit);
+    CHECK(own.summary.compression_residual < (kIsDouble ? 1e-10 : 1e-3));
+    if (kIsDouble) CHECK_FALSE(own.warned);
+    CHECK(own.summary.work == doctest::Approx(dense.summary.work).epsilon(limit));
+    CHECK(own.summary.elastic == doctest::Approx(dense.summary.elastic).epsilon(limit));
+    CHECK(own.summary.condition < 20 * dense.summary.condition);
+    CHECK(own.summary.condition > dense.summary.condition / 20);
+  }
+}
+
+TEST_CASE("compressed solver: bodies with equations of free zones stay dense, beside others that do not") {
+  many::Model m;
+  m.add(many::rectangle(0, 0, 4, 1, {30, 10, 41, 10}));
+  m.add(many::rectangle(1, 1, 3, 2, {23, 10, 20, 10}));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0.1, -1));
+  const many::Range lower = m.side(1, 3), upper = m.side(2, 1);
+  m.zones.push_back({C2D_ZONE_FREE, {{1, lower.first, lower.last}, {2, upper.last, upper.first}}});
+  m.friction = 0.4;
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  std::vector<double> pressure[2];
+  for (int32_t elimination : {C2D_ELIMINATION_DENSE, C2D_ELIMINATION_COMPRESSED}) {
+    Own own(limits, enough_for(limits));
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = elimination;
+    REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+    REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+    REQUIRE(c2d_run(own.solver(), nullptr, nullptr) == C2D_OK);
+    const host::Summary summary = summary_of(own.solver());
+    CHECK(summary.compressed_bodies == elimination);
+    pressure[elimination].resize(static_cast<size_t>(summary.pairs));
+    REQUIRE(c2d_get(own.solver(), C2D_TN, 0, 1, summary.pairs, pressure[elimination].data(), 1) == C2D_OK);
+    for (int32_t t = 1; t < C2D_TAPES; ++t) {
+      uint64_t blocks = 0, bytes = 0;
+      REQUIRE(c2d_tape_need(&limits, &options, enough_for(limits), t, &blocks, &bytes, nullptr) == C2D_OK);
+      CHECK(own.store.blocks[t] <= blocks);
+    }
+  }
+  double most = 0, apart = 0;
+  for (size_t i = 0; i < pressure[0].size(); ++i) {
+    most = std::max(most, std::fabs(pressure[0][i]));
+    apart = std::max(apart, std::fabs(pressure[0][i] - pressure[1][i]));
+  }
+  CHECK(most > 0);
+  CHECK(apart < (kIsDouble ? 1e-9 : 5e-3) * most);
+}
+
+TEST_CASE("compressed solver: points inside and indicators as by the dense elimination") {
+  const Deck deck = deck_at("examples/hertz_fine.dat");
+  const host::Limits limits = deck.limits();
+  std::vector<double> found[2];
+  for (int32_t elimination : {C2D_ELIMINATION_DENSE, C2D_ELIMINATION_COMPRESSED}) {
+    Own own(limits, enough_for(limits));
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = elimination;
+    Numbers numbers;
+    REQUIRE(run_all(own.solver(), deck, numbers, &options) == C2D_OK);
+    const double points[] = {0.5, -1, 1.5, -3, 0.2, -0.4};
+    std::vector<double>& out = found[elimination];
+    out.resize(3 * C2D_POINT_FIELDS + 5 * C2D_OFF_FIELDS);
+    REQUIRE(c2d_interior(own.solver(), 1, 3, points, 2, out.data(), C2D_POINT_FIELDS) == C2D_OK);
+    REQUIRE(c2d_indicators(own.solver(), 1, 1, 5, out.data() + 3 * C2D_POINT_FIELDS, C2D_OFF_FIELDS) == C2D_OK);
+  }
+  for (size_t i = 0; i < found[0].size(); ++i)
+    CHECK(std::fabs(found[0][i] - found[1][i]) <= (kIsDouble ? 1e-9 : 1e-2) * (1e-3 + std::fabs(found[0][i])));
+}
+
+// ---- memory and tapes -------------------------------------------------------------------------------------------------
+
+TEST_CASE("compressed solver: tapes are no larger than was told, whatever the workspace") {
+  for (const char* file : {"tests/data/decks/sample.dat", "examples/hertz_fine.dat", "examples/make_bearing.dat",
+                           "examples/make_hole.dat", "examples/make_crack.dat"})
+    for (uint64_t beyond : {uint64_t{2} << 20, uint64_t{8} << 20, uint64_t{100} << 20})
+      for (int32_t symmetry : {C2D_SYMMETRY_DECK, C2D_SYMMETRY_IMAGES}) {
+        CAPTURE(file);
+        CAPTURE(beyond);
+        const Deck deck = deck_at(file);
+        const host::Limits limits = deck.limits();
+        const uint64_t bytes = minimum_of(limits) + beyond;
+        c2d_options options = compressed();
+        options.symmetry = symmetry;
+        uint64_t blocks[C2D_TAPES] = {}, each[C2D_TAPES] = {};
+        c2d_status status = C2D_OK;
+        for (int32_t t = 0; t < C2D_TAPES && status == C2D_OK; ++t)
+          status = c2d_tape_need(&limits, &options, bytes, t, &blocks[t], &each[t], nullptr);
+        Own own(limits, bytes);
+        Numbers numbers;
+        if (status == C2D_ERR_MEMORY) {
+          CHECK(run_all(own.solver(), deck, numbers, &options) == C2D_ERR_MEMORY);
+          continue;
+        }
+        REQUIRE(status == C2D_OK);
+        const c2d_status ended = run_all(own.solver(), deck, numbers, &options);
+        if (ended == C2D_ERR_MEMORY) continue; // of a rank beyond what was planned; the tapes were opened
+        if (ended == C2D_ERR_INPUT) continue;  // a deck that images do not suit
+        REQUIRE(ended == C2D_OK);
+        REQUIRE(c2d_save(own.solver()) == C2D_OK);
+        int opened = 0;
+        for (const RamStore::Operation& o : own.store.done) {
+          if (o.kind != 'o') continue;
+          ++opened;
+          CHECK(o.block <= blocks[o.tape]);
+          CHECK(o.bytes <= each[o.tape]);
+        }
+        CHECK(opened > 2);
+        CHECK(own.machine->guards_are_whole());
+        const host::Summary summary = summary_of(own.solver());
+        CHECK(summary.peak_bytes <= summary.workspace_bytes);
+      }
+}
+
+TEST_CASE("compressed solver: too little workspace is told with the number that will do") {
+  const Deck deck = deck_at("examples/hertz_fine.dat");
+  const host::Limits limits = deck.limits();
+  const c2d_options options = compressed();
+  const uint64_t least = minimum_of(limits);
+  Numbers dense, numbers;
+  uint64_t needed = 0;
+  {
+    Own own(limits, least);
+    REQUIRE(run_all(own.solver(), deck, numbers, &options) == C2D_ERR_MEMORY);
+    const c2d_error why = error_of(own.solver());
+    needed = why.bytes_needed;
+    CHECK(needed > least);
+    CHECK(std::string(why.text).find(std::to_string(needed) + " bytes would do") != std::string::npos);
+    CHECK(c2d_get_state(own.solver()) == C2D_STATE_MODEL);
+    // The same solver without it.
+    const c2d_options none = C2D_INIT(c2d_options);
+    REQUIRE(c2d_set_options(own.solver(), &none) == C2D_OK);
+    REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+    REQUIRE(run_prepared(own.solver(), dense) == C2D_OK);
+  }
+  c2d_error why = C2D_INIT(c2d_error);
+  CHECK(c2d_tape_need(&limits, &options, least, C2D_TAPE_UPPER, nullptr, nullptr, &why) == C2D_ERR_MEMORY);
+  CHECK(why.bytes_needed == needed);
+  Own own(limits, needed);
+  CHECK(run_all(own.solver(), deck, numbers, &options) == C2D_OK);
+  CHECK(numbers.outcome == dense.outcome);
+}
+
+namespace {
+
+// A body whose cells keep more than the least rank there is.
+many::Model wide() {
+  many::Model m;
+  m.add(many::rectangle(0, 0, 1, 0.8, {150, 120, 150, 120}));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(1, 3, many::end_of(many::kPulled, 0.2, 1));
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("compressed solver: a rank beyond the workspace is told with the number that will do") {
+  const many::Model m = wide();
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  const c2d_options options = compressed();
+  uint64_t low = minimum_of(limits), high = enough_for(limits); // the least workspace that can be planned for
+  while (high - low > 64) {
+    const uint64_t middle = low + (high - low) / 2;
+    (c2d_tape_need(&limits, &options, middle, C2D_TAPE_UPPER, nullptr, nullptr, nullptr) == C2D_OK ? high : low) = middle;
+  }
+  Own tight(limits, high);
+  REQUIRE(many::feed(tight.solver(), m) == C2D_OK);
+  REQUIRE(c2d_set_options(tight.solver(), &options) == C2D_OK);
+  CHECK(c2d_prepare(tight.solver()) == C2D_ERR_MEMORY);
+  const uint64_t needed = error_of(tight.solver()).bytes_needed;
+  CHECK(needed > high);
+  CHECK(c2d_get_state(tight.solver()) == C2D_STATE_MODEL);
+  CHECK(c2d_prepare(tight.solver()) == C2D_ERR_MEMORY); // and again
+  CHECK(error_of(tight.solver()).bytes_needed == needed);
+  std::vector<double> results[2];
+  for (uint64_t bytes : {needed, enough_for(limits)}) {
+    Own own(limits, bytes);
+    REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+    REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+    REQUIRE(c2d_run(own.solver(), nullptr, nullptr) == C2D_OK);
+    std::vector<double>& out = results[bytes == needed ? 0 : 1];
+    out.resize(540);
+    REQUIRE(c2d_get(own.solver(), C2D_END_UX, 1, 1, 540, out.data(), 1) == C2D_OK);
+  }
+  CHECK(results[0][300] != 0);
+  CHECK(Numbers::same(results[0], results[1])); // no bit hangs on the memory
+}
+
+// ---- states, other loads, options -------------------------------------------------------------------------------------
+
+TEST_CASE("compressed solver: saved, restored elsewhere and moved it goes on with the same bits") {
+  const Deck deck = deck_at("examples/hertz_fine.dat");
+  const host::Limits limits = deck.limits();
+  const c2d_options options = compressed();
+  const uint64_t bytes = enough_for(limits);
+  Own first(limits, bytes);
+  REQUIRE(c2d_set_options(first.solver(), &options) == C2D_OK);
+  REQUIRE(read_deck(first.solver(), deck) == C2D_OK);
+  REQUIRE(c2d_prepare(first.solver()) == C2D_OK);
+  const double mu = 0.3, half = 0.5, full = 1;
+  c2d_outcome outcome;
+  const auto at_full = [&](c2d_solver* s) {
+    REQUIRE(c2d_advance(s, &full, 1, &outcome) == C2D_OK);
+    Numbers out;
+    REQUIRE(get_boundary(s, out) == C2D_OK);
+    return out;
+  };
+  REQUIRE(c2d_begin(first.solver(), &mu, 1) == C2D_OK);
+  REQUIRE(c2d_advance(first.solver(), &half, 1, &outcome) == C2D_OK);
+  REQUIRE(c2d_save(first.solver()) == C2D_OK);
+  const RamStore kept = first.store;
+  const Bytes image = first.machine->workspace();
+  const Numbers through = at_full(first.solver());
+  SUBCASE("restored") {
+    RamStore store = kept;
+    Own other(limits, bytes, &store);
+    REQUIRE(c2d_set_options(other.solver(), &options) == C2D_OK);
+    REQUIRE(read_deck(other.solver(), deck) == C2D_OK);
+    REQUIRE(c2d_restore(other.solver()) == C2D_OK);
+    CHECK(summary_of(other.solver()).compressed_bodies == 2);
+    CHECK(at_full(other.solver()) == through);
+  }
+  SUBCASE("not by a dense solver, nor the other way round") {
+    RamStore store = kept;
+    Own other(limits, bytes, &store);
+    REQUIRE(read_deck(other.solver(), deck) == C2D_OK);
+    CHECK(c2d_restore(other.solver()) == C2D_ERR_MISMATCH);
+  }
+  SUBCASE("in a workspace that is too small for it") {
+    RamStore store = kept;
+    Own other(limits, minimum_of(limits), &store);
+    REQUIRE(c2d_set_options(other.solver(), &options) == C2D_OK);
+    REQUIRE(read_deck(other.solver(), deck) == C2D_OK);
+    CHECK(c2d_restore(other.solver()) == C2D_ERR_MEMORY);
+  }
+  SUBCASE("moved") {
+    RamStore store = kept;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    std::vector<unsigned char> room(image.size() + 64);
+    std::copy(image.begin(), image.end(), room.begin() + 5);
+    c2d_solver* moved = nullptr;
+    REQUIRE(c2d_attach(&moved, room.data() + 5, image.size(), &port, nullptr) == C2D_OK);
+    CHECK(at_full(moved) == through);
+    c2d_close(moved);
+  }
+}
+
+TEST_CASE("compressed solver: other loads, and from one elimination to the other") {
+  many::Model m = wide();
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  Own own(limits, enough_for(limits));
+  const auto solve = [&](int32_t elimination, int32_t keep) {
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = elimination;
+    options.keep_factors = keep;
+    REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+    REQUIRE(c2d_run(own.solver(), nullptr, nullptr) == C2D_OK);
+    std::vector<double> out(540);
+    REQUIRE(c2d_get(own.solver(), C2D_END_UY, 1, 1, 540, out.data(), 1) == C2D_OK);
+    REQUIRE(c2d_change_loads(own.solver()) == C2D_OK);
+    return out;
+  };
+  REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+  const std::vector<double> dense = solve(C2D_ELIMINATION_DENSE, 1), own1 = solve(C2D_ELIMINATION_COMPRESSED, 1);
+  CHECK(Numbers::same(solve(C2D_ELIMINATION_DENSE, 1), dense));
+  const double twice[4] = {0.4, 2, 0, 0};
+  for (int32_t e = 271; e <= 420; ++e) REQUIRE(c2d_set_values(own.solver(), 1, e, 0, 1, twice) == C2D_OK);
+  const std::vector<double> doubled = solve(C2D_ELIMINATION_COMPRESSED, 1);
+  double size = 0, apart = 0, off = 0;
+  for (size_t i = 0; i < dense.size(); ++i) {
+    size = std::max(size, std::fabs(dense[i]));
+    apart = std::max(apart, std::fabs(dense[i] - own1[i]));
+    off = std::max(off, std::fabs(doubled[i] - 2 * own1[i]));
+  }
+  CHECK(apart < (kIsDouble ? 1e-10 : 1e-3) * size);
+  CHECK(off < (kIsDouble ? 1e-12 : 1e-4) * size);
+  c2d_options options = C2D_INIT(c2d_options);
+  for (int32_t wrong : {-1, 2}) {
+    options.elimination = wrong;
+    CHECK(c2d_set_options(own.solver(), &options) == C2D_ERR_ARGUMENT);
+  }
+}
+
+// A strip a millionth as thick as it is long: no elimination leaves many digits.
+TEST_CASE("compressed solver: what is left of the equations is told") {
+  many::Model m;
+  m.add(many::rectangle(0, 0, 1, kIsDouble ? 1e-5 : 1e-2, {100, 1, 100, 1}));
+  m.set(1, 4, many::end_of(many::kHeld));
+  m.set(1, 2, many::end_of(many::kPulled, 0, 1));
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  Own own(limits, enough_for(limits));
+  const c2d_options options = compressed();
+  REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+  REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+  REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+  REQUIRE(c2d_run(own.solver(), nullptr, nullptr) == C2D_OK);
+  CHECK(own.told_of(C2D_WARN_COMPRESSED));
+  const host::Summary summary = summary_of(own.solver());
+  CHECK(summary.compression_error > 1e-9);
+  CHECK(summary.compression_residual < 1e-4);
+  CHECK(std::string(c2d_message(C2D_WARN_COMPRESSED)).find("compress") != std::string::npos);
+}
+
+// ---- the store --------------------------------------------------------------------------------------------------------
+
+TEST_CASE("compressed solver: whichever operation of the store fails, that is told, and it can begin anew") {
+  const Deck deck = deck_at("tests/data/decks/sample.dat");
+  const host::Limits limits = deck.limits();
+  const c2d_options options = compressed();
+  Own clean(limits, enough_for(limits));
+  Numbers expected;
+  REQUIRE(run_all(clean.solver(), deck, expected, &options) == C2D_OK);
+  const size_t operations = clean.store.done.size();
+  REQUIRE(operations > 100);
+  for (size_t n = 0; n < operations; n += 1 + operations / 60) {
+    CAPTURE(n);
+    Own own(limits, enough_for(limits));
+    own.store.before = [n](const RamStore::Operation&, size_t i) { return i == n ? 7 : 0; };
+    Numbers numbers;
+    const c2d_status status = run_all(own.solver(), deck, numbers, &options);
+    if (status == C2D_OK) { // of the count, which a new store need not have
+      CHECK(numbers == expected);
+      continue;
+    }
+    CHECK(status >= C2D_ERR_STORE_OPEN);
+    CHECK(status <= C2D_ERR_STORE_CLOSE);
+    CHECK(error_of(own.solver()).host_code == 7);
+  }
+}
+
+// ---- the program ------------------------------------------------------------------------------------------------------
+
+TEST_CASE("compressed solver: the program's option") {
+  const test::Folder folder;
+  const std::string deck = paths::root() + "/examples/hertz_fine.dat", program = paths::program();
+  const auto run = [&](const std::string& words) { return test::run_shell("'" + program + "' " + words); };
+  const auto json_of = [&](const std::string& words) {
+    const test::Result out = run("run '" + deck + "' -q --json '" + (folder / "run.json") + "' " + words);
+    REQUIRE_MESSAGE(out.status == 0, out.err);
+    return test::read_file(folder / "run.json");
+  };
+  const std::string dense = json_of(""), own = json_of("--elimination compressed");
+  CHECK(dense.find("\"elimination\": \"dense\"") != std::string::npos);
+  CHECK(dense.find("compression") == std::string::npos);
+  CHECK(own.find("\"elimination\": \"compressed\"") != std::string::npos);
+  CHECK(own.find("\"compression\": {\"bodies\": 2, \"residual\": ") != std::string::npos);
+  const test::Result checked = run("check '" + deck + "' --elimination compressed");
+  CHECK(checked.status == 0);
+  CHECK(checked.out.find("memory, compressed") != std::string::npos);
+  CHECK(run("run '" + deck + "' --elimination sparse").status == 64);
+  const test::Result small = run("run '" + deck + "' --elimination compressed --memory 700K");
+  CHECK(small.status == 4);
+  CHECK(small.err.find("bytes would do") != std::string::npos);
+  // A run that is cut off goes on with what it was begun with.
+  CHECK(run("run '" + deck + "' -q --elimination compressed --store file:'" + (folder / "store") + "' --csv '" +
+            (folder / "a.csv") + "'")
+            .status == 0);
+  CHECK(run("run '" + deck + "' -q --elimination compressed --csv '" + (folder / "b.csv") + "'").status == 0);
+  CHECK(test::read_file(folder / "a.csv") == test::read_file(folder / "b.csv"));
+}
