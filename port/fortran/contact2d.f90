@@ -44,7 +44,7 @@ module contact2d
       C2D_WARN_UNDEFINED_PLACE = 216, C2D_WARN_STRAIN = 217, C2D_WARN_FRICTION = 218, &
       C2D_WARN_CONSTANT = 219, C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, &
       C2D_WARN_SURFACE = 222, C2D_WARN_ENERGY = 223, C2D_WARN_UNHELD = 224, &
-      C2D_WARN_TIE_END = 225
+      C2D_WARN_TIE_END = 225, C2D_WARN_COMPRESSED = 226
   integer(c_int32_t), parameter :: C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, &
       C2D_PHASE_REDUCE = 3, C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
   integer(c_int32_t), parameter :: C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, &
@@ -57,6 +57,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
+  integer(c_int32_t), parameter :: C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1
   integer(c_int32_t), parameter :: C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1, C2D_ZONE_TIED = 2, &
       C2D_ZONE_SELF = 4
   integer(c_int32_t), parameter :: C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2
@@ -251,7 +252,7 @@ module contact2d
     integer(c_int32_t) :: every_change = 0
     integer(c_int32_t) :: symmetry = 0
     integer(c_int32_t) :: keep_factors = 0
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: elimination = 0
   end type
 
   type, bind(C) :: c2d_step
@@ -278,7 +279,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_summary
-    integer(c_int32_t) :: struct_size = 656
+    integer(c_int32_t) :: struct_size = 680
     integer(c_int32_t) :: state = 0
     integer(c_int32_t) :: outcome = 0
     integer(c_int32_t) :: outcome_body = 0
@@ -336,6 +337,8 @@ module contact2d
     real(c_double) :: symmetry_at(2) = 0
     real(c_double) :: breach_size = 0
     integer(c_int32_t) :: point_loads = 0, point_sets = 0, curves = 0, run_step = 0
+    integer(c_int32_t) :: compressed_bodies = 0, reserved = 0
+    real(c_double) :: compression_residual = 0, compression_error = 0
   end type
 
   type, bind(C) :: c2d_body_result
@@ -818,6 +821,8 @@ module contact2d
     subroutine c2d_link_warnings() bind(C)
     end subroutine
     subroutine c2d_link_search() bind(C)
+    end subroutine
+    subroutine c2d_link_compressed() bind(C)
     end subroutine
     function c2d_next_event(solver, direction, cases, step) bind(C) result(status)
       import

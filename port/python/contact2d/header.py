@@ -135,6 +135,7 @@ C2D_WARN_SURFACE = 222
 C2D_WARN_ENERGY = 223
 C2D_WARN_UNHELD = 224
 C2D_WARN_TIE_END = 225
+C2D_WARN_COMPRESSED = 226
 C2D_VERSION_MAJOR = 0
 C2D_VERSION_MINOR = 2
 C2D_VERSION_PATCH = 0
@@ -352,6 +353,8 @@ C2D_STEPPING_EVENTS = 0
 C2D_STEPPING_DECK = 1
 C2D_SYMMETRY_DECK = 0
 C2D_SYMMETRY_IMAGES = 1
+C2D_ELIMINATION_DENSE = 0
+C2D_ELIMINATION_COMPRESSED = 1
 
 
 class c2d_options(Struct):
@@ -362,7 +365,7 @@ class c2d_options(Struct):
         ("every_change", c_int32),
         ("symmetry", c_int32),
         ("keep_factors", c_int32),
-        ("reserved", c_int32),
+        ("elimination", c_int32),
     ]
 
 
@@ -478,6 +481,10 @@ class c2d_summary(Struct):
         ("point_sets", c_int32),
         ("curves", c_int32),
         ("run_step", c_int32),
+        ("compressed_bodies", c_int32),
+        ("reserved", c_int32),
+        ("compression_residual", c_double),
+        ("compression_error", c_double),
     ]
 
 
@@ -646,7 +653,7 @@ Bytes of workspace for these limits: `minimum` solves any model within them with
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port, c2d_error* why);
 
-Make a solver in memory[0 .. bytes), in state empty. On success *out points into that memory. `port` may be null (then no store: the model can be checked but not prepared) and is copied; its context must outlive the solver. `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
+Make a solver in memory[0 .. bytes), in state empty; *out points into it. `port` is copied, its context must live on; null: no store, the model can only be checked. `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
     "c2d_attach": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),
@@ -830,7 +837,7 @@ Zone i (from 1) is bonded: it carries tension and friction without bound, and ne
         ("mu", c_double, False, None),
     ], """c2d_status c2d_add_friction(c2d_solver* solver, double mu);
 
-A coefficient to be run by c2d_run: zero or more, infinity is full adhesion; c2d_set_zone_friction: the coefficient of one zone in the i-th of these runs, instead of the one for all zones."""),
+A coefficient for c2d_run, zero or more, infinity is full adhesion; c2d_set_zone_friction: of one zone, in the i-th run."""),
     "c2d_set_zone_friction": (c_int32, [
         ("solver", c_void_p, False, None),
         ("zone", c_int32, False, None),
@@ -912,7 +919,7 @@ Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, an
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_prepare(c2d_solver* solver);
 
----------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT: changed loads. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it."""),
+---------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT: changed loads; compressed: MEMORY with bytes_needed. That contact cannot hold a body is no error: c2d_advance tells it."""),
     "c2d_change_loads": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_change_loads(c2d_solver* solver);
@@ -1132,10 +1139,11 @@ A c2d_status or a number of a warning in words, an outcome in words: any integer
     "c2d_version": (c_char_p, [], """const char* c2d_version(void);"""),
     "c2d_link_holes": (None, [], """void c2d_link_holes(void);
 
-These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and what few states need, which c2d_run brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how many solutions there are, and a body that nothing presses any more. Without it a path ends there with C2D_UNDECIDED."""),
+These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; what few states need, which c2d_run brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how many solutions there are, and a body that nothing presses any more (without it a path ends there with C2D_UNDECIDED); and compressed elimination, of which small code has none."""),
     "c2d_link_free_zones": (None, [], """void c2d_link_free_zones(void);"""),
     "c2d_link_warnings": (None, [], """void c2d_link_warnings(void);"""),
     "c2d_link_search": (None, [], """void c2d_link_search(void);"""),
+    "c2d_link_compressed": (None, [], """void c2d_link_compressed(void);"""),
     "c2d_walk_deck": (c_int32, [
         ("read", c2d_read_line, False, None),
         ("context", c_void_p, False, None),
