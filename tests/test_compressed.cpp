@@ -639,7 +639,8 @@ TEST_CASE("compressed: records of a stranger lead nowhere") {
          {c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at),
           c2d::compressed_functional(plan, compressed.tapes, f.data(), w.data(), work.at),
           c2d::check_compressed(plan, compressed.system, compressed.tapes, c.data(), x.data(), work.at, &left)}) {
-      CHECK((status == C2D_OK || status == C2D_ERR_INTERNAL));
+      const bool told = status >= C2D_ERR_STORE_READ && status <= C2D_ERR_STORE_STALE; // of blocks that never were written
+      CHECK((status == C2D_OK || status == C2D_ERR_INTERNAL || told));
       refused += status == C2D_OK ? 0 : 1;
     }
   };

@@ -6,7 +6,7 @@
 const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                             : CompressedPart{true,
                                                                              plan_compression,
-                                                                             compression_need,
+                                                                             compression_that_will_do,
                                                                              compression_tape,
                                                                              is_compression_of,
                                                                              compression_bytes,

@@ -54,8 +54,7 @@ c2d_status compressed_tape(const Sizes& sizes, uint64_t bytes, const c2d_options
   const c2d_status status = kCompressedPart.compression_tape(phase_sizes(sizes), bytes, upper, use);
   if (status != C2D_OK) return status;
   out = {0, 0};
-  if (sizes.free_pairs > 0 || options.symmetry == C2D_SYMMETRY_IMAGES)
-    factor_tape(sizes, bytes, options.keep_factors != 0, upper, out);
+  if (sizes.free_pairs > 0 || options.symmetry == C2D_SYMMETRY_IMAGES) factor_tape(sizes, bytes, false, upper, out);
   out.blocks += use.blocks;
   if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
   return C2D_OK;
@@ -107,7 +106,7 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
     const c2d_status fits =
         compressed_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen, tape == C2D_TAPE_UPPER, need);
     if (fits != C2D_OK) {
-      explain(why, fits, layout.persistent + kCompressedPart.compression_need(phase_sizes(sizes), 0) + kAlignment - 1);
+      explain(why, fits, layout.persistent + kCompressedPart.compression_that_will_do(phase_sizes(sizes), 0) + kAlignment - 1);
       return fits;
     }
   } else

@@ -195,7 +195,7 @@ struct PivotStats;
 struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp
   bool linked = false;
   Function<c2d_status, const PhaseSizes&, uint64_t, const Model&, EliminationPlan*> plan_compression = NotLinked();
-  Function<uint64_t, const PhaseSizes&, int32_t> compression_need = Nothing();
+  Function<uint64_t, const PhaseSizes&, int32_t> compression_that_will_do = Nothing();
   Function<c2d_status, const PhaseSizes&, uint64_t, bool, TapeUse&> compression_tape = NotLinked();
   Function<bool, const Model&, int, const EliminationPlan&> is_compression_of = Nothing();
   Function<uint64_t, const Model&, int, const EliminationPlan&> compression_bytes = Nothing();

@@ -13,8 +13,8 @@ namespace c2d {
 
 namespace {
 
-constexpr int32_t kLeastRank = 2 * kLeafNodes, kMostRank = 512;
-constexpr int32_t kUsualRank = 256; // the largest measured are below
+constexpr int32_t kLeastRank = 2 * kLeafNodes, kMostRank = 1024;
+constexpr int32_t kUsualRank = 256; // the largest measured were below
 constexpr double kErrorLimit = sizeof(Real) == sizeof(double) ? 1e-9 : 1e-3;
 
 CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
@@ -38,6 +38,20 @@ uint64_t beside_work(const PhaseSizes& s, int b) {
 
 uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
+// Bytes of the phase area for cells of this rank.
+uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
+  uint64_t need = reduction_area(most, nullptr, nullptr);
+  BackNeed back = {0, 0};
+  for (int b = 0; b < most.bodies; ++b) {
+    if (most.of(b).rows == 0) continue;
+    const CompressedPlan plan = most_of(most, b, rank);
+    need = larger(need, beside_work(most, b) + compressed_bytes(plan));
+    back.work = larger(back.work, back_bytes_of(plan));
+    back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
+  }
+  return larger(need, path_area(most, back, false, nullptr, nullptr));
+}
+
 // The largest rank for which there is room; 0: for none.
 int32_t rank_within(const PhaseSizes& most, uint64_t bytes) {
   int32_t rank = kMostRank;
@@ -56,18 +70,8 @@ CompressedPlan cut_most(const PhaseSizes& most, uint64_t bytes, int b, int32_t r
 
 } // namespace
 
-uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
-  if (rank < 1) rank = kUsualRank;
-  uint64_t need = reduction_area(most, nullptr, nullptr);
-  BackNeed back = {0, 0};
-  for (int b = 0; b < most.bodies; ++b) {
-    if (most.of(b).rows == 0) continue;
-    const CompressedPlan plan = most_of(most, b, rank);
-    need = larger(need, beside_work(most, b) + compressed_bytes(plan));
-    back.work = larger(back.work, back_bytes_of(plan));
-    back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
-  }
-  return larger(need, path_area(most, back, false, nullptr, nullptr));
+uint64_t compression_that_will_do(const PhaseSizes& most, int32_t rank) {
+  return compression_need(most, rank > kUsualRank ? rank : kUsualRank);
 }
 
 c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model& m, EliminationPlan* out) {
@@ -116,8 +120,8 @@ c2d_status compress(const EliminationPlan& border, const ColumnSystem& system, c
   const CompressedPlan plan = plan_around(system.model, system.body, border);
   CompressedStats found;
   const c2d_status status = eliminate_compressed(plan, system, sink, tapes, work, stats, &found, watch, engine);
-  // Cells of the depths above ask for somewhat more.
-  if (status == C2D_ERR_MEMORY) *rank = found.largest_rank + found.largest_rank / 4 + 16;
+  // How much more than is allowed nobody has found out.
+  if (status == C2D_ERR_MEMORY) *rank = 2 * found.largest_rank;
   return status;
 }
 

@@ -9,8 +9,8 @@ namespace c2d {
 // Plans of a model's bodies, in place of those for dense elimination where they may be. `most`: of the limits; the bytes are
 // those of the phase area. Errors: C2D_ERR_MEMORY.
 c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model& m, EliminationPlan* out);
-// Bytes of the phase area that will do for cells of this rank; 0: for that of most bodies.
-uint64_t compression_need(const PhaseSizes& most, int32_t rank);
+// Bytes of the phase area that will do where cells ask for this rank, as far as can be told; 0: it is not known.
+uint64_t compression_that_will_do(const PhaseSizes& most, int32_t rank);
 // Blocks and their data on LOWER or UPPER of any model within the limits whose bodies are all compressed. Errors: as above.
 c2d_status compression_tape(const PhaseSizes& most, uint64_t bytes, bool upper, TapeUse& out);
 
@@ -20,7 +20,7 @@ uint64_t compression_bytes(const Model& m, int b, const EliminationPlan& border)
 uint64_t compression_back_bytes(const Model& m, int b, const EliminationPlan& border);
 void compression_uses(const Model& m, int b, const EliminationPlan& border, TapeUse& lower, TapeUse& upper);
 
-// *rank, with C2D_ERR_MEMORY: what would do, as far as can be told.
+// *rank, with C2D_ERR_MEMORY: what a cell asks for.
 c2d_status compress(const EliminationPlan& border, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
                     PivotStats* stats, int32_t* rank, const Watch& watch, const Engine& engine);
 

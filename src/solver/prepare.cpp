@@ -384,6 +384,11 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   return status;
 }
 
+// For new loads, which compressed elimination has no short way for.
+int32_t keeps_factors(const c2d_solver* s) {
+  return kSmallCode || s->options.elimination == C2D_ELIMINATION_DENSE ? s->options.keep_factors : 0;
+}
+
 // (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
 [[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
@@ -398,7 +403,7 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
   for (int b = 0; b < m.head->bodies; ++b)
-    if (!is_compressed(plans[b])) plans[b].keep_lower = s->options.keep_factors;
+    if (!is_compressed(plans[b])) plans[b].keep_lower = keeps_factors(s);
   s->peak_bytes = s->layout.persistent + phases_use(sizes, plans, flexibility);
   c2d_status status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
@@ -443,7 +448,7 @@ void weigh_pairs(const Model& m) {
   const Sizes limits = sizes_of(s);
   c2d_error e = blank_error();
   e.bytes_needed =
-      s->layout.persistent + kCompressedPart.compression_need(phase_sizes(limits), s->rank_needed) + kAlignment - 1;
+      s->layout.persistent + kCompressedPart.compression_that_will_do(phase_sizes(limits), s->rank_needed) + kAlignment - 1;
   char what[128];
   Text text = text_in(what);
   put_all(text, status_text(C2D_ERR_MEMORY), " for compressed elimination: ", e.bytes_needed, " bytes would do");
@@ -478,7 +483,7 @@ c2d_status prepare_once(c2d_solver* s) {
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
-    s->factors = s->options.keep_factors != 0 && !s->blocked && (kSmallCode || s->options.elimination == C2D_ELIMINATION_DENSE);
+    s->factors = keeps_factors(s) != 0 && !s->blocked;
     if (!s->blocked && !loads_only) kWarningPart.warn_condition(s);
     return C2D_OK;
   }
