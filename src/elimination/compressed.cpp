@@ -83,7 +83,7 @@ void write_samples(Compression& t) {
   const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
   for (int32_t i = 0; i < count; ++i) {
     const int64_t node = (2 * static_cast<int64_t>(i) + 1) * t.plan.nodes / (2 * count);
-    Sample sample;
+    CheckedNode sample;
     memset(&sample, 0, sizeof sample); // padding
     sample.node = static_cast<int32_t>(node);
     sample.twin = t.system.twin[node];

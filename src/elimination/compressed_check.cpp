@@ -1,7 +1,6 @@
 // What a solution leaves of equations that are assembled anew: the dense ones, of a few nodes.
 #include <math.h>
 #include <string.h>
-#include <type_traits>
 
 #include "elimination/compressed_work.hpp"
 #include "memory/sizes.hpp"
@@ -35,9 +34,9 @@ uint64_t lay_out_check(const CompressedPlan& plan, char* base, CheckWork* out) {
   const auto take = [&](auto*& to, uint64_t count) {
     carver.align();
     const uint64_t at = carver.carve(count, sizeof *to);
-    if (base) to = reinterpret_cast<std::remove_reference_t<decltype(to)>>(base + at);
+    if (base) to = reinterpret_cast<decltype(to + 0)>(base + at);
   };
-  const uint64_t samples = kSamples, nodes = static_cast<uint64_t>(plan.nodes), columns = kMostColumns;
+  const uint64_t samples = kCheckedNodes, nodes = static_cast<uint64_t>(plan.nodes), columns = kMostColumns;
   const uint64_t holes = static_cast<uint64_t>(plan.holes);
   take(w.diagonal, 4 * nodes);
   take(w.sum, 2 * samples);
@@ -75,7 +74,7 @@ c2d_status read_samples(const CompressedPlan& plan, Tapes& tapes, const CheckWor
   Stream stream = open_records(plan, tapes, w.buffer, &end);
   if (stream.status == C2D_OK && end < sample_bytes(plan)) return C2D_ERR_INTERNAL;
   for (int32_t i = 0; i < sample_count(plan); ++i) {
-    Sample sample{};
+    CheckedNode sample{};
     if (read_at(stream, at, &sample, sizeof sample) != C2D_OK) return stream.status;
     at += sizeof sample;
     if (sample.node < 0 || sample.node >= plan.nodes || sample.hole < -1 || sample.hole >= plan.holes) return C2D_ERR_INTERNAL;

@@ -64,14 +64,14 @@ int64_t record_numbers(const CompressedPlan& plan);
 
 // A node whose equations are looked at again when there is a solution, and behind it their right-hand sides: two for each load
 // case. The first of the records.
-struct Sample {
+struct CheckedNode {
   int32_t node, twin, hole;
   double point[2], diagonal[4];
 };
-constexpr int32_t kSamples = 32;
-inline int32_t sample_count(const CompressedPlan& plan) { return plan.nodes < kSamples ? plan.nodes : kSamples; }
+constexpr int32_t kCheckedNodes = 32;
+inline int32_t sample_count(const CompressedPlan& plan) { return plan.nodes < kCheckedNodes ? plan.nodes : kCheckedNodes; }
 inline uint64_t sample_bytes(const CompressedPlan& plan) {
-  const uint64_t each = sizeof(Sample) + 2 * static_cast<uint64_t>(plan.loads) * sizeof(Real);
+  const uint64_t each = sizeof(CheckedNode) + 2 * static_cast<uint64_t>(plan.loads) * sizeof(Real);
   return static_cast<uint64_t>(sample_count(plan)) * each;
 }
 
