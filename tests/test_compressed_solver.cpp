@@ -2,6 +2,7 @@
 // tapes, saved, moved, failing and cut off like those.
 #include "contact2d_memory.h"
 #include "many_bodies.hpp"
+#include "memory/config.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -128,7 +129,7 @@ Difference compare(const Answer& a, const Answer& b) {
 
 } // namespace
 
-TEST_CASE("compressed solver: decks of every kind as by the dense elimination") {
+TEST_CASE("compressed solver: decks of every kind as by the dense elimination" * doctest::skip(c2d::kSmallCode)) {
   const double limit = kIsDouble ? 1e-9 : 5e-3;
   std::vector<std::string> files;
   for (const std::string& name : deck_names()) files.push_back("tests/data/decks/" + name + ".dat");
@@ -158,7 +159,8 @@ TEST_CASE("compressed solver: decks of every kind as by the dense elimination") 
   }
 }
 
-TEST_CASE("compressed solver: bodies with equations of free zones stay dense, beside others that do not") {
+TEST_CASE("compressed solver: bodies with equations of free zones stay dense, beside others that do not" *
+          doctest::skip(c2d::kSmallCode)) {
   many::Model m;
   m.add(many::rectangle(0, 0, 4, 1, {30, 10, 41, 10}));
   m.add(many::rectangle(1, 1, 3, 2, {23, 10, 20, 10}));
@@ -197,7 +199,7 @@ TEST_CASE("compressed solver: bodies with equations of free zones stay dense, be
   CHECK(apart < (kIsDouble ? 1e-9 : 5e-3) * most);
 }
 
-TEST_CASE("compressed solver: points inside and indicators as by the dense elimination") {
+TEST_CASE("compressed solver: points inside and indicators as by the dense elimination" * doctest::skip(c2d::kSmallCode)) {
   const Deck deck = deck_at("examples/hertz_fine.dat");
   const host::Limits limits = deck.limits();
   std::vector<double> found[2];
@@ -219,7 +221,7 @@ TEST_CASE("compressed solver: points inside and indicators as by the dense elimi
 
 // ---- memory and tapes -------------------------------------------------------------------------------------------------
 
-TEST_CASE("compressed solver: tapes are no larger than was told, whatever the workspace") {
+TEST_CASE("compressed solver: tapes are no larger than was told, whatever the workspace" * doctest::skip(c2d::kSmallCode)) {
   for (const char* file : {"tests/data/decks/sample.dat", "examples/hertz_fine.dat", "examples/make_bearing.dat",
                            "examples/make_hole.dat", "examples/make_crack.dat"})
     for (uint64_t beyond : {uint64_t{2} << 20, uint64_t{8} << 20, uint64_t{100} << 20})
@@ -261,7 +263,7 @@ TEST_CASE("compressed solver: tapes are no larger than was told, whatever the wo
       }
 }
 
-TEST_CASE("compressed solver: too little workspace is told with the number that will do") {
+TEST_CASE("compressed solver: too little workspace is told with the number that will do" * doctest::skip(c2d::kSmallCode)) {
   const Deck deck = deck_at("examples/hertz_fine.dat");
   const host::Limits limits = deck.limits();
   const c2d_options options = compressed();
@@ -303,7 +305,8 @@ many::Model wide() {
 
 } // namespace
 
-TEST_CASE("compressed solver: a rank beyond the workspace is told with the number that will do") {
+TEST_CASE("compressed solver: a rank beyond the workspace is told with the number that will do" *
+          doctest::skip(c2d::kSmallCode)) {
   const many::Model m = wide();
   std::vector<c2d_body_limits> list;
   const c2d_limits limits = many::limits_of(m, list);
@@ -344,7 +347,8 @@ TEST_CASE("compressed solver: a rank beyond the workspace is told with the numbe
 
 // ---- states, other loads, options -------------------------------------------------------------------------------------
 
-TEST_CASE("compressed solver: saved, restored elsewhere and moved it goes on with the same bits") {
+TEST_CASE("compressed solver: saved, restored elsewhere and moved it goes on with the same bits" *
+          doctest::skip(c2d::kSmallCode)) {
   const Deck deck = deck_at("examples/hertz_fine.dat");
   const host::Limits limits = deck.limits();
   const c2d_options options = compressed();
@@ -402,7 +406,7 @@ TEST_CASE("compressed solver: saved, restored elsewhere and moved it goes on wit
   }
 }
 
-TEST_CASE("compressed solver: other loads, and from one elimination to the other") {
+TEST_CASE("compressed solver: other loads, and from one elimination to the other" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = wide();
   std::vector<c2d_body_limits> list;
   const c2d_limits limits = many::limits_of(m, list);
@@ -441,7 +445,7 @@ TEST_CASE("compressed solver: other loads, and from one elimination to the other
 }
 
 // A strip a millionth as thick as it is long: no elimination leaves many digits.
-TEST_CASE("compressed solver: what is left of the equations is told") {
+TEST_CASE("compressed solver: what is left of the equations is told" * doctest::skip(c2d::kSmallCode)) {
   many::Model m;
   m.add(many::rectangle(0, 0, 1, kIsDouble ? 1e-5 : 1e-2, {100, 1, 100, 1}));
   m.set(1, 4, many::end_of(many::kHeld));
@@ -463,7 +467,8 @@ TEST_CASE("compressed solver: what is left of the equations is told") {
 
 // ---- the store --------------------------------------------------------------------------------------------------------
 
-TEST_CASE("compressed solver: whichever operation of the store fails, that is told, and it can begin anew") {
+TEST_CASE("compressed solver: whichever operation of the store fails, that is told, and it can begin anew" *
+          doctest::skip(c2d::kSmallCode)) {
   const Deck deck = deck_at("tests/data/decks/sample.dat");
   const host::Limits limits = deck.limits();
   const c2d_options options = compressed();
@@ -490,7 +495,7 @@ TEST_CASE("compressed solver: whichever operation of the store fails, that is to
 
 // ---- the program ------------------------------------------------------------------------------------------------------
 
-TEST_CASE("compressed solver: the program's option") {
+TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallCode)) {
   const test::Folder folder;
   const std::string deck = paths::root() + "/examples/hertz_fine.dat", program = paths::program();
   const auto run = [&](const std::string& words) { return test::run_shell("'" + program + "' " + words); };

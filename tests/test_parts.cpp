@@ -82,7 +82,7 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
     for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
-                             "WarningPart", "SearchPart", "HolePart", "CurvePart"}) {
+                             "WarningPart", "SearchPart", "HolePart", "CurvePart", "CompressedPart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;
@@ -183,7 +183,7 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
   const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "
-                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search -Wl,-u,c2d_link_holes");
+                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search -Wl,-u,c2d_link_holes -Wl,-u,c2d_link_compressed");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
   for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones",
@@ -219,6 +219,11 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
                                    "c2d_set_symmetry links it\n" +
                                        status_line(C2D_ERR_ARGUMENT));
     CHECK(with.run("images") == status_line(C2D_OK));
+    CHECK(without.run("compressed") ==
+          "this program is linked without compressed elimination: c2d_link_compressed links it, but "
+          "not in small code\n" +
+              status_line(C2D_ERR_ARGUMENT));
+    if (!c2d::kSmallCode) CHECK(with.run("compressed") == status_line(C2D_OK));
   }
   SUBCASE("workspaces of another program") {
     const auto refused = [](const char* call) {
@@ -242,6 +247,15 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
       whole.write(without / "workspace");
       whole.write(with / "workspace");
       CHECK(without.run("attach workspace") == (model.call == nullptr ? status_line(C2D_OK) : refused(model.call)));
+      CHECK(with.run("attach workspace") == status_line(C2D_OK));
+    }
+    Whole compressed(deck_with(""), nullptr);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = C2D_ELIMINATION_COMPRESSED;
+    if (c2d_set_options(compressed.solver, &options) == C2D_OK) { // (not in small code)
+      compressed.write(without / "workspace");
+      compressed.write(with / "workspace");
+      CHECK(without.run("attach workspace") == refused("c2d_link_compressed"));
       CHECK(with.run("attach workspace") == status_line(C2D_OK));
     }
     // A prepared one keeps energies, which a program without them would let go stale.

@@ -1,6 +1,6 @@
 // A program that names no call of an optional part (src/memory/parts.hpp), with a library compiled with
 // C2D_PARTS_BY_CALL: what it is told when a deck, an option, a workspace or a saved state wants one (test_parts.cpp).
-//   parts deck DECK             parts images
+//   parts deck DECK             parts images, parts compressed
 //   parts attach WORKSPACE      parts restore DECK FOLDER
 //   parts follow DECK FOLDER MU LOAD
 #include <c2d_posix.h>
@@ -47,7 +47,7 @@ c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver, voi
   return status;
 }
 
-int ask_for_images() {
+int ask_for(int32_t symmetry, int32_t elimination) {
   c2d_body_limits body = {4, 4, 1, 0};
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_options options = C2D_INIT(c2d_options);
@@ -56,7 +56,8 @@ int ask_for_images() {
   limits.body = &body;
   limits.function_nodes = 2;
   if (c2d_create(&solver, workspace, sizeof workspace, &limits, nullptr, nullptr) != C2D_OK) return 1;
-  options.symmetry = C2D_SYMMETRY_IMAGES;
+  options.symmetry = symmetry;
+  options.elimination = elimination;
   return end(solver, c2d_set_options(solver, &options));
 }
 
@@ -116,7 +117,8 @@ int main(int count, char** argument) {
   const auto is = [&](const char* what, int arguments) {
     return count == 2 + arguments && std::strcmp(argument[1], what) == 0;
   };
-  if (is("images", 0)) return ask_for_images();
+  if (is("images", 0)) return ask_for(C2D_SYMMETRY_IMAGES, C2D_ELIMINATION_DENSE);
+  if (is("compressed", 0)) return ask_for(C2D_SYMMETRY_DECK, C2D_ELIMINATION_COMPRESSED);
   if (is("attach", 1)) return attach(argument[2]);
   if (is("restore", 2)) return restore(argument[2], argument[3]);
   if (is("follow", 4)) return follow(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]));
