@@ -7,7 +7,7 @@ COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
-SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indicator elimination assembly store memory bodies coarse \
+SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indicator elimination assembly store bodies coarse \
   corners invariance search)
 # $(1) folder, $(2) lists of tests left out, $(3) files of tests or nothing: all, $(4) more variables
 coverage_run = C2D_TESTS_NOT='$(2)' C2D_TESTS_FILES='$(3)' LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
