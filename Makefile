@@ -1,6 +1,6 @@
 # contact2d. Targets: all (default) demo chapter9 test random faults bench guard convergence estimate-truth embedded hostile
 #   hostile-blocks small sanitize sanitize-library sanitize-threads msan coverage cross fuzz mutants amalgamation api deb
-#   reproducible web install uninstall list relist symbols format format-check clean.
+#   reproducible web windows install uninstall list relist symbols format format-check clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS HARDENING PORTS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE
 #   DOCTEST_SHA256 NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
@@ -101,7 +101,11 @@ ifneq ($(findstring x86_64,$(MACHINE)),)
 KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma
 endif
-kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
+# MinGW's stack is aligned to 16 bytes, whatever the vectors on it need.
+ifneq ($(findstring mingw,$(MACHINE)),)
+KERNEL_ANYWHERE := -Wa,-muse-unaligned-vector-move
+endif
+kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))) $(KERNEL_ANYWHERE))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
@@ -144,6 +148,7 @@ include tests/fuzz/fuzz.mk
 include tests/msan/msan.mk
 include port/packaging/packaging.mk
 include port/web/web.mk
+include port/windows/windows.mk
 
 # ---------------------------------------------------------------- tests
 TEST_CC  ?= $(CC)
@@ -224,8 +229,8 @@ estimate-truth: $(BUILD)/tests/run_truth
 	@$(BUILD)/tests/run_truth $(TRUTH)
 
 # The list of sources against the folders: what is missing from either.
-# (port/cortex-m and port/web are compiled for their own machines only, port/packaging has tools)
-FOUND_SOURCES := $(sort $(filter-out port/cortex-m/% port/packaging/% port/web/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
+# (port/cortex-m, port/web and port/windows are compiled for their own machines only, port/packaging has tools)
+FOUND_SOURCES := $(sort $(filter-out port/cortex-m/% port/packaging/% port/web/% port/windows/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
 ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)

@@ -41,8 +41,7 @@ bool read_number(const std::string& word, sketch::Parameters& given) {
 
 // Names of files in a sketch are seen from where the sketch is.
 std::string beside(const std::string& sketch, const std::string& name) {
-  const size_t slash = sketch.rfind('/');
-  return name.empty() || name[0] == '/' || slash == std::string::npos ? name : sketch.substr(0, slash + 1) + name;
+  return name.empty() || is_absolute(name) ? name : sketch.substr(0, begin_of_name(sketch)) + name;
 }
 
 bool find_text(const std::vector<NamedText>& files, const std::string& name, std::string& text) {

@@ -7,6 +7,7 @@
 #include "program/messages.hpp"
 #include "program/output_file.hpp"
 #include "program/sketch/read.hpp"
+#include "program/system_file.hpp"
 
 #include <cstdio>
 
@@ -54,7 +55,7 @@ void warn(const DeckFile& drawing, const std::string& text, const std::string& o
   }
 }
 
-std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+std::string last_part(const std::string& path) { return path.substr(begin_of_name(path)); }
 
 } // namespace
 

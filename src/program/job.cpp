@@ -51,8 +51,8 @@ bool is_left_out(const std::string& name) {
 
 std::string absolute(const std::string& name) {
   std::error_code failed;
-  const std::filesystem::path path = std::filesystem::absolute(name, failed);
-  return failed || name == "-" ? name : path.string();
+  const std::filesystem::path path = std::filesystem::absolute(std::filesystem::u8path(name), failed);
+  return failed || name == "-" ? name : path.u8string();
 }
 
 } // namespace

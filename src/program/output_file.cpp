@@ -90,7 +90,7 @@ bool OutputFile::open(const std::string& name, std::string& error) {
 
 bool OutputFile::open_aside(std::string& error) {
   char mark[24]; // of the name alone: a run that is resumed may know the folder by another path
-  const size_t own = std::hash<std::string>()(target_.substr(target_.rfind('/') + 1));
+  const size_t own = std::hash<std::string>()(target_.substr(begin_of_name(target_)));
   std::snprintf(mark, sizeof mark, ".contact2d-%08x-", static_cast<unsigned>(own & 0xffffffffu));
   for (int i = 0; file_ < 0 && i < 1000; ++i) {
     aside_ = folder_of(target_) + "/" + mark + std::to_string(i);

@@ -2,15 +2,25 @@
 
 #include "program/interrupt.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <dirent.h>
 #include <fcntl.h>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <unistd.h>
 
 namespace app {
+namespace {
+
+// Windows separates by either, and has drives.
+constexpr bool kWindows = std::filesystem::path::preferred_separator != '/';
+constexpr const char* kSeparators = kWindows ? "/\\" : "/";
+size_t begin_without_drive(const std::string& path) { return kWindows && path.size() > 1 && path[1] == ':' ? 2 : 0; }
+
+} // namespace
 
 int open_file(const std::string& path, int flags) {
   int file;
@@ -99,10 +109,19 @@ std::string system_text(int code) {
   return std::strerror(code);
 }
 
+size_t begin_of_name(const std::string& path) {
+  return std::max(path.find_last_of(kSeparators) + 1, begin_without_drive(path)); // npos + 1: 0
+}
+
+bool is_absolute(const std::string& path) {
+  const size_t begin = begin_without_drive(path);
+  return begin > 0 || path.find_first_of(kSeparators) == 0;
+}
+
 std::string folder_of(const std::string& path) {
-  const size_t slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
+  const size_t begin = begin_of_name(path), drive = begin_without_drive(path);
+  if (begin == drive) return path.substr(0, drive) + ".";
+  return path.substr(0, std::max(begin - 1, drive + (begin - 1 == drive)));
 }
 
 } // namespace app

@@ -27,5 +27,8 @@ std::string system_text(int code);
 
 // The folder that a path lies in, without the slash at its end but for "/"; "." if it has none.
 std::string folder_of(const std::string& path);
+// Where the name in its folder begins; and whether the path leads to the same place from everywhere.
+size_t begin_of_name(const std::string& path);
+bool is_absolute(const std::string& path);
 
 } // namespace app
