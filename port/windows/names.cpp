@@ -20,8 +20,8 @@ using windows::wide;
 namespace {
 
 bool is_folder(HANDLE file) {
-  BY_HANDLE_FILE_INFORMATION about;
-  return GetFileInformationByHandle(file, &about) != 0 && (about.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0;
+  FILE_STANDARD_INFO about;
+  return GetFileInformationByHandleEx(file, FileStandardInfo, &about, sizeof about) != 0 && about.Directory;
 }
 
 // A name that leads elsewhere; what else is stored in an unusual way (in a cloud, compressed) is a file as any other.
@@ -110,15 +110,15 @@ int describe(HANDLE file, struct windows_stat* about) {
   if (type == FILE_TYPE_UNKNOWN) return fail(EBADF);
   about->st_mode = type == FILE_TYPE_PIPE ? S_IFIFO | 0666u : S_IFCHR | 0666u;
   if (type != FILE_TYPE_DISK) return 0;
-  BY_HANDLE_FILE_INFORMATION found;
   FILE_STANDARD_INFO more;
-  if (GetFileInformationByHandle(file, &found) == 0) return fail();
   if (GetFileInformationByHandleEx(file, FileStandardInfo, &more, sizeof more) == 0) return fail();
+  BY_HANDLE_FILE_INFORMATION found = {}; // an output that came with the program may have none of it (wine)
+  GetFileInformationByHandle(file, &found);
   const bool fixed = (found.dwFileAttributes & FILE_ATTRIBUTE_READONLY) != 0;
-  about->st_mode = is_folder(file) ? S_IFDIR | 0777u : S_IFREG | (fixed ? 0444u : 0666u);
+  about->st_mode = more.Directory ? S_IFDIR | 0777u : S_IFREG | (fixed ? 0444u : 0666u);
   about->st_dev = found.dwVolumeSerialNumber;
   about->st_ino = static_cast<uint64_t>(found.nFileIndexHigh) << 32 | found.nFileIndexLow;
-  about->st_nlink = more.DeletePending ? 0 : found.nNumberOfLinks;
+  about->st_nlink = more.DeletePending ? 0 : more.NumberOfLinks;
   about->st_size = more.EndOfFile.QuadPart;
   about->st_blocks = (more.AllocationSize.QuadPart + 511) / 512;
   return 0;

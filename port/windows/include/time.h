@@ -1,0 +1,6 @@
+// The calls of threads are among MinGW's own.
+#pragma once
+#ifndef _POSIX_THREAD_SAFE_FUNCTIONS
+#define _POSIX_THREAD_SAFE_FUNCTIONS 200112L
+#endif
+#include_next <time.h>
