@@ -1,6 +1,6 @@
 // press KEY FILE PROGRAM WORDS...: runs a program in a console of its own, presses Ctrl-C (KEY: c) or Ctrl-Break (b) when there
 // is a file of that name, or, with "-", when the program has read the first line of its standard input, and ends as it
-// ends. A program that has ended before is a failure: 99.
+// ends. KEY 2: the program a second time meanwhile, as whose end this ends. A program that has ended before is a failure: 99.
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
@@ -38,12 +38,25 @@ bool is_time(const std::wstring& file, const Input& input) {
   return PeekNamedPipe(input.from, nullptr, 0, nullptr, &left, nullptr) != 0 && left == 0;
 }
 
+PROCESS_INFORMATION start(std::wstring words, STARTUPINFOW& how) {
+  PROCESS_INFORMATION program = {};
+  CreateProcessW(nullptr, &words[0], nullptr, nullptr, TRUE, 0, nullptr, nullptr, &how, &program);
+  return program;
+}
+
+int end_of(const PROCESS_INFORMATION& program) {
+  DWORD exit = 96;
+  if (WaitForSingleObject(program.hProcess, 120000) == WAIT_OBJECT_0) GetExitCodeProcess(program.hProcess, &exit);
+  return static_cast<int>(exit);
+}
+
 // As the console does it where the system's call does not know the key (wine, Ctrl-Break): by a thread of the program's.
 void press(DWORD key, HANDLE program) {
   if (key == CTRL_C_EVENT && GenerateConsoleCtrlEvent(key, 0) != 0) return;
   const auto routine = GetProcAddress(GetModuleHandleA("kernelbase"), "CtrlRoutine");
   void* const event = reinterpret_cast<void*>(static_cast<uintptr_t>(key));
-  const HANDLE thread = CreateRemoteThread(program, nullptr, 0, reinterpret_cast<LPTHREAD_START_ROUTINE>(reinterpret_cast<void*>(routine)), event, 0, nullptr);
+  const HANDLE thread = CreateRemoteThread(
+      program, nullptr, 0, reinterpret_cast<LPTHREAD_START_ROUTINE>(reinterpret_cast<void*>(routine)), event, 0, nullptr);
   if (thread == nullptr) std::fprintf(stderr, "press: no thread: %lu\n", GetLastError());
 }
 
@@ -61,12 +74,15 @@ extern "C" int wmain(int argc, wchar_t** argv) {
   SetConsoleCtrlHandler(pass, TRUE);
   std::wstring words;
   for (int i = 3; i < argc; ++i) words += L"\"" + std::wstring(argv[i]) + L"\" ";
-  PROCESS_INFORMATION program = {};
-  if (CreateProcessW(nullptr, &words[0], nullptr, nullptr, TRUE, 0, nullptr, nullptr, &how, &program) == 0) return 97;
+  const PROCESS_INFORMATION program = start(words, how);
   while (!is_time(argv[2], input))
     if (WaitForSingleObject(program.hProcess, 1) != WAIT_TIMEOUT) return 99;
-  press(argv[1][0] == L'c' ? CTRL_C_EVENT : CTRL_BREAK_EVENT, program.hProcess);
-  DWORD exit = 96;
-  if (WaitForSingleObject(program.hProcess, 120000) == WAIT_OBJECT_0) GetExitCodeProcess(program.hProcess, &exit);
-  return static_cast<int>(exit);
+  if (argv[1][0] != L'2') {
+    press(argv[1][0] == L'c' ? CTRL_C_EVENT : CTRL_BREAK_EVENT, program.hProcess);
+    return end_of(program);
+  }
+  SuspendThread(program.hThread);
+  const int second = end_of(start(words, how));
+  TerminateProcess(program.hProcess, 0);
+  return second;
 }

@@ -1,7 +1,7 @@
 // Flags and calls that MinGW's header lacks.
 #pragma once
-#include_next <fcntl.h>
 #include <cerrno>
+#include_next <fcntl.h>
 #include <sys/types.h>
 
 #define O_CLOEXEC _O_NOINHERIT

@@ -1,8 +1,8 @@
 // What MinGW's header lacks, by port/windows/system.cpp. close, unlink, rmdir, rename, access and isatty are declared there as
 // everywhere; ours take the place of the C library's when the program is linked.
 #pragma once
-#include_next <unistd.h>
 #include <sys/types.h>
+#include_next <unistd.h>
 
 // (of size_t, and so not the C library's)
 ssize_t read(int file, void* data, size_t bytes);

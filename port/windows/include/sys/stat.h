@@ -1,7 +1,7 @@
 // What a file is, with the numbers that tell one file from another, which the C library's stat has not.
 #pragma once
-#include_next <sys/stat.h>
 #include <stdint.h>
+#include_next <sys/stat.h>
 
 #undef stat
 #undef fstat
