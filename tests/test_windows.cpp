@@ -35,13 +35,18 @@ Result there(const Folder& folder, const std::string& words) {
   return in_folder(folder, kWine + "'" + kProgram + "' " + words);
 }
 
+// A program of tests/windows.
+std::string compiled(const std::string& name, const std::string& more = "") {
+  const std::string program = paths::build() + "/windows/" + name + ".exe";
+  const Result made = run_shell("cd '" + paths::root() + "' && " + kCompiler + " -std=c++17 -O1 -static -municode -o '" +
+                                program + "' tests/windows/" + name + ".cpp " + more);
+  REQUIRE_MESSAGE(made.status == 0, made.err);
+  return "'" + program + "' ";
+}
+
 // tests/windows/press.cpp: the program with a key pressed.
 Result with_key(const Folder& folder, const std::string& key_and_file, const std::string& words) {
-  const std::string press = paths::build() + "/windows/press.exe";
-  const Result made =
-      run_shell(kCompiler + " -O1 -static -municode -o '" + press + "' '" + paths::root() + "/tests/windows/press.cpp'");
-  REQUIRE_MESSAGE(made.status == 0, made.err);
-  return in_folder(folder, kWine + "'" + press + "' " + key_and_file + " '" + kProgram + "' " + words);
+  return in_folder(folder, kWine + compiled("press") + key_and_file + " '" + kProgram + "' " + words);
 }
 
 // Without what depends on the clock.
@@ -73,6 +78,17 @@ void write_cyclic_deck(const std::string& file) {
 
 } // namespace
 
+TEST_CASE("windows: calls of POSIX") {
+  if (!can_try()) return;
+  const Folder folder;
+  fs::create_directory(folder / "f");
+  const std::string layer = compiled("layer", "-Iport/windows/include -D_FILE_OFFSET_BITS=64 -D_WIN32_WINNT=0x0A00 "
+                                              "port/windows/*.cpp -lntdll");
+  const Result run = in_folder(folder, kWine + layer + "f");
+  CHECK_MESSAGE(run.status == 0, run.out);
+  CHECK(run.out == "0 failed\n");
+}
+
 TEST_CASE("windows: the same bytes, names with blanks, umlauts and backslashes") {
   if (!can_try()) return;
   const Folder folder;
@@ -92,6 +108,12 @@ TEST_CASE("windows: the same bytes, names with blanks, umlauts and backslashes")
     CHECK_FALSE(fs::exists(folder / "ta pes"));
     for (const char* name : {"listing", "csv", "boundary", "json", "report", "summary", "vtk", "trace"})
       check_same(folder, name, "Ma\u00df e/" + std::string(name));
+  }
+  REQUIRE(here(folder, "run " + deck + " --out all").status == 0);
+  CHECK(there(folder, "run " + deck + " --out 'a ll'").status == 0);
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "all")) {
+    const std::string name = fs::relative(entry.path(), folder / "all").string();
+    if (entry.is_regular_file()) check_same(folder, "all/" + name, "a ll/" + name);
   }
   CHECK(std::distance(fs::directory_iterator(folder / "Ma\u00df e"), fs::directory_iterator()) == 8); // nothing is left
 }

@@ -87,7 +87,9 @@ int fsync(int file) {
 int flock(int file, int how) {
   OVERLAPPED place = place_of(uint64_t{1} << 62);
   const DWORD flags = LOCKFILE_EXCLUSIVE_LOCK | ((how & LOCK_NB) != 0 ? LOCKFILE_FAIL_IMMEDIATELY : 0);
-  return LockFileEx(handle_of(file), flags, 0, 1, 0, &place) != 0 ? 0 : fail();
+  if (LockFileEx(handle_of(file), flags, 0, 1, 0, &place) != 0) return 0;
+  fail();
+  return fail(errno == EINVAL ? EOPNOTSUPP : errno); // a file system without locks
 }
 
 int fallocate(int file, int, off_t, off_t bytes) {

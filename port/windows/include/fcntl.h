@@ -1,5 +1,6 @@
 // Flags and calls that MinGW's header lacks.
 #pragma once
+#pragma GCC system_header // for include_next
 #include <cerrno>
 #include_next <fcntl.h>
 #include <sys/types.h>

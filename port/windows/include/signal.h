@@ -1,5 +1,6 @@
 // Signals that come from the console: Ctrl-C, Ctrl-Break (SIGTERM), its closing (SIGHUP). They come in a thread of their own.
 #pragma once
+#pragma GCC system_header // for include_next
 #include_next <signal.h>
 
 #ifdef __cplusplus

@@ -1,6 +1,7 @@
 // What MinGW's header lacks, by port/windows/system.cpp. close, unlink, rmdir, rename, access and isatty are declared there as
 // everywhere; ours take the place of the C library's when the program is linked.
 #pragma once
+#pragma GCC system_header // for include_next
 #include <sys/types.h>
 #include_next <unistd.h>
 

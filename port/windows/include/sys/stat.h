@@ -1,5 +1,6 @@
 // What a file is, with the numbers that tell one file from another, which the C library's stat has not.
 #pragma once
+#pragma GCC system_header // for include_next
 #include <stdint.h>
 #include_next <sys/stat.h>
 
