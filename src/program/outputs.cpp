@@ -13,7 +13,8 @@ namespace {
 // One spelling for names that lead to the same place, whether or not anything is there yet.
 std::string spelled_out(const std::string& name) {
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(std::filesystem::u8path(name), error), error);
+  const std::filesystem::path path =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(std::filesystem::u8path(name), error), error);
   return error ? name : path.lexically_normal().generic_u8string();
 }
 
