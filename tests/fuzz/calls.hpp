@@ -491,7 +491,7 @@ inline const std::vector<Function>& Driver::functions() {
       {"complete", kLimit | kInput, kBuilding, C2D_STATE_MODEL, true, &D::complete},
       {"set_options", kLimit, kFirst | kModel, kStays, true, &D::set_options},
       {"read_deck", kInput | kRead | kLimit, kEmpty, C2D_STATE_MODEL, true, &D::read_deck},
-      {"prepare", kInput | kStore | kSingular | kCancelled, kModel, C2D_STATE_PREPARED, true, &D::prepare},
+      {"prepare", kInput | kStore | kSingular | kCancelled | kMemory, kModel, C2D_STATE_PREPARED, true, &D::prepare},
       {"change_loads", kNone, kStarted, C2D_STATE_MODEL, true, &D::change_loads},
       {"begin", kStore, kStarted, C2D_STATE_RUNNING, true, &D::begin},
       {"advance", kStore | kCancelled, kRunning, C2D_STATE_RUNNING, true, &D::advance},
