@@ -24,7 +24,7 @@ namespace {
 alignas(64) unsigned char workspace[RUN_DECK_BYTES];
 c2d_semihosting_store store;
 c2d_semihosting_deck deck;
-char arguments[144];
+char arguments[104];
 char line[384];
 int32_t results;
 c2d_error why;
