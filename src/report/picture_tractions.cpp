@@ -241,8 +241,9 @@ bool says_much(const Layers& l, const Range& window) {
     const double* row = l.record.table.data() + p.pair * C2D_PAIR_FIELDS;
     const bool inside = p.s >= window.low && p.s <= window.high;
     if (row[C2D_TN] > most) most = row[C2D_TN], holds = inside;
-    slips = slips || (inside && row[C2D_STATUS] == C2D_SLIP);
-    sticks = sticks || row[C2D_STATUS] == C2D_STICK;
+    const int status = static_cast<int>(row[C2D_STATUS]);
+    slips = slips || (inside && status == C2D_SLIP);
+    sticks = sticks || status == C2D_STICK;
   }
   return holds || (l.mu > 0.0 && slips && sticks);
 }
@@ -251,7 +252,9 @@ bool says_much(const Layers& l, const Range& window) {
 std::vector<Range> find_windows(const Layers& l) {
   constexpr double kLittle = 0.2; // of the zone
   const std::vector<ZoneSample>& p = l.zone.samples;
-  const auto touches = [&](size_t i) { return l.record.table[p[i].pair * C2D_PAIR_FIELDS + C2D_STATUS] != C2D_OPEN; };
+  const auto touches = [&](size_t i) {
+    return static_cast<int>(l.record.table[p[i].pair * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN;
+  };
   std::vector<Range> all;
   for (size_t i = 0; i + 1 < p.size(); ++i) {
     if (touches(i) == touches(i + 1) || (l.zone.has_images && p[i].turn < 0.0)) continue;
