@@ -79,6 +79,12 @@ TEST_CASE("sweep: a parameter keeps the columns of a fixed deck, and what has no
         std::vector<std::string>{"0:0-0: the deck has no parameter mu: expected {mu} in a card"});
   CHECK(filled_well("C {mu}\n{}{ a}{1}{a b}{a=}\n{", {}) == "C {mu}\n{}{ a}{1}{a b}{a=}\n{"); // a comment, and none of ours
   CHECK(filled_well("*free\n! {a}\n{a} {b=long}\n", {{"a", "0.123456"}}) == "*free\n! {a}\n0.123456 long\n");
+  // braces in braces; columns are those of the deck as it is read
+  CHECK(filled("*free\n{a={x=1}0} 2 {y}\n", {}) ==
+        std::vector<std::string>{"2:4-8: {x} stands in braces, expected one name and one value in a pair of braces",
+                                 "2:14-16: {y} has no value, expected --set y=VALUE"});
+  CHECK(filled("*free\n{k{i=2}}\n", {}).size() == 1);
+  CHECK(filled_well("*free\n{a {x=1}} {\n", {}) == "*free\n{a 1} {\n"); // (no parameter with a blank in it)
 }
 
 TEST_CASE("sweep: files of parameters, plain and of Dakota") {

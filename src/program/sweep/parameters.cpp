@@ -89,11 +89,13 @@ public:
 private:
   void put(std::string& line, int32_t number, const Place& place, const std::string& value, size_t& at);
   void fault(int32_t number, const Place& place, const std::string& text) {
-    faults_.push_back({number, static_cast<int32_t>(place.begin) + 1, static_cast<int32_t>(place.end), text});
+    const int32_t begin = static_cast<int32_t>(place.begin) + shift_, end = static_cast<int32_t>(place.end) + shift_;
+    faults_.push_back({number, begin + 1, end, text});
   }
   std::map<std::string, std::string> values_;
   std::set<std::string> names_;
   bool free_;
+  int32_t shift_ = 0; // columns by which the line that is filled has become shorter
   std::vector<DeckFault>& faults_;
 };
 
@@ -112,10 +114,15 @@ void Filler::put(std::string& line, int32_t number, const Place& place, const st
   const std::string padded = free_ || value.size() >= width ? value : std::string(width - value.size(), ' ') + value;
   line.replace(begin, place.end - begin, padded);
   at = begin + padded.size();
+  Place around;
+  if (find_place(line, 0, around) && around.begin < begin && around.end > begin)
+    fault(number, place, "{" + place.name + "} stands in braces, expected one name and one value in a pair of braces");
+  shift_ += static_cast<int32_t>(place.end) - static_cast<int32_t>(at);
 }
 
 void Filler::fill(std::string& line, int32_t number) {
   Place place;
+  shift_ = 0;
   for (size_t at = 0; find_place(line, at, place);) {
     names_.insert(place.name);
     const auto given = values_.find(place.name);
