@@ -5,6 +5,7 @@
 #include "contact/limit_analysis.hpp"
 #include "contact/search.hpp"
 #include "hand_tableau.hpp"
+#include "memory/parts.hpp"
 
 #include <memory>
 #include <random>
@@ -13,6 +14,8 @@
 using namespace c2d;
 using hand::Hand;
 using hand::sized;
+
+C2D_BRINGS(c2d_link_search); // without that part what nothing holds is not seated: also in a program of these tests alone
 
 namespace {
 
