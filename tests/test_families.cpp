@@ -65,7 +65,8 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"shrink c=1", "a, b, c, d are to rise"},
                          {"crack W=1", "W is below 1.2"},
                          {"crack n=5", "n is below 10"},
-                         {"crack ratio=1", "ratio is to be from 1.05 to 2"}};
+                         {"crack ratio=1.01", "ratio is to be from 1.05 to 2"},
+                         {"hertz ratio=1", "ratio=1: expected a number above 1"}};
   for (const Wrong& w : wrong) {
     const Result result = make(w.arguments);
     CHECK_MESSAGE(result.status == 64, w.arguments);
@@ -76,6 +77,70 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
   const Result keys = make("hertz m=20"); // the keys stand below
   CHECK(contains(keys.err, "  n=20"));
   CHECK(contains(keys.err, "elements over the half width"));
+}
+
+TEST_CASE("families: numbers that do not go together are told, one by one") {
+  const struct {
+    const char *family, *setting, *told;
+  } wrong[] = {{"coating", "a=50", "a is above R/10"},
+               {"coating", "L=2", "L is below 3"},
+               {"coating", "L=5", "L is below four times 1 + t"},
+               {"crack", "ratio=3", "ratio is to be from 1.05 to 2"},
+               {"cylinder_friction", "a=50", "a is above R/10"},
+               {"cylinder_friction", "L=2", "L is below 3"},
+               {"cylinder_friction", "n=1 edge=0", "n=1 needs an edge above 0"},
+               {"cylinder_friction", "n=5 sizes=", "sizes=: expected one of "},
+               {"disc_in_hole", "L=1", "L is below 2"},
+               {"disc_in_hole", "Sx=0", "Sx and Sy are both 0"},
+               {"hole", "L=1", "L is below 1.5"},
+               {"layer_lifted", "L=5", "L is below zone + 2"},
+               {"mindlin", "a=50", "a is above R/10"},
+               {"mindlin", "L=2", "L is below 3"},
+               {"mindlin", "mu=inf", "mu is to be above 0 and finite"},
+               {"mindlin", "mu=0", "mu is to be above 0 and finite"},
+               {"mindlin", "Q=1", "Q is to be below 1"},
+               {"punch", "L=2", "L is below 3"},
+               {"punch", "grading=0.2", "grading is to be from 0.25 to below 1"},
+               {"receding_layer", "L=5", "L is below twice the length of the layer"},
+               {"ring", "plane=strain|stress", "plane=strain|stress: expected one of strain|stress"},
+               {"rollers", "a=50", "a is above R/10"},
+               {"rollers", "L=2", "L is below 3"},
+               {"rollers", "rollers=16", "rollers is above 15"},
+               {"rollers", "pitch=2", "pitch is below 2.01"},
+               {"shrink", "a=2", "a, b, c, d are to rise"},
+               {"shrink", "d=2", "a, b, c, d are to rise"},
+               {"shrink", "delta=0.1", "delta is above 0.01"},
+               {"stack", "plates=51", "plates is above 50"},
+               {"bearing", "Z=61", "Z is not from 5 to 60"},
+               {"coating", "nu1=-1", "expected a number above -1"},
+               {"hertz", "edge=-1", "expected a number from 0 to 1"},
+               {"hertz", "n=1 m=1 L=2", "'m' is not a key"}}; // the first mistake is told
+  for (const auto& w : wrong) {
+    CAPTURE(w.family);
+    CAPTURE(w.setting);
+    std::vector<std::string> settings;
+    std::istringstream words(w.setting);
+    for (std::string word; words >> word;) settings.push_back(word);
+    std::string deck, error;
+    CHECK_FALSE(families::make_deck(w.family, settings, deck, error));
+    CHECK(contains(error, w.told));
+    CHECK(deck.empty());
+  }
+}
+
+TEST_CASE("families: in plane stress nothing of a deck changes but that, and what is given as the displacements of a field") {
+  for (const char* family : {"hole", "ring", "crack", "shrink"}) {
+    CAPTURE(family);
+    std::string strain, stress, error;
+    REQUIRE(families::make_deck(family, {"n=10"}, strain, error));
+    REQUIRE(families::make_deck(family, {"n=10", "plane=stress"}, stress, error));
+    std::istringstream one(strain), other(stress);
+    int differ = 0;
+    for (std::string a, b; std::getline(one, a) && std::getline(other, b);) differ += a != b;
+    CHECK(differ <= 4); // its comment, its number, what the heading says of how it was made
+    CHECK(contains(stress, "plane stress; output"));
+    CHECK(contains(strain, "plane strain; output"));
+  }
 }
 
 TEST_CASE("families: what moves the flanks of mindlin is said as it is") {

@@ -2,12 +2,21 @@
 #include "paths.hpp"
 #include "shell.hpp"
 
+#include "program/deck_file.hpp"
+#include "program/estimate/keyword_cards.hpp"
+#include "program/exit_code.hpp"
+#include "program/option_table.hpp"
 #include "program/options.hpp"
 #include "program/points_file.hpp"
 #include "program/progress.hpp"
 #include "program/real_in_columns.hpp"
+#include "program/store_choice.hpp"
+#include "program/sweep/responses.hpp"
+#include "program/sweep/table.hpp"
 #include "program/voice.hpp"
 
+#include <cstdlib>
+#include <cstring>
 #include <doctest/doctest.h>
 
 using namespace test;
@@ -77,6 +86,207 @@ TEST_CASE("options: what --out leaves to names that are given") {
   CHECK(fault_of({"run", "deck", "--points", "p.csv", "--quiet"}, o) != "");
   REQUIRE(fault_of({"run", "deck", "--quiet", "--listing", "a.lst"}, o) == "");
   CHECK(app::has_listing(o));
+}
+
+TEST_CASE("options: what is asked of a run, and how it may be told") {
+  app::Options o;
+  CHECK(fault_of({"run", "deck", "--response", "max nothing"}, o).find("--response 'max nothing': expected max or min tn") ==
+        0);
+  CHECK(fault_of({"run", "deck", "--response", " ; "}, o).find("--response nothing is asked for") == 0);
+  for (const char* none :
+       {"contact edge 1x", "contact edge 0", "contact edge 1 2", "max tn zone 1 zone 2", "big tn", "stress", "stress 1 zone 2",
+        "load zone 1", "load 2", "max tn 3", "max tn zone", "zone 1", "touching 1", "tn max", "max min tn"}) {
+    CAPTURE(none);
+    std::vector<app::Response> responses;
+    std::string error;
+    CHECK_FALSE(app::read_responses(none, responses, error));
+    CHECK(error.find(none) == 1);
+    CHECK(responses.empty());
+  }
+  CHECK(fault_of({"run", "deck", "--quiet", "--ranges", "r.csv", "--points", "p.csv"}, o) == "");
+  std::string error;
+  CHECK_FALSE(app::read_options(0, nullptr, o, error));
+  CHECK(error != "");
+  o = app::Options();
+  o.command = app::Command::kSweep;
+  CHECK_FALSE(app::has_listing(o));
+  for (const app::OptionRow& option : app::all_options()) // zsh's completion would take brackets for its own
+    CHECK(std::string(option.help).find_first_of("[]") == std::string::npos);
+}
+
+TEST_CASE("responses: numbers of pairs, zones and points that are there, and that are not") {
+  const auto value = [](const std::string& text, const app::RunRecord& record) {
+    std::vector<app::Response> responses;
+    std::string error;
+    REQUIRE(app::read_responses(text, responses, error));
+    return app::csv_number(app::evaluate(responses.at(0), record));
+  };
+  app::RunRecord record;
+  CHECK(value("max tn", record) == "nan"); // nothing was followed
+  CHECK(value("stress 1", record) == "nan");
+  app::CoefficientRecord c;
+  c.load = 0.5;
+  c.table.resize(3 * C2D_PAIR_FIELDS);
+  const double tn[3] = {-3, 2, -1};
+  for (size_t i = 0; i < 3; ++i) {
+    double* row = c.table.data() + i * C2D_PAIR_FIELDS;
+    row[C2D_TN] = tn[i], row[C2D_PAIR_ZONE] = i == 0 ? 1 : 2, row[C2D_STATUS] = i == 2 ? C2D_OPEN : C2D_STICK;
+  }
+  record.coefficients = {c};
+  CHECK(value("tn", record) == "3");
+  CHECK(value("max tn", record) == "2");
+  CHECK(value("min tn", record) == "-3");
+  CHECK(value("min tn zone 2", record) == "-1");
+  CHECK(value("touching", record) == "2");
+  CHECK(value("sticking zone 2", record) == "1");
+  CHECK(value("slipping", record) == "0");
+  CHECK(value("max tn zone 3", record) == "nan");
+  CHECK(value("load", record) == "0.5");
+  const std::string edge = app::name_of(app::Measure::kContactEdge);
+  CHECK(value(edge, record) == "nan"); // no increment
+  app::StepRecord step;
+  const double where[4][3] = {{1, 1, 0.25}, {1, 2, 0.75}, {2, 1, 4}, {2, 2, 5}}; // zone, item, value
+  for (const auto& w : where) {
+    app::Quantity q;
+    q.what = app::Measure::kContactEdge, q.zone = static_cast<int32_t>(w[0]), q.item = static_cast<int32_t>(w[1]);
+    q.value = w[2];
+    step.quantities.push_back(q);
+  }
+  record.coefficients[0].steps = {step};
+  CHECK(value(edge, record) == "0.25");
+  CHECK(value(edge + " 2", record) == "0.75");
+  CHECK(value(edge + " zone 2", record) == "4");
+  CHECK(value(edge + " 2 zone 2", record) == "5");
+  CHECK(value(edge + " zone 2 2", record) == "5");
+  CHECK(value(edge + " 3", record) == "nan");
+  app::Interior interior;
+  interior.points.resize(2);
+  interior.points[0].values[C2D_POINT_VON_MISES] = 7;
+  interior.points[0].values[C2D_POINT_FLAG] = C2D_POINT_INSIDE;
+  interior.points[1].values[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
+  record.interior = &interior;
+  CHECK(value("stress 1", record) == "7");
+  CHECK(value("stress 2", record) == "nan");
+  CHECK(value("stress 3", record) == "nan");
+  CHECK(app::failure_text("") == "FAIL no reason is known\n");
+  CHECK(app::failure_text("\nwhy") == "FAIL no reason is known\n");
+  CHECK(app::csv_field("a \"b\"") == "\"a \"\"b\"\"\"");
+}
+
+TEST_CASE("sweep: cells of a table with blanks, tabs and quotes around them") {
+  const app::Muted muted;
+  const auto read = [](const std::string& text) {
+    app::DeckFile file;
+    file.replace(text);
+    app::Messages messages(file);
+    app::SweepTable table;
+    return app::read_table(file, messages, table) ? table : app::SweepTable();
+  };
+  const app::SweepTable table = read("\xef\xbb\xbf a\t,\t\"b\" \n\n,,\n 1 , \"2\"\t\r\n");
+  CHECK(table.names == std::vector<std::string>{"a", "b"});
+  REQUIRE(table.rows.size() == 1);
+  CHECK(table.rows[0] == std::vector<std::string>{"1", "2"});
+  CHECK(read("a,b\n1,\"\"\n").rows.empty()); // no value
+  CHECK(read("a,b\n1,\"\n").rows.empty());
+}
+
+TEST_CASE("keyword cards: words as the deck reader takes them") {
+  using Words = std::vector<std::string>;
+  CHECK(estimate::words_of("*zone,,3 \t4 ! five") == Words{"*zone", "0", "3", "4"});
+  CHECK(estimate::words_of("  ") == Words{});
+  CHECK_FALSE(estimate::is_keyword({}, "*ZONE"));
+  CHECK(estimate::is_keyword({"*zOnE"}, "*ZONE"));
+  CHECK_FALSE(estimate::is_keyword({"*zon{"}, "*ZONE"));
+  estimate::CutBody square;
+  square.element_nodes = square.function_nodes = 2;
+  square.regions = {{0, 3, false}};
+  square.in_contact.assign(4, false);
+  for (int32_t i = 0; i <= 4; ++i) square.children.push_back(2 * i);
+  const estimate::FreeZoneCard self = estimate::free_zone_card({"*ZONE", "+1", "1", "3", "3", "BODIES", "1", "-1"}, {0});
+  CHECK(self.is_self);
+  CHECK(estimate::free_zone_card(self, {square}) == "*ZONE BODIES 1 -1 1 2 5 6");
+  CHECK(estimate::platen_card({"*PLATEN", "1", "2", "2"}, {0}, {square}) == "*PLATEN 1 3 4 0 0");
+  CHECK(estimate::platen_card({"*PLATEN", "1", "2", "2", ".5", "1", "1"}, {0}, {square}) == "*PLATEN 1 3 4 .5 1 2");
+}
+
+TEST_CASE("exit statuses: of every kind of failed call") {
+  const int expected[][2] = {
+      {C2D_OK, 0},        {C2D_ERR_MEMORY, 4}, {C2D_ERR_OVERFLOW, 4}, {C2D_ERR_CANCELLED, 130}, {C2D_ERR_SINGULAR, 1},
+      {C2D_ERR_INPUT, 2}, {C2D_ERR_LIMIT, 2},  {C2D_ERR_READ, 2},     {C2D_ERR_STORE_READ, 3},  {C2D_ERR_STATE, 3}};
+  for (const auto& e : expected) CHECK(app::exit_code(e[0]) == e[1]);
+}
+
+// In memory as far as the budget goes, and in files beyond; what is too large for either is refused.
+TEST_CASE("store choice: tapes go where there is room, and what goes wrong is told") {
+  std::string error;
+  unsigned char block[64] = {1, 2, 3}, back[64] = {};
+  int32_t ticket = 0;
+  {
+    app::StoreChoice store;
+    REQUIRE(store.choose("memory", 1000, false, error));
+    CHECK(store.open(-1, 1, 64) != 0);
+    const int32_t none = store.open(C2D_TAPES, 1, 64);
+    CHECK(store.system_text(none) == "no such tape");
+    REQUIRE(store.open(0, 4, 64) == 0);
+    CHECK(store.start_write(0, 3, block, 64, &ticket) == 0);
+    CHECK(store.wait(ticket) == 0);
+    CHECK(store.start_read(0, 3, back, 64, &ticket) == 0);
+    CHECK(store.wait(ticket) == 0);
+    CHECK(std::memcmp(block, back, 64) == 0);
+    CHECK(store.file_of(0) == "");
+    CHECK(store.close(0) == 0);
+    REQUIRE(store.open(0, 8, 64) == 0); // more than it had
+    CHECK(store.sync(0) == 0);
+  }
+  const Folder folder;
+  app::StoreChoice store;
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before != nullptr ? before : "";
+  REQUIRE(::setenv("TMPDIR", (folder / "none").c_str(), 1) == 0);
+  {
+    app::StoreChoice lost;
+    REQUIRE(lost.choose("", 100, false, error));
+    const int32_t code = lost.open(1, 2, 64);
+    CHECK(lost.system_text(code) == "No such file or directory");
+    CHECK(contains(lost.file_of(1), folder / "none/contact2d-"));
+  }
+  fs::create_directory(folder / "tmp");
+  REQUIRE(::setenv("TMPDIR", (folder / "tmp").c_str(), 1) == 0);
+  REQUIRE(store.choose("", 1000, false, error));
+  REQUIRE(store.open(0, 10, 64) == 0); // in memory
+  CHECK(store.folder().empty());
+  REQUIRE(store.open(1, 10, 64) == 0); // beyond the budget: in a file
+  CHECK(contains(store.folder(), folder / "tmp/contact2d-"));
+  CHECK(store.file_of(0) == "");
+  CHECK(contains(store.file_of(1), "/tape1.c2d"));
+  CHECK(store.file_of(-1) == "");
+  CHECK(store.file_of(C2D_TAPES) == "");
+  CHECK(store.start_write(1, 9, block, 64, &ticket) == 0);
+  CHECK(store.wait(ticket) == 0);
+  CHECK(store.read(1, 9, back, 64) == 0);
+  REQUIRE(store.open(2, 2, 2000) == 0);          // larger than all of it
+  CHECK(store.open(3, UINT64_MAX / 2, 64) != 0); // no such number of bytes
+  CHECK(store.system_text(-12345) == "error -12345");
+  CHECK(store.remove_tapes(error));
+  REQUIRE(kept.empty() ? ::unsetenv("TMPDIR") == 0 : ::setenv("TMPDIR", kept.c_str(), 1) == 0);
+}
+
+TEST_CASE("deck file: a fault is shown at its place, whatever stands there") {
+  app::DeckFile file;
+  CHECK(file.heading().empty());
+  file.replace("a\tb\x01"
+               "c\nlast");
+  const auto shown = [&file](int32_t line, int32_t column, int32_t end) {
+    c2d_error entry = C2D_INIT(c2d_error);
+    entry.line = line, entry.column = column, entry.column_end = end;
+    const std::string text = app::quote(file, entry, "error");
+    return text.substr(text.find('\n') + 1);
+  };
+  CHECK(shown(1, 3, 3) == "a\tb?c\n \t^\n");
+  CHECK(shown(2, 7, 8) == "last\n      ^~\n"); // behind the end of the card
+  CHECK(shown(2, 0, 0) == "last\n^\n");
+  CHECK(shown(2, 300, 300) == "last\n    ^\n");
+  CHECK(shown(2, 1, 1000) == "last\n^" + std::string(199, '~') + "\n");
 }
 
 TEST_CASE("points: rows with tabs and signs, and what is wrong in others") {
@@ -151,6 +361,26 @@ TEST_CASE("progress: shares where there is nothing to be done, or nothing is kno
   CHECK(some.share(now) == 0.5);
   now.load = 5; // beyond
   CHECK(some.share(now) == 1);
+}
+
+TEST_CASE("progress: what the line says, and after a while how much longer") {
+  app::ProgressLine line(app::Progress::kNever);
+  CHECK_FALSE(line.active());
+  c2d_progress now = C2D_INIT(c2d_progress);
+  now.phase = -1;
+  CHECK(line.text(now, 0) == "working");
+  now.phase = C2D_PHASES;
+  CHECK(line.text(now, 0) == "working");
+  now.phase = C2D_PHASE_READ;
+  CHECK(line.text(now, 0) == "reading");
+  line.work.expect({100}, 4, 1);
+  now.phase = C2D_PHASE_CONTACT;
+  now.load = 0, now.target = 1;
+  CHECK(line.text(now, 10) == "following the load, increment 1 of 4: 0 %");
+  CHECK(line.text(now, 12) == "following the load, increment 1 of 4: 0 %"); // nobody knows yet
+  line.work.reached(1, 2, 1);
+  now.load = 1, now.target = 2;
+  CHECK(line.text(now, 14) == "following the load, increment 3 of 4: 50 %, 4 s left");
 }
 
 TEST_CASE("program: outputs that go where nothing can be written") {

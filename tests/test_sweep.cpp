@@ -85,6 +85,13 @@ TEST_CASE("sweep: a parameter keeps the columns of a fixed deck, and what has no
                                  "2:14-16: {y} has no value, expected --set y=VALUE"});
   CHECK(filled("*free\n{k{i=2}}\n", {}).size() == 1);
   CHECK(filled_well("*free\n{a {x=1}} {\n", {}) == "*free\n{a 1} {\n"); // (no parameter with a blank in it)
+  CHECK(filled("{a}\n", {{"a", "123456"}}).size() == 1);                // no blanks before it
+  CHECK(filled_well("\n\n  {_a}", {{"_a", "1"}}) == "\n\n     1");
+  CHECK(filled_well("", {}) == "");
+  app::Setting setting;
+  CHECK(app::read_setting("_a1=x", setting));
+  for (const char* wrong : {"a", "=1", "a=", "a=\x7f", "a=1}", "a={", "1a=2", "a b=2", "a=1 2"})
+    CHECK_FALSE(app::read_setting(wrong, setting));
 }
 
 TEST_CASE("sweep: files of parameters, plain and of Dakota") {
@@ -108,6 +115,12 @@ TEST_CASE("sweep: files of parameters, plain and of Dakota") {
   CHECK(contains(error, "line 1"));
   read("3 variables\n1 a\n", error);
   CHECK(error == "ends before the last of its variables");
+  CHECK(read("", error).empty());
+  CHECK(error == "");
+  for (const char* wrong : {"nu\n", "{\n", "{mu = 1\n", "2 variable\n", "mu =\n", "mu\n"}) {
+    CHECK(read(wrong, error).empty());
+    CHECK(contains(error, "line 1: expected the name of a parameter and its value"));
+  }
 }
 
 TEST_CASE("sweep: numbers that are asked for are those of the CSV, the summary and the points") {

@@ -62,20 +62,15 @@ std::string bash() {
 }
 
 // Text between single quotes.
-std::string quoted(const std::string& text, const std::string& also = "") {
+std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'')
-      out += "'\\''";
-    else
-      out += (also.find(c) != std::string::npos ? std::string("\\") : std::string()) + c;
-  }
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
 }
 
 std::string zsh_option(const OptionRow& option) {
   const std::string value = option.value != nullptr ? option.value : "";
-  std::string text = std::string(option.name) + "[" + option.help + "]", action;
+  std::string action;
   if (const std::vector<std::string> words = words_of_value(option); !words.empty())
     action = "(" + joined(words) + ")";
   else if (value == "FILE")
@@ -86,8 +81,8 @@ std::string zsh_option(const OptionRow& option) {
     action = "(memory file\\:)";
   std::string help;
   for (const char c : std::string(option.help))
-    help += c == '[' || c == ']' || c == ':' ? std::string("\\") + c : std::string(1, c);
-  text = std::string(option.name) + (option.value != nullptr ? "=" : "") + "[" + help + "]";
+    help += c == ':' ? std::string("\\:") : std::string(1, c); // (there are no brackets in help)
+  std::string text = std::string(option.name) + (option.value != nullptr ? "=" : "") + "[" + help + "]";
   if (option.value != nullptr) text += ":" + value.substr(0, value.find('|')) + ":" + action;
   return quoted(text);
 }
@@ -96,7 +91,7 @@ std::string zsh() {
   std::string out = "#compdef contact2d\n# contact2d, for zsh: put it as _contact2d into a folder of $fpath.\n_contact2d() {\n"
                     "  local -a commands\n  commands=(\n";
   for (const CommandRow& command : all_commands())
-    out += "    " + quoted(std::string(command.name) + ":" + command.help, "") + "\n";
+    out += "    " + quoted(std::string(command.name) + ":" + command.help) + "\n";
   out += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  local command=$words[2]\n"
          "  shift words; (( CURRENT-- ))\n  case $command in\n";
   for (const CommandRow& command : all_commands()) {

@@ -27,11 +27,10 @@ void set_fault(c2d_error& fault, c2d_status status, const std::string& text) {
 
 // As c2d_read_line wants it.
 int32_t put_card(std::string_view card, char* text, int32_t size) {
-  const size_t room = size > 0 ? static_cast<size_t>(size) - 1 : 0;
-  const size_t fits = card.size() < room ? card.size() : room;
+  const size_t fits = std::min(card.size(), static_cast<size_t>(size) - 1);
   std::memcpy(text, card.data(), fits);
-  if (size > 0) text[fits] = '\0';
-  return card.size() > INT32_MAX ? INT32_MAX : static_cast<int32_t>(card.size());
+  text[fits] = '\0';
+  return static_cast<int32_t>(std::min<size_t>(card.size(), INT32_MAX));
 }
 
 // Of a body: its sizes, a region, constants, origin, a node, numbers of conditions, of loads and of contacts.
@@ -111,7 +110,7 @@ std::string_view DeckFile::card(size_t line) const {
   if (line < 1 || line > cards_) return {};
   const size_t begin = start_of(line);
   size_t end = behind_line(begin);
-  if (end > begin && text_[end - 1] == '\n') --end;
+  if (text_[end - 1] == '\n') --end;
   if (end > begin && text_[end - 1] == '\r') --end;
   return std::string_view(text_).substr(begin, end - begin);
 }
@@ -133,8 +132,7 @@ int32_t walk_line(void* context, char* text, int32_t size) {
 void keep_heading(void* context, const c2d_card* card) {
   Walk& walk = *static_cast<Walk*>(context);
   if (card->kind == C2D_CARD_HEADING) walk.headings.emplace_back(card->text, static_cast<size_t>(card->length));
-  const bool is_field = card->kind == C2D_CARD_INTEGER || card->kind == C2D_CARD_REAL;
-  if (is_field && !walk.headings.empty()) walk.beyond = true;
+  if (card->kind == C2D_CARD_INTEGER && !walk.headings.empty()) walk.beyond = true;
 }
 
 } // namespace

@@ -14,17 +14,12 @@ FigureFolder::~FigureFolder() {
 }
 
 bool FigureFolder::open(const std::string& folder, std::string& error) {
-  const auto fail = [&](int code) {
-    error = folder + ": cannot be written: " + system_text(code);
-    return false;
-  };
   made_ = ::mkdir(folder.c_str(), 0777) == 0;
-  if (!made_ && errno != EEXIST) return fail(errno);
+  int code = made_ || errno == EEXIST ? 0 : errno;
+  if (code == 0 && ::access((folder + "/.").c_str(), W_OK | X_OK) != 0) code = errno; // (also where it is a file)
   folder_ = folder;
-  struct stat about;
-  if (::stat(folder.c_str(), &about) != 0) return fail(errno);
-  if (!S_ISDIR(about.st_mode)) return fail(ENOTDIR);
-  return ::access(folder.c_str(), W_OK | X_OK) == 0 || fail(errno);
+  if (code != 0) error = folder + ": cannot be written: " + system_text(code);
+  return code == 0;
 }
 
 bool FigureFolder::add(const std::string& name, const std::string& text, std::string& error) {

@@ -137,7 +137,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
   const char* end = text.data() + text.size();
   uint64_t number = 0;
   const auto result = std::from_chars(text.data(), end, number);
-  if (result.ec != std::errc() || result.ptr == text.data()) return false;
+  if (result.ec != std::errc()) return false;
   std::string unit;
   for (const char* c = result.ptr; c != end; ++c) unit += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
   if (unit.size() == 3 && unit.compare(1, 2, "IB") == 0) unit.resize(1);

@@ -18,6 +18,7 @@ namespace {
 
 // What is written aside goes out in pieces; what is written directly waits in memory, so that a cancelled or
 // failed run has printed nothing, as long as that is reasonable.
+const char* const kNotWritten = "cannot be written";
 const size_t kPiece = size_t{1} << 18, kDirectPiece = size_t{1} << 26;
 
 // 0: this process holds the file, under this name.
@@ -56,9 +57,9 @@ OutputFile::~OutputFile() {
   if (!aside_.empty()) ::unlink(aside_.c_str());
 }
 
-bool OutputFile::fail(const char* what, int code, std::string& error) const {
-  error = name_ + ": " + what + ": " + system_text(code);
-  return false;
+bool OutputFile::succeeds(int code, const char* what, std::string& error) const {
+  if (code != 0) error = name_ + ": " + what + ": " + system_text(code);
+  return code == 0;
 }
 
 bool OutputFile::open(const std::string& name, std::string& error) {
@@ -68,19 +69,19 @@ bool OutputFile::open(const std::string& name, std::string& error) {
   if (name == "-") {
     direct_ = true;
     file_ = 1;
-    return ::fstat(1, &about) == 0 || fail("cannot be written", errno, error);
+    return succeeds(::fstat(1, &about) == 0 ? 0 : errno, kNotWritten, error);
   }
   const bool exists = ::stat(name.c_str(), &about) == 0;
   if (exists && !S_ISREG(about.st_mode)) {
     direct_ = true;
     file_ = open_file(name, O_WRONLY | O_NOCTTY);
-    return file_ >= 0 || fail("cannot be written", errno, error);
+    return succeeds(file_ >= 0 ? 0 : errno, kNotWritten, error);
   }
-  if (!exists && errno != ENOENT) return fail("cannot be written", errno, error);
+  if (!exists && errno != ENOENT) return succeeds(errno, kNotWritten, error);
   if (exists) { // through symbolic links; and not if the file itself may not be written
-    if (::access(name.c_str(), W_OK) != 0) return fail("cannot be written", errno, error);
+    if (::access(name.c_str(), W_OK) != 0) return succeeds(errno, kNotWritten, error);
     const std::unique_ptr<char, decltype(&std::free)> real(::realpath(name.c_str(), nullptr), std::free);
-    if (real == nullptr) return fail("cannot be written", errno, error);
+    if (real == nullptr) return succeeds(errno, kNotWritten, error);
     target_ = real.get();
   }
   if (!open_aside(error)) return false;
@@ -105,7 +106,7 @@ bool OutputFile::open_aside(std::string& error) {
   if (file_ >= 0) return true;
   const int code = errno;
   aside_.clear();
-  return fail("cannot be written", code, error);
+  return succeeds(code, kNotWritten, error);
 }
 
 bool OutputFile::so_far(std::string& all, std::string& error) {
@@ -113,14 +114,14 @@ bool OutputFile::so_far(std::string& all, std::string& error) {
   if (is_gone_) return false;
   const int code = direct_ ? 0 : read_from_start(file_, all);
   all += text;
-  return code == 0 || fail("cannot be read back", code, error);
+  return succeeds(code, "cannot be read back", error);
 }
 
 bool OutputFile::write_text(std::string& error) {
   is_gone_ = direct_ && (is_gone_ || !text.empty());
   const int code = write_all(file_, text);
   text.clear();
-  return code == 0 || fail("write failed", code, error);
+  return succeeds(code, "write failed", error);
 }
 
 bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDirectPiece : kPiece) || write_text(error); }
@@ -128,19 +129,15 @@ bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDi
 bool OutputFile::finish(std::string& error) {
   if (file_ < 0) return true;
   if (!write_text(error)) return false;
-  if (renames()) { // and held until it has its name
-    const int code = sync_file(file_);
-    return code == 0 || fail("cannot be made safe", code, error);
-  }
+  if (renames()) return succeeds(sync_file(file_), "cannot be made safe", error); // and held until it has its name
   const int file = file_;
   file_ = -1;
-  const int code = file > 2 ? close_file(file) : 0;
-  return code == 0 || fail("close failed", code, error);
+  return succeeds(file > 2 ? close_file(file) : 0, "close failed", error);
 }
 
 bool OutputFile::publish(std::string& error) {
   if (aside_.empty()) return true;
-  if (::rename(aside_.c_str(), target_.c_str()) != 0) return fail("rename failed", errno, error);
+  if (::rename(aside_.c_str(), target_.c_str()) != 0) return succeeds(errno, "rename failed", error);
   aside_.clear();
   ::close(file_); // nothing is left to be written
   file_ = -1;

@@ -37,7 +37,7 @@ public:
 private:
   bool write_text(std::string& error);
   bool open_aside(std::string& error);
-  bool fail(const char* what, int code, std::string& error) const;
+  bool succeeds(int code, const char* what, std::string& error) const;
 
   std::string name_, target_, aside_; // aside_ is empty if written directly
   int file_ = -1;

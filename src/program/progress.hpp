@@ -50,9 +50,9 @@ public:
   // For c2d_port.progress, through a pointer to the ProgressLine.
   void show(const c2d_progress& now);
   void clear();
+  std::string text(const c2d_progress& now, double time); // at so many seconds
 
 private:
-  std::string text(const c2d_progress& now, double time);
   bool active_, shown_ = false, follows_ = false;
   double last_ = -1.0, begun_ = -1.0; // seconds; of this half of the work
 };

@@ -181,7 +181,7 @@ Family bearing_family() {
            {"nu2", Kind::kPoisson, "0.3", "their Poisson's ratio"},
            {"n", Kind::kCount, "8", "elements over the half width"},
            {"edge", Kind::kFraction, "0.5", "where in its element the edge of that contact lies"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contacts"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contacts"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }

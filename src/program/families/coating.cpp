@@ -96,7 +96,7 @@ Family coating_family() {
            {"n", Kind::kCount, "20", "elements over a"},
            {"edge", Kind::kFraction, "0.5", "where in its element a lies"},
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }

@@ -59,8 +59,8 @@ std::vector<double> faces(double a, double tip, double ratio, double closes) {
   if (!(std::fabs(closes) < a - 4 * fine)) return graded(2 * a, tip, tip, ratio, coarse);
   const double at = a + closes - fine / 2; // within an element
   std::vector<double> s = graded(at, tip, fine, ratio, coarse);
-  for (const double x : graded(2 * a - at, fine, tip, ratio, coarse))
-    if (x > 0) s.push_back(at + x);
+  const std::vector<double> rest = graded(2 * a - at, fine, tip, ratio, coarse);
+  for (size_t i = 1; i < rest.size(); ++i) s.push_back(at + rest[i]);
   return s;
 }
 
@@ -145,7 +145,7 @@ Family crack_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or plane stress"},
            {"n", Kind::kCount, "200", "a over the length of the element at a tip"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from a tip"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from a tip"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }

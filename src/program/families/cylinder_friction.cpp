@@ -72,7 +72,7 @@ Family cylinder_friction_family() {
             "equal|jump|gradual: elements under the contact; jump: of 2.5 to 1 at two thirds of a"},
            {"steps", Kind::kCount, "1", "increments of the load"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

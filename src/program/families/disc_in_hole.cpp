@@ -57,7 +57,7 @@ Family disc_in_hole_family() {
            {"nu2", Kind::kPoisson, "0.3", "its Poisson's ratio"},
            {"n", Kind::kCount, "60", "elements over the quarter circle"},
            {"L", Kind::kPositive, "400", "half side of the plate, over R"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the hole"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

@@ -15,38 +15,22 @@ bool read_number(const std::string& text, double& value) {
 }
 
 bool is_choice(const char* meaning, const std::string& word) {
-  const char* const end = std::strchr(meaning, ':');
-  std::string list(meaning, end == nullptr ? std::strlen(meaning) : static_cast<size_t>(end - meaning));
+  const std::string list(meaning, std::strcspn(meaning, ":"));
   return !word.empty() && word.find('|') == std::string::npos && ("|" + list + "|").find("|" + word + "|") != std::string::npos;
 }
 
-const char* expected_of(Kind kind) {
-  switch (kind) {
-  case Kind::kPositive: return "a number above 0";
-  case Kind::kNumber: return "a number";
-  case Kind::kCount: return "a whole number from 1 to 2000";
-  case Kind::kOrder: return "1, 2 or 3";
-  case Kind::kFraction: return "a number from 0 to 1";
-  case Kind::kPoisson: return "a number above -1, at most 0.5";
-  case Kind::kFriction: return "a number from 0, or inf";
-  case Kind::kChoice: break;
-  }
-  return "one of the words listed";
-}
-
-bool fits(Kind kind, double v) {
-  switch (kind) {
-  case Kind::kPositive: return v > 0;
-  case Kind::kCount: return v >= 1 && v <= 2000 && v == std::floor(v);
-  case Kind::kOrder: return v == 1 || v == 2 || v == 3;
-  case Kind::kFraction: return v >= 0 && v <= 1;
-  case Kind::kPoisson: return v > -1 && v <= 0.5;
-  case Kind::kFriction: return v >= 0;
-  case Kind::kNumber:
-  case Kind::kChoice: break;
-  }
-  return true;
-}
+// Of the kinds of numbers, in their order.
+const struct {
+  const char* expected;
+  bool (*fits)(double);
+} kNumbers[] = {{"a number above 0", [](double v) { return v > 0; }},
+                {"a number above 1", [](double v) { return v > 1; }},
+                {"a number", [](double) { return true; }},
+                {"a whole number from 1 to 2000", [](double v) { return v >= 1 && v <= 2000 && v == std::floor(v); }},
+                {"1, 2 or 3", [](double v) { return v == 1 || v == 2 || v == 3; }},
+                {"a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; }},
+                {"a number above -1, at most 0.5", [](double v) { return v > -1 && v <= 0.5; }},
+                {"a number from 0, or inf", [](double v) { return v >= 0; }}};
 
 const Parameter* find_parameter(const Family& family, const std::string& key) {
   for (const Parameter& parameter : family.parameters)
@@ -81,11 +65,12 @@ bool Values::set(const Parameter& parameter, const std::string& text, std::strin
     expected = "one of " + std::string(parameter.meaning, std::strcspn(parameter.meaning, ":"));
     return is_choice(parameter.meaning, text);
   }
-  expected = expected_of(parameter.kind);
+  const auto& number = kNumbers[static_cast<size_t>(parameter.kind)];
+  expected = number.expected;
   double value = 0;
   if (parameter.kind == Kind::kFriction && text == "inf")
     value = HUGE_VAL;
-  else if (!read_number(text, value) || !fits(parameter.kind, value))
+  else if (!read_number(text, value) || !number.fits(value))
     return false;
   numbers_[parameter.key] = value;
   return true;

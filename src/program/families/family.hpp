@@ -9,7 +9,7 @@
 
 namespace families {
 
-enum class Kind { kPositive, kNumber, kCount, kOrder, kFraction, kPoisson, kFriction, kChoice };
+enum class Kind { kPositive, kAboveOne, kNumber, kCount, kOrder, kFraction, kPoisson, kFriction, kChoice };
 
 struct Parameter {
   const char* key;

@@ -62,7 +62,7 @@ Family hole_family() {
            {"L", Kind::kPositive, "5", "half side of the plate, over R"},
            {"outer", Kind::kChoice, "exact", "exact|uniform: tractions there of the infinite plate, or S alone"},
            {"n", Kind::kCount, "12", "elements over the quarter circle"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the hole"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

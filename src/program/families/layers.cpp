@@ -56,7 +56,7 @@ std::vector<Parameter> parameters(const char* lambda, const char* limit) {
           {"zone", Kind::kPositive, "4", "length of that part, over h"},
           {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
           {"L", Kind::kPositive, "12", "half length of the layer, over h"},
-          {"ratio", Kind::kPositive, "1.3", "growth of the elements elsewhere"},
+          {"ratio", Kind::kAboveOne, "1.3", "growth of the elements elsewhere"},
           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}};
 }

@@ -44,9 +44,9 @@ Condition displacement_field(std::function<std::array<double, 2>(Point)> field) 
 
 namespace {
 
-// Number of elements up to a place, for elements of size h0 + g s: the integral of ds / h.
-double count_rising(double h0, double g, double s) { return g > 0 ? std::log1p(g * s / h0) / g : s / h0; }
-double place_rising(double h0, double g, double count) { return g > 0 ? h0 * std::expm1(g * count) / g : h0 * count; }
+// Number of elements up to a place, for elements of size h0 + g s, g > 0: the integral of ds / h.
+double count_rising(double h0, double g, double s) { return std::log1p(g * s / h0) / g; }
+double place_rising(double h0, double g, double count) { return h0 * std::expm1(g * count) / g; }
 
 } // namespace
 

@@ -115,7 +115,7 @@ Family mindlin_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio of both"},
            {"n", Kind::kCount, "20", "elements over a, were they equal; six at least in what slips at Q"},
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }

@@ -64,7 +64,7 @@ Family punch_family() {
            {"edge", Kind::kPositive, "1e-6", "element at the edge, over a"},
            {"grading", Kind::kFraction, "0.75", "size of an element over that of the one before, towards the edge"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
-           {"ratio", Kind::kPositive, "1.4", "growth of the elements outside"},
+           {"ratio", Kind::kAboveOne, "1.4", "growth of the elements outside"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

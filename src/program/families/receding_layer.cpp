@@ -54,7 +54,7 @@ Family receding_layer_family() {
            {"zone", Kind::kPositive, "2.5", "half width of the contact zone, over h; the contact must be narrower"},
            {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
            {"L", Kind::kPositive, "100", "half width and depth of the block, over h"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the zone"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the zone"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

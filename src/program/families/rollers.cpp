@@ -184,7 +184,7 @@ Family rollers_family() {
        {"n", Kind::kCount, "20", "elements over the half width"},
        {"edge", Kind::kFraction, "0.5", "where in its element the edge of the contact lies"},
        {"L", Kind::kPositive, "200", "half width and depth of half planes, over a"},
-       {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
+       {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
        {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
       build};
 }

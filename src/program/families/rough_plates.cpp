@@ -56,7 +56,7 @@ Family rough_plates_family() {
            {"rigid", Kind::kPositive, "1e5", "stiffness of the plate over that of the rectangle"},
            {"n", Kind::kCount, "40", "elements over h, were they equal"},
            {"edge", Kind::kPositive, "1e-4", "element at the corner, over h"},
-           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the corner"},
+           {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the corner"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};

@@ -41,9 +41,8 @@ bool two_words(std::string line, std::string& first, std::string& second) {
   const size_t end = line.find_first_of(" \t=");
   if (end == std::string::npos) return false;
   first = line.substr(0, end);
-  second =
-      line.substr(line.find_first_not_of(" \t", end) == std::string::npos ? line.size() : line.find_first_not_of(" \t", end));
-  if (!second.empty() && second[0] == '=') second = trimmed(second.substr(1));
+  second = line.substr(line.find_first_not_of(" \t", end)); // the line ends with no blank
+  if (second[0] == '=') second = trimmed(second.substr(1));
   return !second.empty();
 }
 
@@ -187,7 +186,7 @@ bool put_parameters(std::string& deck, const std::vector<Setting>& settings, std
       faults.push_back(
           {0, 0, 0, "the deck has no parameter " + setting.first + ": expected {" + setting.first + "} in a card"});
   if (filler.names().empty()) return faults.empty();
-  const bool ends = !deck.empty() && deck.back() == '\n';
+  const bool ends = deck.back() == '\n';
   deck.clear();
   for (size_t i = 0; i < lines.size(); ++i) deck += lines[i] + (i + 1 < lines.size() || ends ? "\n" : "");
   return faults.empty();
