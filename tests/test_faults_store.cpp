@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace runs;
@@ -407,4 +408,113 @@ TEST_CASE("store faults: get, begin and advance after the store has died") {
   store.before = [](const RamStore::Operation& operation, size_t) { return operation.kind == 'c' ? 9 : 0; };
   CHECK(c2d_close(machine.solver) == C2D_ERR_STORE_CLOSE);
   CHECK(c2d_get_state(machine.solver) == -1);
+}
+
+// What a store that has died says to being closed does not matter: it may come back.
+TEST_CASE("store faults: a broken solver takes up its saved state, whatever its tapes say when they are closed") {
+  const Case c(Setting{"hertz_lin_l", 40, false, 1});
+  RamStore store;
+  const c2d_port port = port_of(store);
+  Machine machine(c.limits, c.bytes, &port);
+  const auto prepare = [&] {
+    machine.create(c.limits, &port);
+    REQUIRE(machine.created == C2D_OK);
+    REQUIRE(read_deck(machine.solver, c.deck) == C2D_OK);
+    return c2d_prepare(machine.solver);
+  };
+  const auto advance = [&](double load) {
+    std::vector<double> pressures(static_cast<size_t>(summary_of(machine.solver).pairs));
+    c2d_outcome outcome = -1;
+    REQUIRE(c2d_advance(machine.solver, &load, 1, &outcome) == C2D_OK);
+    REQUIRE(c2d_get(machine.solver, C2D_TN, 0, 1, static_cast<int32_t>(pressures.size()), pressures.data(), 1) == C2D_OK);
+    return pressures;
+  };
+  const auto fail = [&store](char kind, int code) {
+    store.before = [=](const RamStore::Operation& operation, size_t) { return operation.kind == kind ? code : 0; };
+  };
+  const double mu = 0.4;
+  REQUIRE(prepare() == C2D_OK);
+  REQUIRE(c2d_begin(machine.solver, &mu, 1) == C2D_OK);
+  advance(0.5);
+  REQUIRE(c2d_save(machine.solver) == C2D_OK);
+  const std::vector<double> expected = advance(1.0);
+  double value = 0.0;
+  fail('r', 6);
+  REQUIRE(c2d_get(machine.solver, C2D_END_UX, 1, 1, 1, &value, 1) == C2D_ERR_STORE_READ);
+  REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_BROKEN);
+  fail('c', 9);
+  REQUIRE(c2d_restore(machine.solver) == C2D_OK);
+  CHECK(advance(1.0) == expected);
+  store.before = nullptr;
+  REQUIRE(c2d_close(machine.solver) == C2D_OK);
+  // Broken before it had room for a state: the one that is there is taken up, or what is wrong with its tapes is told.
+  fail('w', 7);
+  REQUIRE(prepare() == C2D_ERR_STORE_WRITE);
+  fail('c', 9);
+  const c2d_status status = c2d_restore(machine.solver);
+  CHECK(status != C2D_ERR_STORE_CLOSE);
+  if (status == C2D_OK) CHECK(advance(1.0) == expected);
+  store.before = nullptr;
+}
+
+// Small bodies are prepared side by side where there are threads; the functions of the port are asked meanwhile.
+TEST_CASE("store faults: several bodies at once: cancelled anywhere, and with a store that cannot be closed") {
+  Deck deck;
+  std::ifstream file(paths::root() + "/examples/make_stack.dat");
+  for (std::string line; std::getline(file, line);) deck.lines.push_back(line);
+  const host::Limits limits = deck.limits();
+  uint64_t in_core = 0;
+  REQUIRE(c2d_memory_need(&limits, nullptr, &in_core, nullptr) == C2D_OK);
+  in_core += 1 << 24; // for what each thread computes
+  struct Port : RamStore {
+    int64_t asked = 0, cancelled_at = -1;
+  } store;
+  c2d_port port = port_of(store);
+  Machine alone(limits, in_core, &port);
+  Numbers clean, numbers;
+  REQUIRE(run_all(alone.solver, deck, clean) == C2D_OK);
+  port.threads = 2;
+  port.parallel_for = [](void*, int32_t n, void (*task)(void*, int32_t), void* argument) {
+    for (int32_t i = n; i-- > 0;) task(argument, i);
+  };
+  port.cancel = [](void* context) {
+    Port& p = static_cast<Port&>(RamStore::self(context));
+    return int32_t{p.asked++ == p.cancelled_at};
+  };
+  Machine machine(limits, in_core, &port);
+  c2d_options options = C2D_INIT(c2d_options);
+  options.keep_factors = 1;
+  REQUIRE(c2d_set_options(machine.solver, &options) == C2D_OK);
+  REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+  int64_t tried = 0;
+  for (bool closes : {true, false}) {
+    store.before = [closes](const RamStore::Operation& o, size_t) { return o.kind == 'c' && !closes ? 8 : 0; };
+    for (int64_t n = 0;; ++n, ++tried) {
+      store.asked = 0, store.cancelled_at = n;
+      const c2d_status status = c2d_prepare(machine.solver);
+      if (status == C2D_OK) break;
+      if (closes) {
+        REQUIRE(status == C2D_ERR_CANCELLED);
+        REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_MODEL);
+        continue;
+      }
+      store.before = nullptr;
+      CHECK((status == C2D_ERR_STORE_CLOSE || status == C2D_ERR_CANCELLED)); // the first one before anything was opened
+      if (status == C2D_ERR_CANCELLED) continue;
+      CHECK(c2d_get_state(machine.solver) == C2D_STATE_BROKEN);
+      return;
+    }
+    CHECK(tried > 2);
+    store.cancelled_at = -1;
+    REQUIRE(run_prepared(machine.solver, numbers) == C2D_OK);
+    CHECK(numbers == clean);
+    REQUIRE(c2d_change_loads(machine.solver) == C2D_OK);
+    REQUIRE(c2d_prepare(machine.solver) == C2D_OK); // with the factors that were kept
+    REQUIRE(run_prepared(machine.solver, numbers) == C2D_OK);
+    REQUIRE(numbers.steps.size() == clean.steps.size());
+    for (size_t i = 0; i < clean.steps.size(); ++i) CHECK(std::fabs(numbers.steps[i] - clean.steps[i]) < 1e-9);
+    REQUIRE(c2d_close(machine.solver) == C2D_OK);
+    machine.create(limits, &port);
+    REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+  }
 }

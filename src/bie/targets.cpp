@@ -19,7 +19,7 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
   Destination out = nowhere();
   const int32_t end = element * m.head->function_nodes + l;
   const bool holds_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
-                             (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
+                             unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
   if (contact.pair >= 0 && unknown.kind == UnknownKind::contact) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
     place_contact(m, contact, component, outer_columns(m, b) + m.body[b].contact, scale, out);

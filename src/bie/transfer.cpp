@@ -1,6 +1,7 @@
 #include "bie/transfer.hpp"
 
 #include "bie/panel.hpp"
+#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 #include "model/symmetry.hpp"
@@ -53,6 +54,7 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
   prepare(out.in, part_of(m, body[0], piece.element1, from, to, out.node), functions, nu, quadrature);
   set_arc(out.in, part_of(m, body[1], walk.pieces.element2, low, high, none), true);
   for (int l = 0; l < kElementNodes; ++l) out.pair[l] = l < nf ? pair_of_end(m, body[1], walk.pieces.element2, l).pair : -1;
+  for (int l = 0; l < nf; ++l) C2D_ASSERT(out.pair[l] >= 0); // all nodes of side 1 are pairs
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
 }
 
@@ -134,7 +136,6 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
           int component) {
   const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, panel.b));
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    if (t.pair[l] < 0) continue;
     const Pair& pair = m.pair[t.pair[l]];
     double sum = 0.0;
     for (int k = 0; k < t.in.functions; ++k) sum += t.weight[k][l] * value[k];
@@ -236,6 +237,7 @@ namespace {
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);
   for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, z.body[1], faced.element, k).pair : -1;
+  for (int k = 0; k < nf; ++k) C2D_ASSERT(out.pair[k] >= 0); // as above
 }
 
 } // namespace

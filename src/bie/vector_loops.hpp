@@ -108,12 +108,12 @@ INLINE Doubles angle(Doubles y, Doubles x) {
   const Doubles one = all(1.0), zero = all(0.0);
   Doubles quarters = turned ? one : zero, sign = one; // (lanes)
   quarters = steep ? 2.0 - quarters : quarters;       // (lanes)
-  sign = steep ? -sign : sign;
-  quarters = x < 0.0 ? 4.0 - quarters : quarters;
-  sign = x < 0.0 ? -sign : sign;
+  sign = steep ? -sign : sign;                        // (lanes)
+  quarters = x < 0.0 ? 4.0 - quarters : quarters;     // (lanes)
+  sign = x < 0.0 ? -sign : sign;                      // (lanes)
   const Doubles part = sign * t;
   const Doubles a = quarters * kQuarter + (part + (part * (z * p) + quarters * kQuarterRest));
-  return y < 0.0 ? -a : a;
+  return y < 0.0 ? -a : a; // (lanes)
 }
 
 } // namespace

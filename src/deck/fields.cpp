@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kLargest = 1e100;
 
-// The text of a field without outer blanks, in quotes.
+// The text of a field, which is not blank, without outer blanks, in quotes.
 void put_field(Text& text, const char* field, int32_t width) {
-  while (width > 0 && field[width - 1] == ' ') --width;
-  while (width > 0 && field[0] == ' ') {
+  while (field[width - 1] == ' ') --width;
+  while (field[0] == ' ') {
     ++field;
     --width;
   }

@@ -15,7 +15,7 @@ bool read_text(Cards& cards, const Words& words, char (&name)[kLongestName + 1])
   if (!is_there(cards, words, kFirst, "a name")) return false;
   const int32_t first = words.word[kFirst].column - 1;
   int32_t end = before_comment(words.text, cards.length);
-  while (end > first && is_blank_or_tab(words.text[end - 1])) --end;
+  while (is_blank_or_tab(words.text[end - 1])) --end;
   const char* fault = nullptr;
   if (end - first > kLongestName) {
     fault = kNameTooLong;

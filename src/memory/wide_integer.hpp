@@ -53,7 +53,7 @@ inline void wide_shift_left(WideInteger& a, int32_t bits) {
   for (int32_t i = a.used - 1; i >= 0; --i) {
     const int32_t from = i - words;
     const uint64_t high = from >= 0 && from < old_used ? a.word[from] : 0;
-    const uint64_t low = from >= 1 && from - 1 < old_used ? a.word[from - 1] : 0;
+    const uint64_t low = from >= 1 ? a.word[from - 1] : 0;
     a.word[i] = static_cast<uint32_t>(((high << 32 | low) << rest) >> 32);
   }
   while (a.used > 0 && a.word[a.used - 1] == 0) --a.used;

@@ -130,7 +130,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l, do
   unknowns_at(m, b, node, both);
   for (int c = 0; c < 2; ++c) {
     const Unknown& unknown = both[c];
-    const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
+    const bool here = unknown.end[0] == end || unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
     if (in_contact && unknown.kind == UnknownKind::contact)
       t[c] = contact[c];

@@ -9,7 +9,6 @@ void add_transferred_traction(const Session& session, int b, int32_t element, in
   TransferredEnd end;
   if (!transferred_end(m, b, element, l, end)) return;
   for (int k = 0; k < m.head->function_nodes; ++k) {
-    if (end.pair[k] < 0) continue;
     double t[2];
     pair_force(session, end.pair[k], -m.head->stress_unit * end.ratio * end.weight[k], t);
     for (int c = 0; c < 2; ++c) out[c] += t[c];
@@ -20,7 +19,6 @@ void transferred_values(const Session& session, const Transfer& piece, int k, do
   const Model& m = session.model;
   out[0] = out[1] = 0.0;
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    if (piece.pair[l] < 0) continue;
     double t[2];
     pair_force(session, piece.pair[l], -m.head->stress_unit * piece.weight[k][l], t);
     for (int c = 0; c < 2; ++c) out[c] += t[c];

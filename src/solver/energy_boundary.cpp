@@ -30,9 +30,8 @@ TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c)
   const int32_t end = element * m.head->function_nodes + l;
   const Unknown unknown = unknown_at(m, b, functional_node(m, b, element, l), c);
   if (unknown.kind == UnknownKind::contact && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
-  const bool first = unknown.end[0] == end, second = unknown.end[1] == end;
-  if (unknown.kind == UnknownKind::traction && first) return TractionKind::solved;
-  if (unknown.kind == UnknownKind::shared_traction && (first || second)) return TractionKind::solved;
+  if (unknown.kind == UnknownKind::traction && unknown.end[0] == end) return TractionKind::solved;
+  if (unknown.kind == UnknownKind::shared_traction) return TractionKind::solved; // (at both ends of its node)
   return TractionKind::given;
 }
 

@@ -16,7 +16,6 @@ namespace {
   Blocks blocks;
   integrate(piece.in, at[0], at[1], -1, false, true, blocks);
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    if (piece.pair[l] < 0) continue;
     const Pair& pair = m.pair[piece.pair[l]];
     for (int c = 0; c < 2; ++c) {
       double sum = 0.0;

@@ -8,6 +8,7 @@
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "contact/start.hpp"
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/energy.hpp"
@@ -362,8 +363,6 @@ bool has_drifted(const c2d_solver* s, const Findings& now) {
   return !(now.drift <= kDriftLimit) && !(now.drift <= 10.0 * s->fresh_drift);
 }
 
-bool is_judged(const c2d_solver* s) { return s->floating == 0 && s->blocked == 0 && s->unsound == 0; }
-
 } // namespace
 
 void begin_judging(Session& session) {
@@ -402,7 +401,8 @@ c2d_status mend(Session& session, Agree with, Findings& now) {
 
 c2d_status judge(Session& session, Agree with) {
   c2d_solver* s = session.solver;
-  if (!is_judged(s)) return C2D_OK;
+  C2D_ASSERT(s->blocked == 0 && s->unsound == 0); // such a path is not followed
+  if (s->floating != 0) return C2D_OK;
   s->judged_exchanges = session.tableau.exchanges;
   Findings now = look(session, with);
   const bool changed = session.tableau.exchanges != s->built_exchanges;
@@ -421,7 +421,7 @@ c2d_status judge(Session& session, Agree with) {
 
 bool may_be_shown(Session& session, Agree with) {
   c2d_solver* s = session.solver;
-  if (!is_judged(s)) return true;
+  C2D_ASSERT(s->floating == 0 && s->blocked == 0 && s->unsound == 0); // nothing changes there
   const double terms[2] = {s->peak_terms[0], s->peak_terms[1]}, force = s->peak_force;
   const Findings now = look(session, with);
   for (int i = 0; i < 2; ++i) s->peak_terms[i] = terms[i];

@@ -499,8 +499,7 @@ c2d_status prepare_once(c2d_solver* s) {
 } // namespace
 
 c2d_status prepare(c2d_solver* s) {
-  if constexpr (kHostile)
-    if (s->factors == 0 && s->loads_changed == 0) rehearse(s, prepare_once); // what went before must not be lost
+  if constexpr (kHostile) rehearse(s, prepare_once);
   return prepare_once(s);
 }
 

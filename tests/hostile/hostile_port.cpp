@@ -228,6 +228,7 @@ void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
 }
 
 void rehearse(c2d_solver* s, c2d_status (*prepare)(c2d_solver* s)) {
+  if (s->factors != 0 || s->loads_changed != 0) return; // what went before must not be lost
   if (is_cancelled(s)) return; // for the call itself; one that comes later is left there, or given back
   const c2d_port port = s->port;
   const c2d_error error = s->error;
