@@ -516,11 +516,11 @@ c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
-  int32_t near_change, reserved;  /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
-                                     friction within 1 % of its bound                               */
+  int32_t near_change, reserved;  /* within 1 % of another status: of the largest pressure or gap, or of friction's bound */
   double force[2], moment;
   double approach, shift;         /* means over all pairs of (u1 - u2).n, how far the bodies came closer, and (u2 - u1).t */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
+  double dissipated;              /* by friction since zero load, without what a jump sets free (the step's sum has it) */
 } c2d_zone_state;
 c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out); /* also inside a step callback */
 

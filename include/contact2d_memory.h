@@ -128,7 +128,7 @@
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
   ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
-  ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs)) /* solver/judge.hpp                            */  \
+  ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
   ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
 
 /* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */

@@ -12,30 +12,37 @@ using namespace quantities_test;
 // ---- the same contact, told otherwise
 namespace {
 
-// A cylinder's segment (body 2) pressed on a block (body 1) by its flat top, with friction, off the middle of the block.
-many::Model pressed_segment(int32_t function_nodes = 2) {
-  many::Model m;
-  m.function_nodes = function_nodes;
+// A cylinder's segment (a body) pressed on a block (the body before it) by its flat top, with friction, off the middle of the
+// block, at `x`; its top is drawn aside by `aside`.
+void add_pressed_segment(many::Model& m, double x, double aside) {
   const int32_t n = 40;
   const double half = 1, radius = 20;
-  m.add(many::polygon({{-6, -8, 8}, {7, -8, 6}, {7, 0, 5}, {half, 0, n}, {-half, 0, 5}, {-6, 0, 6}}));
+  const int32_t block = static_cast<int32_t>(m.bodies.size()) + 1, pressed = block + 1;
+  m.add(many::polygon({{x - 6, -8, 8}, {x + 7, -8, 6}, {x + 7, 0, 5}, {x + half, 0, n}, {x - half, 0, 5}, {x - 6, 0, 6}}));
   many::Body segment;
   segment.element_nodes = 2;
   std::vector<many::Corner> corners;
   for (int32_t i = 0; i < n; ++i) {
-    const double x = -half + 2 * half * i / n;
-    corners.push_back({x, x * x / (2 * radius), 1});
+    const double at = -half + 2 * half * i / n;
+    corners.push_back({x + at, at * at / (2 * radius), 1});
   }
-  corners.push_back({half, half * half / (2 * radius), 5});
-  corners.push_back({half, 2, 10});
-  corners.push_back({-half, 2, 5});
+  corners.push_back({x + half, half * half / (2 * radius), 5});
+  corners.push_back({x + half, 2, 10});
+  corners.push_back({x - half, 2, 5});
   segment = many::polygon(corners, 2000, 0.2);
   const int32_t first = 1, last = n;
   m.add(segment);
-  m.zones.push_back({C2D_ZONE_MATCHING, {{1, m.side(1, 4).first, m.side(1, 4).last}, {2, last, first}}, -1, {0, 0}});
-  m.set(1, 1, many::end_of(many::kHeld));
+  const many::Range under = m.side(block, 4);
+  m.zones.push_back({C2D_ZONE_MATCHING, {{block, under.first, under.last}, {pressed, last, first}}, -1, {0, 0}});
+  m.set(block, 1, many::end_of(many::kHeld));
   const int32_t top = n + 2;
-  m.set(2, top, many::end_of("1100", 0, 0, 0.006, -0.02));
+  m.set(pressed, top, many::end_of("1100", 0, 0, aside, -0.02));
+}
+
+many::Model pressed_segment(int32_t function_nodes = 2) {
+  many::Model m;
+  m.function_nodes = function_nodes;
+  add_pressed_segment(m, 0, 0.006);
   m.friction = 0.2;
   m.paths = {{2, 1.0}};
   return m;
@@ -268,4 +275,63 @@ TEST_CASE("quantities: a corner of side 1 opposite the middle of an element of s
     REQUIRE(edges.size() == 2);
     for (const Quantity& q : edges) CHECK(std::fabs(q.at[0]) == doctest::Approx(1).epsilon(1e-6));
   }
+}
+
+namespace {
+
+// What friction does in a zone between two states, by the trapezoidal rule: only as good as the steps are short.
+double rubbed_between(const ZoneLine& line, const double* before, const double* after) {
+  double sum = 0;
+  for (size_t i = 0; i < line.size(); ++i) {
+    const size_t at = static_cast<size_t>(line.pair[i]) * C2D_PAIR_FIELDS;
+    const double slip = after[at + C2D_SLIP_SUM] - before[at + C2D_SLIP_SUM];
+    sum += line.weight[i] * std::fabs(0.5 * (before[at + C2D_TT] + after[at + C2D_TT]) * slip);
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("quantities: what is dissipated in a zone is what its pairs rub, as if it were alone, and together it is all") {
+  const double aside[2] = {0.006, 0.012};
+  many::Model both;
+  for (int i = 0; i < 2; ++i) add_pressed_segment(both, 40.0 * i, aside[i]);
+  both.friction = 0.2;
+  both.paths = {{200, 1.0}};
+  many::Machine machine(both);
+  REQUIRE(machine.status == C2D_OK);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  Run run;
+  REQUIRE(get_summary(machine.solver, run.summary) == C2D_OK);
+  REQUIRE(find_zone_lines(machine.solver, run.summary, run.lines) == C2D_OK);
+  struct Followed {
+    Run& run;
+    c2d_solver* solver;
+    std::vector<double> before;
+    double rubbed[2] = {0, 0};
+  } followed{run, machine.solver, {}, {}};
+  const auto note = [](void* context, const c2d_step* step) {
+    Followed& f = *static_cast<Followed*>(context);
+    keep_history(f.run.record, *step, f.solver, {}, f.run.lines);
+    REQUIRE(step->stride == C2D_PAIR_FIELDS);
+    if (step->kind == C2D_STEP_CHANGE) return int32_t{0};
+    for (size_t z = 0; z < 2 && !f.before.empty(); ++z)
+      f.rubbed[z] += rubbed_between(f.run.lines[z], f.before.data(), step->table);
+    f.before.assign(step->table, step->table + step->pairs * step->stride);
+    return int32_t{0};
+  };
+  REQUIRE(c2d_run(machine.solver, note, &followed) == C2D_OK);
+  double sum = 0;
+  for (int32_t z = 0; z < 2; ++z) {
+    const double zone = run.one(Measure::kDissipated, z + 1).value;
+    CHECK(zone > 0);
+    CHECK(zone == doctest::Approx(followed.rubbed[z]).epsilon(2e-3));
+    many::Model one;
+    add_pressed_segment(one, 40.0 * z, aside[z]);
+    one.friction = 0.2;
+    one.paths = {{4, 1.0}};
+    CHECK(zone == doctest::Approx(follow(one).one(Measure::kDissipated).value).epsilon(1e-8));
+    sum += zone;
+  }
+  CHECK(sum == doctest::Approx(run.one(Measure::kDissipated, 0).value).epsilon(1e-12));
 }

@@ -357,7 +357,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_zone_state
-    integer(c_int32_t) :: struct_size = 88
+    integer(c_int32_t) :: struct_size = 96
     integer(c_int32_t) :: open = 0
     integer(c_int32_t) :: stick = 0
     integer(c_int32_t) :: slip = 0
@@ -370,6 +370,7 @@ module contact2d
     real(c_double) :: largest_pressure = 0
     real(c_double) :: largest_friction = 0
     real(c_double) :: length = 0
+    real(c_double) :: dissipated = 0
   end type
 
   type, bind(C) :: c2d_body_state

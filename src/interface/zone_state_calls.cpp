@@ -4,6 +4,7 @@
 
 #include "interface/entry.hpp"
 #include "memory/hostile.hpp"
+#include "solver/energy.hpp"
 
 using namespace c2d;
 
@@ -30,6 +31,7 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
     refresh(session.follower);
     fill_zone_state(session, z, ours);
   }
+  if (s->keeps_energy) ours.dissipated = rubbed(s)[zone - 1];
   copy_out(&ours, sizeof ours, out);
   return C2D_OK;
 }

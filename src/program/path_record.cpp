@@ -19,7 +19,7 @@ template <class Archive> void members(Archive& a, c2d_error& e) {
 }
 template <class Archive> void members(Archive& a, c2d_zone_state& z) {
   a(z.open), a(z.stick), a(z.slip), a(z.near_change), a(z.force), a(z.moment), a(z.approach), a(z.shift);
-  a(z.largest_pressure), a(z.largest_friction), a(z.length);
+  a(z.largest_pressure), a(z.largest_friction), a(z.length), a(z.dissipated);
   z.struct_size = sizeof z;
 }
 template <class Archive> void members(Archive& a, c2d_body_state& b) {

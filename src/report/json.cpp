@@ -149,6 +149,7 @@ void append_zone(std::string& out, const c2d_zone_state& z) {
   o.number("moment", z.moment);
   o.number("approach", z.approach);
   o.number("shift", z.shift);
+  o.number("dissipated", z.dissipated);
   out += '}';
 }
 

@@ -43,7 +43,7 @@ std::vector<std::string> row_of(const StepRecord& step, int32_t zone, int digits
     row.insert(row.end(), 3, "-");
   for (const Measure what : {Measure::kForceX, Measure::kForceY, Measure::kMoment, Measure::kShift, Measure::kSlipRange})
     row.push_back(value_of(step, what, zone, digits));
-  row.push_back(value_of(step, Measure::kDissipated, 0, digits));
+  row.push_back(value_of(step, Measure::kDissipated, zone, digits));
   for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder}) row.push_back(values_of(step, what, zone, digits));
   return row;
 }

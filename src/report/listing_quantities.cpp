@@ -78,7 +78,8 @@ void append_key_tables(std::string& out, const RunRecord& record, const Summary&
     }
   if (tables.empty()) return;
   append_section(out, "Contact in numbers, step by step");
-  out += tables + "\n  dissipated: in all zones; edges and borders by the length along side 2 from the zone's first pair\n";
+  out += tables + "\n  dissipated: by friction in the zone since zero load; edges and borders by the length along side 2 from "
+                  "the zone's first pair\n";
 }
 
 } // namespace app

@@ -25,7 +25,7 @@ Loop find_loop(const CoefficientRecord& c, size_t zone) {
   return out;
 }
 
-std::string caption(const Scene& scene, size_t coefficient, const Loop& loop) {
+std::string caption(const Scene& scene, size_t coefficient, size_t zone, const Loop& loop) {
   const std::vector<StepRecord>& steps = scene.record->coefficients[coefficient].steps;
   std::string out =
       "The friction force on side 1 of the zone along t over how far side 2 has moved along t against side 1, on average over "
@@ -37,8 +37,10 @@ std::string caption(const Scene& scene, size_t coefficient, const Loop& loop) {
   for (size_t i = loop.first; i <= loop.last; ++i) low = std::min(low, loop.path[i].x), high = std::max(high, loop.path[i].x);
   return out + " The last cycle, steps " + std::to_string(steps[loop.first].step) + " to " +
          std::to_string(steps[loop.last].step) + ", encloses the area " + figure(std::fabs(area), scene.work_unit, 6) +
-         " and is " + figure(high - low, scene.length_unit) + " wide; friction of all zones dissipated " +
-         figure(steps[loop.last].dissipated - steps[loop.first].dissipated, scene.work_unit, 6) +
+         " and is " + figure(high - low, scene.length_unit) + " wide; friction dissipated " +
+         figure(value_of(steps[loop.last], Measure::kDissipated, zone) -
+                    value_of(steps[loop.first], Measure::kDissipated, zone),
+                scene.work_unit, 6) +
          " in it. The two agree where all pairs move alike; where the edges slip and the middle sticks the area is less.";
 }
 
@@ -61,7 +63,8 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone, Pictures& out
   svg.polyline(points, Stroke{colour::kFaint, 1.1, "6 3"});
   if (loop.any()) svg.polyline(cycle, Stroke{colour::kOrange, 2.0, ""});
   for (const Point& p : points) svg.mark(Mark::kCircle, p, 4.5, colour::kOrange);
-  Picture picture{name, "Friction over displacement, " + chart_title(scene, mu, zone), caption(scene, coefficient, loop), ""};
+  Picture picture{name, "Friction over displacement, " + chart_title(scene, mu, zone), caption(scene, coefficient, zone, loop),
+                  ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -150,6 +150,7 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
     zone.add(Measure::kForceX, states[z].force[0]);
     zone.add(Measure::kForceY, states[z].force[1]);
     zone.add(Measure::kMoment, states[z].moment);
+    if (!lines[z].tied) zone.add(Measure::kDissipated, states[z].dissipated);
     if (!contact) continue;
     zone.add(Measure::kApproach, states[z].approach);
     zone.add(Measure::kShift, states[z].shift);

@@ -23,7 +23,7 @@ enum class Measure {
   kMoment, // on side 2, the moment about the origin
   kApproach,
   kShift,         // c2d_zone_state
-  kDissipated,    // by the whole contact since zero load
+  kDissipated,    // since zero load; of zone 0 by the whole contact
   kEdgePressure,  // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
   kEdgeFriction,  // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
   kSlipRange,     // the largest slip, in size, of what touches, since the loads last turned; and where
@@ -43,9 +43,9 @@ struct Quantity {
 };
 
 // Of the state that a table shows (a step callback's, or one filled by c2d_get).
-// Zones without a touching pair, and tied ones, have forces alone. `states` is one per zone (c2d_get_zone_state), `dissipated`
-// as in c2d_step. `slip_at_turn`: C2D_SLIP_SUM of every pair where the loads last changed their direction; without it (empty)
-// stick borders are right on a load path that has not turned yet.
+// Tied zones have forces alone, those without a touching pair also what they have dissipated. `states` is one per zone
+// (c2d_get_zone_state), `dissipated` as in c2d_step. `slip_at_turn`: C2D_SLIP_SUM of every pair where the loads last changed
+// their direction; without it (empty) stick borders are right on a load path that has not turned yet.
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
                                     const std::vector<c2d_zone_state>& states, double dissipated,
                                     const std::vector<double>& slip_at_turn = {});

@@ -25,6 +25,7 @@ double* work_by_case(c2d_solver* s) { return energy_book(s).work; }
 void begin_energy(c2d_solver* s) {
   const EnergyBook book = energy_book(s);
   for (int32_t k = 0; k < book.cases; ++k) book.work[k] = 0.0;
+  for (int32_t z = 0; z < s->model.zones; ++z) rubbed(s)[z] = 0.0;
   s->dissipated = s->elastic = s->work = s->energy_size = s->energy_defect = s->least_dissipation = 0.0;
   s->heading = 0;
   s->turns = 0;
@@ -92,10 +93,14 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
 
 bool rubs(const Pair& pair) { return pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0; }
 
-void add_friction(Session& session, double term) {
-  c2d_solver* s = session.solver;
+void add_dissipated(c2d_solver* s, double term) {
   s->dissipated += term;
   if (term < s->least_dissipation) s->least_dissipation = term;
+}
+
+void add_friction(c2d_solver* s, const Pair& pair, double term) {
+  rubbed(s)[pair.zone] += term;
+  add_dissipated(s, term);
 }
 
 } // namespace
@@ -120,7 +125,7 @@ void add_segment(Session& session, double part) {
     const Pair& pair = f.t->pair[i];
     if (!rubs(pair)) continue;
     const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
-    add_friction(session, -unit * pair.weight * part * (now.q + 0.5 * part * rate.q) * rate.wt);
+    add_friction(session.solver, pair, -unit * pair.weight * part * (now.q + 0.5 * part * rate.q) * rate.wt);
   }
 }
 
@@ -162,7 +167,7 @@ void after_jump(Session& session) {
     const Pair& pair = f.t->pair[i];
     if (!rubs(pair) || pair.saved_status == C2D_OPEN) continue;
     const PairState now = pair_state(*f.t, i, f.y);
-    add_friction(session, -0.5 * unit * pair.weight * (pair.saved_q + now.q) * (now.wt - pair.increment_from));
+    add_friction(session.solver, pair, -0.5 * unit * pair.weight * (pair.saved_q + now.q) * (now.wt - pair.increment_from));
   }
 }
 
@@ -176,7 +181,7 @@ void release(Session& session) {
   const double released = work + before - elastic_energy(session, book);
   if (fabs(released) <= 1e-11 * (fabs(before) + fabs(work))) return; // round-off: nothing has jumped
   for (int32_t k = 0; k < book.cases; ++k) book.work[k] += energy_unit(session) * f.load[k] * (book.u[k] - book.u0[k]);
-  add_friction(session, fmax(released, 0.0)); // less than none is an error of the mesh, and remains in the balance
+  add_dissipated(session.solver, fmax(released, 0.0)); // less than none is an error of the mesh, and remains in the balance
 }
 
 void close_balance(Session& session) {

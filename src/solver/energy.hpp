@@ -29,6 +29,9 @@ struct EnergyBook {
 };
 EnergyBook energy_book(c2d_solver* solver);
 double* work_by_case(c2d_solver* solver); // [cases] so far
+// [zones] dissipated by slip in each zone so far, without what release() sets free; behind it [zones] of the good state, and
+// then the judge's own numbers.
+inline double* rubbed(c2d_solver* solver) { return array_of<double>(solver, kJudge); }
 
 // All of this is optional (memory/parts.hpp): it is linked with the calls that tell energies, and kept where
 // c2d_solver::keeps_energy says so; and with it the balance of forces and the motion of a body that contact cannot hold.

@@ -30,12 +30,13 @@ struct Book {
   double* equation_load;           // v'.h [cases]
   double* equation_terms;          // magnitudes of what h is the rest of [cases]
   Real* moment[2];                 // [m] of tau = 1 on the body of a side about its centre, where that body floats
-  double *load, *work;             // [cases] of the good state
+  double *load, *work, *rubbed;    // of the good state: [cases], [cases], [zones]
 };
 
 Book book_of(c2d_solver* s) {
   Book book{};
-  double* at = array_of<double>(s, kJudge);
+  book.rubbed = rubbed(s) + s->model.zones;
+  double* at = rubbed(s) + 2 * s->model.zones;
   double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.equation_terms, &book.load, &book.work};
   for (double** list : of_cases) {
     *list = at;
@@ -184,6 +185,7 @@ void keep_good(Session& session) {
   for (int32_t i = 0; i < s->model.contact; ++i) session.area.good[i] = f.y[i];
   s->good_floating = s->floating;
   s->good_guided = session.tableau.guided;
+  for (int32_t z = 0; z < s->model.zones && s->keeps_energy; ++z) book.rubbed[z] = rubbed(s)[z];
   s->good_dissipated = s->dissipated;
   s->good_least_dissipation = s->least_dissipation;
 }
@@ -447,6 +449,7 @@ c2d_status return_to_good(Session& session) {
   }
   s->floating = s->good_floating;
   session.tableau.guided = s->good_guided;
+  for (int32_t z = 0; z < s->model.zones && s->keeps_energy; ++z) rubbed(s)[z] = book.rubbed[z];
   s->dissipated = s->good_dissipated;
   s->least_dissipation = s->good_least_dissipation;
   if (s->floating != 0) return C2D_OK;

@@ -520,6 +520,7 @@ class c2d_zone_state(Struct):
         ("largest_pressure", c_double),
         ("largest_friction", c_double),
         ("length", c_double),
+        ("dissipated", c_double),
     ]
 
 

@@ -176,7 +176,7 @@ double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
       {Measure::kForceX, Want::kForces},         {Measure::kForceY, Want::kForces},     {Measure::kApproach, Want::kApproach},
       {Measure::kDissipated, Want::kDissipation}};
   for (const auto& [measure, kind] : kinds)
-    if (s.name == app::name_of(measure)) return tolerance(kind);
+    if (s.name == app::name_of(measure)) return measure == Measure::kDissipated && s.zone > 0 ? NAN : tolerance(kind);
   return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
 }
 
