@@ -1,6 +1,7 @@
 #include "solver/judge.hpp"
 
 #include <math.h>
+#include <string.h>
 
 #include "bie/columns.hpp"
 #include "contact/body_unknowns.hpp"
@@ -166,14 +167,15 @@ namespace {
 
 // ---- the state kept ---------------------------------------------------------------------------------------------------
 
+template <class Number> void copy(Number* to, const Number* from, int32_t n) {
+  memcpy(to, from, static_cast<size_t>(n) * sizeof *to);
+}
+
 void keep_good(Session& session) {
   c2d_solver* s = session.solver;
   const Follower& f = session.follower;
   const Book book = book_of(s);
-  for (int32_t k = 0; k < s->model.load_cases; ++k) {
-    book.load[k] = f.load[k];
-    if (s->keeps_energy) book.work[k] = kEnergyPart.work_by_case(s)[k];
-  }
+  copy(book.load, f.load, s->model.load_cases);
   for (int32_t i = 0; i < s->model.pairs; ++i) {
     Pair& pair = session.model.pair[i];
     pair.good_status = pair.status;
@@ -182,10 +184,13 @@ void keep_good(Session& session) {
     pair.good_slip_done = pair.slip_done;
     pair.good_slip_from = pair.slip_from;
   }
-  for (int32_t i = 0; i < s->model.contact; ++i) session.area.good[i] = f.y[i];
+  copy(session.area.good, f.y, s->model.contact);
   s->good_floating = s->floating;
   s->good_guided = session.tableau.guided;
-  for (int32_t z = 0; z < s->model.zones && s->keeps_energy; ++z) book.rubbed[z] = rubbed(s)[z];
+  if (s->keeps_energy) {
+    copy(book.work, kEnergyPart.work_by_case(s), s->model.load_cases);
+    copy(book.rubbed, rubbed(s), s->model.zones);
+  }
   s->good_dissipated = s->dissipated;
   s->good_least_dissipation = s->least_dissipation;
 }
@@ -435,10 +440,7 @@ c2d_status return_to_good(Session& session) {
   c2d_solver* s = session.solver;
   Follower& f = session.follower;
   const Book book = book_of(s);
-  for (int32_t k = 0; k < s->model.load_cases; ++k) {
-    f.load[k] = book.load[k];
-    if (s->keeps_energy) kEnergyPart.work_by_case(s)[k] = book.work[k];
-  }
+  copy(f.load, book.load, s->model.load_cases);
   for (int32_t i = 0; i < s->model.pairs; ++i) {
     Pair& pair = session.model.pair[i];
     pair.status = pair.good_status;
@@ -449,13 +451,16 @@ c2d_status return_to_good(Session& session) {
   }
   s->floating = s->good_floating;
   session.tableau.guided = s->good_guided;
-  for (int32_t z = 0; z < s->model.zones && s->keeps_energy; ++z) rubbed(s)[z] = book.rubbed[z];
+  if (s->keeps_energy) {
+    copy(kEnergyPart.work_by_case(s), book.work, s->model.load_cases);
+    copy(rubbed(s), book.rubbed, s->model.zones);
+  }
   s->dissipated = s->good_dissipated;
   s->least_dissipation = s->good_least_dissipation;
   if (s->floating != 0) return C2D_OK;
   const c2d_status status = rebuild(session);
   if (status != C2D_ERR_SINGULAR) return status;
-  for (int32_t i = 0; i < s->model.contact; ++i) f.y[i] = session.area.good[i];
+  copy(f.y, session.area.good, s->model.contact);
   for (int32_t i = 0; i < s->model.contact; ++i) f.dy[i] = 0;
   s->unsound = 1;
   return status;
