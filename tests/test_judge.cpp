@@ -129,7 +129,7 @@ TEST_CASE("judge: a status that was spoilt is taken back") {
 TEST_CASE("judge: what no new tableau helps ends the path, with the rows up to there, and says why") {
   const Deck deck = deck_named("sample");
   const Run sound(deck);
-  const int64_t m = 2 * 15 - 1, of_case = 4; // solver/judge.cpp: Book
+  const int64_t m = 2 * 15 - 1, others = 2 + 5; // solver/judge.cpp: Book: of a zone and a case
   struct Case {
     int32_t breach;
     int64_t from, to;
@@ -141,7 +141,7 @@ TEST_CASE("judge: what no new tableau helps ends the path, with the rows up to t
       REQUIRE(session_of(s).tableau.m == m);
       double* book = c2d::array_of<double>(s, c2d::kJudge);
       double* load_work = c2d::model_of(s).load_work[1]; // of the body that floats
-      c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(book + of_case);
+      c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(book + others);
       for (int64_t i = c.from; i < c.to; ++i) {
         if (c.breach == C2D_BREACH_BALANCE)
           load_work[i] *= 1.1;
@@ -213,7 +213,7 @@ TEST_CASE("judge: where no new tableau has pivots the path ends at the last good
           if (step != kAt) return;
           if (!late) lose_matrix(s);
           if (!late) spoil_tableau(s);
-          c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(c2d::array_of<double>(s, c2d::kJudge) + 4);
+          c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(c2d::array_of<double>(s, c2d::kJudge) + 2 + 5);
           for (int64_t i = session_of(s).tableau.m; late && i < 2 * session_of(s).tableau.m; ++i)
             of_unknowns[i] *= c2d::Real(1.1);
         },
