@@ -145,3 +145,46 @@ TEST_CASE("corners: no exponent is missed, and cutting a wedge in two changes no
     CHECK(alike(app::corner_exponents(cut), found, 1e-7));
   }
 }
+
+// The first terms at a crack's tip, opening and shear, and a translation; faces at +-pi from the direction ahead.
+TEST_CASE("corners: the intensities of a crack are those that its displacements were made of") {
+  const double pi = std::acos(-1.0), E = 1000, nu = 0.3;
+  const app::Sector sector = app::sector_of(2 * pi, E, nu, true);
+  const double G = sector.shear_modulus, K1 = 3, K2 = -2;
+  for (const double turn : {0.0, 0.7}) {
+    CAPTURE(turn);
+    std::vector<app::NotchSample> samples;
+    for (int i = 0; i < 24; ++i)
+      for (const bool first : {true, false}) {
+        const double d = 0.02 * (i + 1), way = first ? -1 : 1; // the first face is below: theta = -pi
+        const double part = way * (sector.kappa + 1) / (2 * G) * std::sqrt(d / (2 * pi));
+        const double along = K2 * part + 0.1, across = K1 * part - 0.2;
+        samples.push_back(
+            {d, first, std::cos(turn) * along - std::sin(turn) * across, std::sin(turn) * along + std::cos(turn) * across});
+      }
+    app::Notch notch;
+    notch.sector = sector, notch.bisector = turn;
+    const app::CornerFit fit = app::fit_notch(samples, notch);
+    CHECK(std::fabs(fit.K) == doctest::Approx(K1).epsilon(1e-6));
+    CHECK(std::fabs(fit.K2) == doctest::Approx(-K2).epsilon(1e-6));
+    CHECK(fit.K * fit.K2 < 0);
+    CHECK(fit.misfit < 1e-6);
+    CHECK(fit.K_error < 1e-6);
+    // Nothing moved, or too little is known: nothing is made up.
+    std::vector<app::NotchSample> still = samples, few(samples.begin(), samples.begin() + 4);
+    for (app::NotchSample& s : still) s.ux = s.uy = 0;
+    const app::CornerFit none = app::fit_notch(still, notch), little = app::fit_notch(few, notch);
+    CHECK((none.K == 0 && none.K2 == 0 && none.misfit == 0));
+    CHECK((little.K == 0 && little.K2 == 0));
+  }
+  // A wedge whose corner is no notch has no singular mode; samples at one distance tell one term only.
+  app::Notch wedge;
+  wedge.sector = app::sector_of(2.0, E, nu, true);
+  const app::CornerFit flat = app::fit_notch({{1, true, 1, 0}, {1, false, 0, 1}, {2, true, 1, 1}, {2, false, 1, 0}}, wedge);
+  CHECK((flat.K == 0 && flat.K2 == 0));
+  const app::CornerFit same = app::fit_pressure(
+      {{0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}, {0.5, 2}}, {0.5, 1.0, 1.5});
+  CHECK(same.K == doctest::Approx(2 * std::sqrt(0.5)));
+  CHECK(same.misfit < 1e-12);
+  CHECK(app::fit_pressure({{0.5, 0}, {1, 0}, {2, 0}}, {0.5}).misfit == 0);
+}

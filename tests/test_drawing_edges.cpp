@@ -1,6 +1,7 @@
 // Entities of drawings as files of others may have them: seen from behind, slanting, of no length, cut off, not flat; and
 // meshes.
 #include "program/drawing/dxf.hpp"
+#include "program/drawing/loops.hpp"
 #include "program/drawing/msh.hpp"
 #include "program/drawing/text.hpp"
 
@@ -182,4 +183,49 @@ TEST_CASE("drawing: sections of meshes") {
                {format + "$Nodes\n2\n1 0 0 0\n2 1 0 5\n$EndNodes\n$Elements\n0\n$EndElements\n",
                 "the mesh is not flat: z runs from 0 to 5, expected a plane of constant z"}};
   for (const auto& w : wrong) CHECK(fault_of(w.text) == w.told);
+}
+
+TEST_CASE("drawing: curves of one name that go on as one are one, wherever the loop begins") {
+  using namespace drawing;
+  const auto tidied = [](std::vector<Curve> curves) {
+    for (Curve& c : curves)
+      if (c.name.empty()) c.name = "n";
+    Loop loop;
+    loop.curves = std::move(curves);
+    tidy(loop);
+    return loop.curves;
+  };
+  const auto named = [](Curve c, const char* name) {
+    c.name = name;
+    return c;
+  };
+  const Point a{0, 0}, b{1, 0}, c{2, 0}, d{2, 2}, e{0, 2};
+  // Half of the lower side at either end of the loop; the right side bears another name.
+  const std::vector<Curve> box =
+      tidied({straight(b, c), named(straight(c, d), "e"), straight(d, e), straight(e, a), straight(a, b)});
+  REQUIRE(box.size() == 4);
+  CHECK((sketch::length(box[0].begin - a) == 0 && sketch::length(box[0].end - c) == 0));
+  CHECK(tidied({straight(a, b), straight(b, d), straight(d, a)}).size() == 3); // a corner
+  // There and back along one line, and onwards beyond its beginning: no line from the first to the last point.
+  for (const double x : {-1.0, 0.0, 0.5})
+    CHECK(tidied({straight(a, b), straight(b, {x, 0}), straight({x, 0}, d), straight(d, e), straight(e, a)}).size() == 5);
+  CHECK(tidied({named(straight(a, b), "p"), named(straight(b, c), "q"), straight(c, d), straight(d, a)}).size() == 4);
+  // Arcs: halves of a circle are a whole one, either way, wherever they meet; those of unlike circles are none.
+  for (const double way : {1.0, -1.0}) {
+    CAPTURE(way);
+    for (const int parts : {2, 3}) {
+      std::vector<Curve> arcs;
+      for (int i = 0; i < parts; ++i) arcs.push_back(circular(b, 1, way * (30 + 360.0 / parts * i), way * 360.0 / parts));
+      const std::vector<Curve> circle = tidied(arcs);
+      REQUIRE(circle.size() == 1);
+      CHECK((circle[0].whole && circle[0].a == 1 && circle[0].name == "n"));
+      CHECK(sketch::length(circle[0].begin - arcs[0].begin) < 1e-12);
+    }
+    CHECK(tidied({circular(b, 1, 0, way * 180), circular(b, 1, 180, -way * 90)}).size() == 2);
+  }
+  CHECK(tidied({circular(b, 1, 0, 90), circular({1, 0.5}, 0.5, 90, 90), straight({0.5, 0.5}, c)}).size() == 3);
+  CHECK(tidied({circular(b, 1, 0, 90), circular({1, 2}, 1, -90, 90), straight(d, c)}).size() == 3);
+  CHECK(tidied({circular(a, 1, 0, 360), circular(a, 1, 0, 360)}).size() == 2);
+  CHECK(tidied({circular(a, 1, 0, 180), straight({-1, 0}, b)}).size() == 2);
+  CHECK(tidied({smooth({a, d, b}, false), smooth({b, {1, -1}, a}, false)}).size() == 2);
 }

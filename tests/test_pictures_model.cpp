@@ -277,3 +277,34 @@ TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {
   CHECK(json["symmetry"].items[1]["axis"].text == "y");
   CHECK(JsonReader::read(contact2d("run " + ring + " --json -").out)["symmetry"].items.empty());
 }
+
+TEST_CASE("pictures: a zone that stands upright, that sticks for ever, and forces and motions beyond what is seen") {
+  const Folder folder;
+  const std::string squares =
+      "body b E 1000 nu 0.3\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\nfix b.w\n"
+      "copy c of b shift 1 0\n";
+  write_file(folder / "adhesion.c2s", squares + "contact b.e c.w mu inf\ncase one\ntraction c.e x -1\nweight c y -0.1\n"
+                                                "spin c 0.0001 about 50 50\ncase two\nweight c x -0.2\nhistory one 1; two 1\n");
+  Shown shown;
+  show(shown, folder / "adhesion.c2s");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  const std::string& tractions = shown.figures["tractions"];
+  CHECK(contains(tractions, ">y"));
+  CHECK(!contains(tractions, "mu tn"));
+  CHECK(contains(shown.figures["model"], ">body force, case 1<"));
+  // A rigid body that is turned, about a point that is seen and one that is not.
+  for (const char* about : {"1.5 0.5", "60 0.5"}) {
+    CAPTURE(about);
+    write_file(folder / "rigid.c2s", "plane stress\n" + squares.substr(0, squares.find("copy")) +
+                                         "body r rigid\nfrom 1 0\nline f to 2 0\nline g to 2 1\nline h to 1 1\nline i close\n"
+                                         "contact b.e r.i mu 0.3\ndrive r about " +
+                                         about + " x -0.001 turn -0.0001\n");
+    Shown turned;
+    show(turned, folder / "rigid.c2s");
+    REQUIRE_MESSAGE(turned.result.status == 0, turned.result.err);
+    check_page(turned);
+    CHECK(contains(turned.figures["model"], ">motion of the rigid body<"));
+    CHECK(contains(caption_of(turned, "model"), "plane stress"));
+  }
+}

@@ -9,9 +9,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <vector>
 
 using namespace app;
 
@@ -277,4 +279,23 @@ TEST_CASE("report: what a run that came to nothing leaves") {
   c.outcome = C2D_TIPPING;
   c.steps[1].loads = {1}, c.steps[0].loads = {0.5};
   CHECK(rows() == 2);
+}
+
+TEST_CASE("report: what is wrong with all results is told first, with a place alone last") {
+  std::vector<c2d_error> warnings;
+  for (int32_t kind = C2D_WARN_COMPRESSED; kind >= C2D_WARN_ZONE_END; --kind) {
+    c2d_error entry = C2D_INIT(c2d_error);
+    entry.status = kind;
+    warnings.push_back(entry);
+  }
+  order_warnings(warnings);
+  std::vector<int32_t> order;
+  for (const c2d_error& entry : warnings) order.push_back(entry.status);
+  const auto place = [&](int32_t kind) { return std::find(order.begin(), order.end(), kind) - order.begin(); };
+  CHECK(order.front() == C2D_WARN_INCREMENT);
+  CHECK(order.back() == C2D_WARN_TIE_END);
+  CHECK(place(C2D_WARN_COMPRESSED) < place(C2D_WARN_ZONE_END));
+  CHECK(place(C2D_WARN_ZONE_END) < place(C2D_WARN_SURFACE));
+  CHECK(place(C2D_WARN_SURFACE) < place(C2D_WARN_FEW_PAIRS));
+  CHECK(place(C2D_WARN_SIZES) < place(C2D_WARN_POINT_LOAD));
 }

@@ -134,6 +134,14 @@ TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies t
   tells(kHeld + "case one\ntraction b.n y 1\ncase two\nforce b at 0.5 0.5 x 1\nhistory one 1\n",
         "11:1 load case 'two' never acts, expected");
   CHECK(read(kHeld + "case one\ntraction b.n y 1\nhistory one 1\n").faults.empty()); // supports before the first case
+  const std::string second = kHeld + "case one\ntraction b.n y 1\ncase two\n";       // 10 lines
+  for (const char* loads : {"spin b 3 about 1 0\n", "weight b y -1\n", "force b at 0.5 0.5 y 2\ntraction b.e x 1\n",
+                            "traction b.e x 1\nforce b at 0.5 0.5 y 2\n", "platen b.w fy 1\n", "platen b.w x 1\n"})
+    tells(second + loads + "history one 1\n", "11:1 load case 'two' never acts, expected");         // the first of the loads
+  CHECK(read(second + "force b at 0.5 0.5 x 0\nweight b x 0 y 0\nhistory one 1\n").faults.empty()); // no loads
+  CHECK_FALSE(read(std::string(kSquare) + "weight b y -1\n").faults.empty());                       // nothing holds it
+  tells(kHeld + "pressure b.n 1\nfix b.n\n", "9:1 b.n has a pressure in line 8, expected one of them");
+  tells(kHeld + "move b.n x 0.1\nmove b.n x 0.2\n", "9:1 b.n has a displacement along x in line 8 already");
   tells(kHeld + "want stress b 0.5 1.25\n", "8:1 the point (0.5, 1.25) is not inside body 'b': 0.25 from it");
   tells(kHeld + "want stress b 0.5 1\n", "on its boundary");
   tells(kHeld + "stress b 2 0.5\n", "8:1 the point (2, 0.5) is not inside body 'b': 1 from it");

@@ -12,6 +12,10 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 
+bool contains_card(const std::string& deck, const std::string& card) {
+  const size_t at = deck.find("\n" + card);
+  return at != std::string::npos && (deck[at + 1 + card.size()] == '\n' || deck[at + 1 + card.size()] == ' ');
+}
 bool has_cards(const std::string& deck, const std::string& cards) {
   return deck.find("\n" + cards + "\n") != std::string::npos;
 }
@@ -88,6 +92,31 @@ TEST_CASE("sketch: weight and rotation of a body are one card") {
   const std::string text = deck(std::string(kSquare) + "fix b.s\nweight b y -2\nspin b 3 about 1 0\n");
   CHECK(has_cards(text, "*BODY FORCE 1 1 0 -2 3 1 0"));
   CHECK(count(text, "*BODY FORCE") == 1);
+}
+
+TEST_CASE("sketch: names of cases and interfaces, loads of further cases and adhesion stand in the deck") {
+  const std::string text =
+      deck(std::string(kSquare) + "fix b.s\ncopy c of b shift 0 1\ncontact b.n c.s mu inf name joint\ncase one\n"
+                                  "traction c.n y -1\ncase side\nforce c at 0.5 1.5 x 2\nhistory one 1; side 1\n");
+  CHECK(contains_card(text, "case 2 ! side"));
+  CHECK(contains_card(text, "load 2 0.5 1.5 2 0"));
+  CHECK(contains_card(text, "*NAME ZONE 1 joint"));
+  CHECK(contains_card(text, "1 INF"));
+  const std::string idle = deck(std::string(kSquare) + "fix b.s\ntraction b.n y 1\ncase two\nfix b.e x\n");
+  CHECK(contains_card(idle, "*CASES 2"));
+  CHECK(contains_card(idle, "*PATH\n10 1 0"));
+}
+
+TEST_CASE("sketch: motions and loads of a rigid body in several cases are one set of cards") {
+  const std::string text = deck(std::string(kSquare) +
+                                "fix b.s\nbody r rigid\nfrom 0 1\nline f to 1 1\nline g to 1 2\nline h to 0 2\nline i close\n"
+                                "contact b.n r.f mu 0.3\ncase one\ndrive r about 0.5 2 y -0.01\ncase two\ndrive r turn 0.001\n"
+                                "case three\ndrive r fx 2\nhistory one 1; two 1; three 1\n");
+  CHECK(contains_card(text, "*RIGID 2"));
+  CHECK(contains_card(text, "1 0 -0.01 0 0.5 2"));
+  CHECK(contains_card(text, "2 0 0 0.001 0.5 2"));
+  CHECK(contains_card(text, "*RIGID LOAD 2 0.5 2 X"));
+  CHECK(contains_card(text, "3 2 0 0"));
 }
 
 TEST_CASE("sketch: a platen keeps its point in all load cases") {
