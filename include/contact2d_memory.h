@@ -215,7 +215,7 @@
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
 #define C2D_SMALLER_(a, b) ((a) < (b) ? (a) : (b))
 
-/* How many exchanges a tableau of m rows keeps back. */
+/* Columns of T, and as many rows, for the exchanges that a tableau of m rows keeps back. */
 #define C2D_DELAYED_(m) ((m) < 160 ? 0 : C2D_SMALLER_((m) / 8, 64))
 #define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
 #define C2D_WIDTH_(panel_columns) (UINT64_C(1) * ((panel_columns) > 0 ? (panel_columns) : 1))

@@ -70,13 +70,24 @@ int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
   return now.q > 0.0 ? 1 : -1;
 }
 
+// A pair that closes sticks. In a large tableau, where each exchange counts, it slips at once if its friction would be beyond
+// its bound, all others being as they are: the sign of its friction, or 0.
+int32_t slips_at_once(const Tableau& t, const Pair& pair, const PairState& rate, const PathScales& s) {
+  if (!delays(t) || !pair.tangential || !is_finite_friction(pair)) return 0;
+  const int32_t a = pair.dof, b = a + 1;
+  const double aa = own_entry(t, a), bb = own_entry(t, b), ab = cross_entry(t, a, b), ba = cross_entry(t, b, a);
+  const double det = aa * bb - ab * ba;
+  const double p = (ab * rate.wt - bb * rate.wn) / det, q = (ba * rate.wn - aa * rate.wt) / det;
+  return p > 0.0 && fabs(q) - pair.mu * p > no_rate(pair, s).force ? (q > 0.0 ? 1 : -1) : 0;
+}
+
 Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
   if (pair.status == C2D_OPEN) {
     if (!is_unloaded(f, i, now, s) || rate.wn >= -no_rate(pair, s).motion) return {0.0, 0, 0};
-    const bool slides = pair.mu == 0.0;
-    return {-rate.wn / s.dw, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0};
+    const int32_t sign = pair.mu == 0.0 ? 1 : slips_at_once(*f.t, pair, rate, s);
+    return {-rate.wn / s.dw, sign != 0 ? C2D_SLIP : C2D_STICK, sign};
   }
   if (is_unloaded(f, i, now, s)) {
     const Violation v = judge_unloaded(pair, f.t->free_motions == 0, rate, s);
@@ -108,15 +119,32 @@ uint64_t fingerprint(const Tableau& t) {
 
 enum class Round : int32_t { quiet, changed, stuck };
 
-// The worst of those that offended when the round began, and all that are as bad but for round-off, so that the order of the
-// pairs decides nothing: marks them. Their violation, 0: there are none.
-double mark_worst(const Follower& f, const PathScales& s) {
+// Those that offended when a round began and have not been changed, all among the pairs first ... last.
+struct Offenders {
+  int32_t first, last, left;
+};
+
+Offenders find_offenders(const Follower& f, const PathScales& s) {
+  Offenders found{0, -1, 0};
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const bool offends = judge(f, i, s).size > 0.0;
+    f.t->pair[i].mark.offends = offends;
+    if (!offends) continue;
+    if (found.left++ == 0) found.first = i;
+    found.last = i;
+  }
+  return found;
+}
+
+// The worst of them, and all that are as bad but for round-off, so that the order of the pairs decides nothing: marks them.
+// Their violation, 0: there are none.
+double mark_worst(const Follower& f, const PathScales& s, const Offenders& those) {
   constexpr double kAsBad = 1.0 - 1e-6;
   const Tableau& t = *f.t;
   double worst = 0.0;
-  for (int32_t i = 0; i < t.pairs; ++i)
+  for (int32_t i = those.first; i <= those.last; ++i)
     if (t.pair[i].mark.offends) worst = larger(worst, judge(f, i, s).size);
-  for (int32_t i = 0; i < t.pairs && worst > 0.0; ++i) {
+  for (int32_t i = those.first; i <= those.last && worst > 0.0; ++i) {
     PairMarks& mark = t.pair[i].mark;
     if (!mark.offends) continue;
     const Violation v = judge(f, i, s);
@@ -130,16 +158,15 @@ double mark_worst(const Follower& f, const PathScales& s) {
 // Change every offender that is not mended by the changes before it.
 Round change_all(Follower& f, const PathScales& s) {
   Tableau& t = *f.t;
-  int32_t left = 0;
+  Offenders those = find_offenders(f, s);
   bool changed = false;
-  for (int32_t i = 0; i < t.pairs; ++i) left += t.pair[i].mark.offends = judge(f, i, s).size > 0.0;
-  while (left > 0 && mark_worst(f, s) > 0.0) {
+  while (those.left > 0 && mark_worst(f, s, those) > 0.0) {
     changed = true;
-    for (int32_t i = 0; i < t.pairs; ++i) {
+    for (int32_t i = those.first; i <= those.last; ++i) {
       PairMarks& mark = t.pair[i].mark;
       if (!mark.offends || !mark.changes) continue;
       mark.offends = 0;
-      --left;
+      --those.left;
       if (!apply_change(f, i, mark.status, mark.slip - 1, pair_state(t, i, f.y).wt)) return Round::stuck;
     }
   }

@@ -463,7 +463,7 @@ void place_list(Tableau& t, Real* numbers, int32_t count) {
   const int32_t most = kHostile && all > kHostileWidth ? kHostileWidth : static_cast<int32_t>(all);
   t.own = numbers;
   t.cross = numbers + m;
-  t.delayed = {t.m, t.n, t.t, most, numbers + 2 * m, numbers + (2 + all) * m, count};
+  t.delayed = {t.m, t.n, t.t, most, numbers + 2 * m, count};
   t.smooth = is_smooth(t);
   if (t.smooth) t.delayed.cols = t.pairs;
 }
@@ -482,6 +482,10 @@ void combine(const Tableau& t, const double* factor, bool with_constants, Real* 
   for (int32_t k = 0; k < t.cases; ++k) {
     const Real f = static_cast<Real>(factor[k]);
     const Real* rate = load_rates(t, k);
+    if (delays(t) && t.engine.kernel) {
+      t.engine.kernel->add(t.m, f, rate, out);
+      continue;
+    }
     for (int32_t i = 0; i < t.m; ++i) out[i] += f * rate[i];
   }
 }

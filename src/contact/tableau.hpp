@@ -39,7 +39,11 @@ struct Tableau {
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
 // Tableaux with a list: its length, a function of the number of rows alone, so that nothing else decides when it is applied.
-constexpr int32_t delayed_exchanges(int64_t m) { return static_cast<int32_t>(C2D_DELAYED_(m)); }
+// All of the list has room in two times C2D_DELAYED_ columns.
+constexpr int32_t delayed_exchanges(int64_t m) {
+  const int64_t columns = C2D_DELAYED_(m);
+  return columns == 0 ? 0 : static_cast<int32_t>(columns - 1 - (columns * columns + m - 1) / m);
+}
 // Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.
 void place_list(Tableau& t, Real* numbers, int32_t count);
 

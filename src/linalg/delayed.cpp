@@ -3,80 +3,223 @@
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
+#include <math.h>
 
 namespace c2d {
 namespace {
 
 Real* column(const DelayedExchanges& d, int32_t j) { return d.t + static_cast<int64_t>(j) * d.rows; }
 
-// x (n) -= M (n x count) times row i of `other`, both with the list's exchanges as columns.
-void subtract_list(const DelayedExchanges& d, const Engine& engine, int32_t n, const Real* m, const Real* other, int32_t others,
-                   int32_t i, Real factor, Real* x) {
-  Real by[kMostDelayed];
-  for (int32_t k = 0; k < d.count; ++k) by[k] = factor * other[i + static_cast<int64_t>(k) * others];
-  gemm_minus(engine, n, 1, d.count, m, n, by, d.count, x, n);
+constexpr Real kRoundOff = sizeof(Real) == 8 ? Real(1e-14) : Real(1e-6);
+
+// Where the list's numbers are: U (rows x most), V (cols x most), M and its inverse, which is where rows and columns of the
+// list's exchanges met in T (most x most), column and row of the last pivot.
+Real* list_left(const DelayedExchanges& d) { return d.numbers; }
+Real* list_right(const DelayedExchanges& d) { return list_left(d) + static_cast<int64_t>(d.rows) * d.most; }
+Real* list_middle(const DelayedExchanges& d) { return list_right(d) + static_cast<int64_t>(d.rows) * d.most; }
+Real* list_corner(const DelayedExchanges& d) { return list_middle(d) + static_cast<int64_t>(d.most) * d.most; }
+Real* last_column(const DelayedExchanges& d) { return list_corner(d) + static_cast<int64_t>(d.most) * d.most; }
+Real* last_row(const DelayedExchanges& d) { return last_column(d) + d.rows; }
+Real& left(const DelayedExchanges& d, int32_t i, int32_t k) { return list_left(d)[i + static_cast<int64_t>(k) * d.rows]; }
+Real& right(const DelayedExchanges& d, int32_t j, int32_t k) { return list_right(d)[j + static_cast<int64_t>(k) * d.cols]; }
+Real& middle(const DelayedExchanges& d, int32_t k, int32_t l) { return list_middle(d)[k + static_cast<int64_t>(l) * d.most]; }
+Real& corner(const DelayedExchanges& d, int32_t k, int32_t l) { return list_corner(d)[k + static_cast<int64_t>(l) * d.most]; }
+
+// M V_j^T and U_i M, times a factor.
+void by_column(const DelayedExchanges& d, int32_t j, Real factor, Real* out) {
+  for (int32_t k = 0; k < d.count; ++k) out[k] = 0;
+  for (int32_t l = 0; l < d.count; ++l) {
+    const Real by = factor * right(d, j, l), *const from = &middle(d, 0, l);
+    for (int32_t k = 0; k < d.count && by != 0; ++k) out[k] += from[k] * by;
+  }
+}
+void by_row(const DelayedExchanges& d, int32_t i, Real* out) {
+  Real u[kMostDelayed];
+  for (int32_t k = 0; k < d.count; ++k) u[k] = left(d, i, k);
+  for (int32_t l = 0; l < d.count; ++l) {
+    const Real* const from = &middle(d, 0, l);
+    Real even = 0, odd = 0;
+    for (int32_t k = 0; k < d.count; k += 2) even += u[k] * from[k];
+    for (int32_t k = 1; k < d.count; k += 2) odd += u[k] * from[k];
+    out[l] = even + odd;
+  }
+}
+
+void subtract(const DelayedExchanges& d, const Engine& engine, int32_t n, const Real* list, const Real* by, Real* x) {
+  gemm_minus(engine, n, 1, d.count, list, n, by, d.count, x, n);
+}
+
+// Column and row of the tableau, of what by_column() and by_row() say.
+void read_column(const DelayedExchanges& d, const Engine& engine, int32_t j, const Real* by, Real* out) {
+  const Real* const from = column(d, j);
+  for (int32_t i = 0; i < d.rows; ++i) out[i] = from[i];
+  subtract(d, engine, d.rows, list_left(d), by, out);
+}
+void read_row(const DelayedExchanges& d, const Engine& engine, int32_t i, const Real* by, Real* out) {
+  for (int32_t j = 0; j < d.cols; ++j) out[j] = column(d, j)[i];
+  subtract(d, engine, d.cols, list_right(d), by, out);
 }
 
 } // namespace
 
 void read_column(const DelayedExchanges& d, const Engine& engine, int32_t j, Real* out) {
-  const Real* const from = column(d, j);
-  for (int32_t i = 0; i < d.rows; ++i) out[i] = from[i];
-  subtract_list(d, engine, d.rows, d.left, d.right, d.cols, j, 1, out);
+  Real by[kMostDelayed];
+  by_column(d, j, 1, by);
+  read_column(d, engine, j, by, out);
 }
 
 void read_row(const DelayedExchanges& d, const Engine& engine, int32_t i, Real* out) {
-  for (int32_t j = 0; j < d.cols; ++j) out[j] = column(d, j)[i];
-  subtract_list(d, engine, d.cols, d.right, d.left, d.rows, i, 1, out);
+  Real by[kMostDelayed];
+  by_row(d, i, by);
+  read_row(d, engine, i, by, out);
 }
 
 Real read_entry(const DelayedExchanges& d, int32_t i, int32_t j) {
-  Real sum = column(d, j)[i];
-  for (int32_t k = 0; k < d.count; ++k)
-    sum -= d.left[i + static_cast<int64_t>(k) * d.rows] * d.right[j + static_cast<int64_t>(k) * d.cols];
+  Real by[kMostDelayed], sum = column(d, j)[i];
+  by_column(d, j, 1, by);
+  for (int32_t k = 0; k < d.count; ++k) sum -= left(d, i, k) * by[k];
   return sum;
 }
 
 void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t j, Real factor, Real* y) {
+  Real by[kMostDelayed];
+  by_column(d, j, factor, by);
   const Real* const from = column(d, j);
   for (int32_t i = 0; i < d.rows; ++i) y[i] += factor * from[i];
-  subtract_list(d, engine, d.rows, d.left, d.right, d.cols, j, factor, y);
+  subtract(d, engine, d.rows, list_left(d), by, y);
 }
 
-// Row r and column c of T - L R^T become zero, so that the new term alone stands there.
-bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v) {
-  C2D_ASSERT(d.most > 0 && d.most <= kMostDelayed && r >= 0 && r < d.rows && c >= 0 && c < d.cols);
-  if (d.count == d.most) apply_delayed(d, engine);
-  Real* const left = d.left + static_cast<int64_t>(d.count) * d.rows;
-  Real* const right = d.right + static_cast<int64_t>(d.count) * d.cols;
-  read_column(d, engine, c, left);
-  const Real pivot = left[r];
-  if ((pivot < 0 ? -pivot : pivot) < kSmallestReal) return false;
-  read_row(d, engine, r, right);
-  for (int32_t i = 0; i < d.rows; ++i) left[i] /= pivot, column(d, c)[i] = 0;
-  for (int32_t j = 0; j < d.cols; ++j) column(d, j)[r] = 0;
-  left[r] = 1 / pivot;
-  right[c] = -1;
+namespace {
+
+// The list's exchange of row r and column c, if what it left of them there has not been mixed with others since; else -1.
+int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c) {
+  int32_t place = -1;
+  for (int32_t k = 0; k < d.count; ++k) {
+    if (left(d, r, k) == 0) continue;
+    if (place >= 0) return -1;
+    place = k;
+  }
+  if (place < 0 || fabs(static_cast<double>(left(d, r, place) - 1)) > kRoundOff) return -1;
   for (int32_t k = 0; k < d.count; ++k)
-    d.left[r + static_cast<int64_t>(k) * d.rows] = d.right[c + static_cast<int64_t>(k) * d.cols] = 0;
+    if (fabs(static_cast<double>(right(d, c, k) + (k == place ? 1 : 0))) > (k == place ? kRoundOff : 0)) return -1;
+  for (int32_t i = 0; i < d.rows; ++i)
+    if (column(d, c)[i] != 0) return -1;
+  for (int32_t j = 0; j < d.cols; ++j)
+    if (column(d, j)[r] != 0) return -1;
+  return place;
+}
+
+// x, y: M V_c^T and U_r M. Column c and row r of T go to the list, whose new numbers alone stand there.
+void add_exchange(DelayedExchanges& d, int32_t r, int32_t c, Real pivot, const Real* x, const Real* y) {
+  const int32_t n = d.count;
+  corner(d, n, n) = column(d, c)[r];
+  for (int32_t k = 0; k < n; ++k) {
+    corner(d, n, k) = left(d, r, k);
+    corner(d, k, n) = right(d, c, k);
+    left(d, r, k) = right(d, c, k) = 0;
+  }
+  for (int32_t l = 0; l < n; ++l) {
+    Real* const to = &middle(d, 0, l);
+    const Real by = y[l] / pivot;
+    for (int32_t k = 0; k < n; ++k) to[k] += x[k] * by;
+    to[n] = -by;
+    middle(d, l, n) = -x[l] / pivot;
+  }
+  middle(d, n, n) = 1 / pivot;
+  for (int32_t i = 0; i < d.rows; ++i) {
+    left(d, i, n) = column(d, c)[i];
+    column(d, c)[i] = 0;
+  }
+  for (int32_t j = 0; j < d.cols; ++j) {
+    right(d, j, n) = column(d, j)[r];
+    column(d, j)[r] = 0;
+  }
+  left(d, r, n) = 1;
+  right(d, c, n) = -1;
   ++d.count;
-  *u = left;
-  *v = right;
+}
+
+// The last of n rows and columns in the place of this one.
+void move_last(Real* matrix, int64_t ld, int32_t n, int32_t place) {
+  for (int32_t k = 0; k < n; ++k) matrix[place + k * ld] = matrix[n - 1 + k * ld];
+  for (int32_t k = 0; k < n - 1; ++k) matrix[k + place * ld] = matrix[k + (n - 1) * ld];
+}
+
+// The list's exchange at `place` is reversed: row r and column c of T are what they were.
+void take_exchange(DelayedExchanges& d, int32_t r, int32_t c, int32_t place) {
+  const int32_t n = d.count;
+  const Real pivot = middle(d, place, place), met = corner(d, place, place);
+  for (int32_t k = 0; k < n; ++k) {
+    left(d, r, k) = corner(d, place, k);
+    right(d, c, k) = corner(d, k, place);
+  }
+  const Real* const out = &middle(d, 0, place);
+  for (int32_t l = 0; l < n; ++l) {
+    Real* const to = &middle(d, 0, l);
+    const Real by = to[place] / pivot;
+    for (int32_t k = 0; k < n && l != place; ++k) to[k] -= out[k] * by;
+  }
+  for (int32_t i = 0; i < d.rows; ++i) {
+    column(d, c)[i] = left(d, i, place);
+    left(d, i, place) = left(d, i, n - 1);
+  }
+  for (int32_t j = 0; j < d.cols; ++j) {
+    column(d, j)[r] = right(d, j, place);
+    right(d, j, place) = right(d, j, n - 1);
+  }
+  column(d, c)[r] = met;
+  move_last(list_middle(d), d.most, n, place);
+  move_last(list_corner(d), d.most, n, place);
+  --d.count;
+}
+
+} // namespace
+
+bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v) {
+  C2D_ASSERT(d.most > 0 && d.most <= kMostDelayed && r >= 0 && r < d.rows && c >= 0 && c < d.cols && d.cols <= d.rows);
+  if (d.count == d.most) apply_delayed(d, engine);
+  Real x[kMostDelayed], y[kMostDelayed], *const pivot_column = last_column(d), *const pivot_row = last_row(d);
+  by_column(d, c, 1, x);
+  by_row(d, r, y);
+  read_column(d, engine, c, x, pivot_column);
+  const Real pivot = pivot_column[r];
+  if ((pivot < 0 ? -pivot : pivot) < kSmallestReal) return false;
+  read_row(d, engine, r, y, pivot_row);
+  const int32_t place = place_in_list(d, r, c);
+  if (place >= 0)
+    take_exchange(d, r, c, place);
+  else
+    add_exchange(d, r, c, pivot, x, y);
+  for (int32_t i = 0; i < d.rows; ++i) pivot_column[i] /= pivot;
+  pivot_column[r] = 1 / pivot;
+  pivot_row[c] = -1;
+  *u = pivot_column;
+  *v = pivot_row;
   return true;
 }
 
 void delayed_row_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor) {
   row_add(d.cols, d.t, d.rows, target, source, factor);
-  row_add(d.count, d.left, d.rows, target, source, factor);
+  row_add(d.count, list_left(d), d.rows, target, source, factor);
 }
 
 void delayed_column_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor) {
   column_add(d.rows, d.t, d.rows, target, source, factor);
-  row_add(d.count, d.right, d.cols, target, source, factor);
+  row_add(d.count, list_right(d), d.cols, target, source, factor);
 }
 
+// U <- U M, as many rows at a time as the corner, of no use any more, has room for.
 void apply_delayed(DelayedExchanges& d, const Engine& engine) {
-  outer_minus(engine, d.rows, d.cols, d.count, d.left, d.rows, d.right, d.cols, d.t, d.rows);
+  const int32_t n = d.count;
+  Real* const product = list_corner(d);
+  for (int32_t top = 0; top < d.rows && n > 0; top += n) {
+    const int32_t some = d.rows - top < n ? d.rows - top : n;
+    for (int32_t i = 0; i < n * n; ++i) product[i] = 0;
+    gemm_minus(engine, some, n, n, list_left(d) + top, d.rows, list_middle(d), d.most, product, n);
+    for (int32_t k = 0; k < n; ++k)
+      for (int32_t i = 0; i < some; ++i) left(d, top + i, k) = -product[i + static_cast<int64_t>(k) * n];
+  }
+  outer_minus(engine, d.rows, d.cols, n, list_left(d), d.rows, list_right(d), d.cols, d.t, d.rows);
   d.count = 0;
 }
 

@@ -1,19 +1,21 @@
 #pragma once
-// A tableau whose exchanges (exchange.hpp) are kept back. It stands for T - L R^T: T is what it was when the list was last
-// applied, and each exchange since then is a column of L and one of R. An exchange then needs the column and the row of its
-// pivot alone, and all that the list holds are applied as one product. METHOD (11.4).
+// A tableau whose exchanges (exchange.hpp) are kept back. It stands for T - U M V^T: T, U and V are columns and rows of what it
+// was when the list was last applied, and M, a number for each two of the exchanges since then, is all that changes with them.
+// An exchange then needs the column and the row of its pivot alone, one that reverses another takes it off the list, and all
+// that the list holds are applied as one product. METHOD (11.4).
 #include "linalg/engine.hpp"
 
 namespace c2d {
 
 struct DelayedExchanges {
-  int32_t rows, cols;
+  int32_t rows, cols; // at least as many rows as columns
   Real* t;            // T, rows x cols without gaps
   int32_t most;       // the list's length; 0: there is none, and T alone is the tableau
-  Real *left, *right; // L (rows x most) and R (cols x most)
+  Real* numbers;      // of the list, list_numbers() of them
   int32_t count;      // exchanges in the list
 };
 constexpr int32_t kMostDelayed = 64;
+constexpr int64_t list_numbers(int64_t rows, int64_t most) { return 2 * (rows + most) * most + 2 * rows; }
 
 // Column or row of the tableau.
 void read_column(const DelayedExchanges& d, const Engine& engine, int32_t column, Real* out);
@@ -22,9 +24,9 @@ Real read_entry(const DelayedExchanges& d, int32_t row, int32_t column);
 // y (rows) += factor times a column.
 void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t column, Real factor, Real* y);
 
-// y_r and z_c change places. A full list is applied first. False, and nothing has changed, if the pivot is below the smallest
-// normal number. Else what was done to an entry outside row r and column c is T_ij - u_i v_j; `u` and `v` are the columns that
-// the list got for it, u_r = 1 / pivot and v_c = -1.
+// y_r and z_c change places. A full list is applied first. False, and nothing else has changed, if the pivot is below the
+// smallest normal number. Else what was done to an entry outside row r and column c is T_ij - u_i v_j, with u_r = 1 / pivot and
+// v_c = -1; `u` and `v` stay until the next exchange.
 bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v);
 // As row_add and column_add.
 void delayed_row_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);

@@ -67,27 +67,27 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
   const int32_t fit = session.model.head->interference;
   for (int32_t k = 0; k < book.cases; ++k) {
     const double* load_part = book.of_loads + 2 * static_cast<int64_t>(k) * book.cases;
-    book.u[k] = book.r[k] = 0.0;
+    const Real* work = book.of_contact + 2 * k * size;
+    const Real* reaction = work + size;
+    double u = 0.0, r = 0.0;
     for (int32_t i = 0; i < book.cases; ++i) {
-      book.u[k] += load_part[i] * factor[i];
-      book.r[k] += load_part[book.cases + i] * factor[i];
+      u += load_part[i] * factor[i];
+      r += load_part[book.cases + i] * factor[i];
     }
-  }
-  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
-    const double force[2] = {now.p, now.q};
-    const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
-    const double motion[2] = {now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit, now.wt};
-    for (int32_t k = 0; k < book.cases; ++k) {
-      const Real* work = book.of_contact + 2 * k * size;
-      const Real* reaction = work + size;
+    for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+      const Pair& pair = f.t->pair[i];
+      const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
+      const double force[2] = {now.p, now.q};
+      const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
+      const double motion[2] = {now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit, now.wt};
       for (int32_t d = 0; d <= pair.tangential; ++d) {
         const int32_t j = pair.dof + d;
-        book.u[k] += work[j] * force[d] + work[book.m + j] * motion[d];
-        book.r[k] += reaction[j] * force[d] + reaction[book.m + j] * motion[d];
+        u += work[j] * force[d] + work[book.m + j] * motion[d];
+        r += reaction[j] * force[d] + reaction[book.m + j] * motion[d];
       }
     }
+    book.u[k] = u;
+    book.r[k] = r;
   }
 }
 
