@@ -219,6 +219,37 @@ TEST_CASE("pivots: a body that is let go has its free motions, no fewer and no m
   }
 }
 
+// Where it touches, pressure grows by 1 and friction by `along` with the load, if it sticks.
+TEST_CASE("events: with a list a pair that would slip as soon as it sticks slips at once, by one exchange for three") {
+  struct Case {
+    double along, mu;
+    int32_t status, sign;
+  };
+  for (const Case& c : {Case{1, 0.1, C2D_SLIP, 1}, Case{-1, 0.1, C2D_SLIP, -1}, Case{1, 0.99, C2D_SLIP, 1},
+                        Case{1, 1.01, C2D_STICK, 0}, Case{-1, 2, C2D_STICK, 0}, Case{-1, 1e301, C2D_STICK, 0}}) {
+    CAPTURE(c.mu);
+    for (const bool list : {true, false}) {
+      const size_t all = 2 * 7; // as many pairs as make rounds of changes
+      std::vector<std::vector<double>> k(all, std::vector<double>(all)), b(1, std::vector<double>(all));
+      for (size_t i = 0; i < all; i += 2) k[i][i] = 4, k[i][i + 1] = 1, k[i + 1][i] = 2, k[i + 1][i + 1] = 3, b[0][i] = 1;
+      b[0][1] = c.along;
+      Hand h(k, b, true, c.mu);
+      if (!list) h.keep_nothing_back();
+      h.start({0.5, 0, 0, 0, 0, 0, 0});
+      const int64_t before = h.tableau().exchanges;
+      h.follow(10);
+      CHECK(h.pair(0).status == c.status);
+      CHECK(h.pair(0).sign == c.sign);
+      CHECK(h.tableau().exchanges - before == (c.status == C2D_STICK ? 2 : list ? 1 : 3));
+      // Stuck, or with w_n and q - s mu p none: p is what remains of the load beyond the one at which it touches.
+      const double closing = (3 - c.along) / 10, beyond = 10 - 0.5 / closing;
+      const double p = beyond * (c.status == C2D_STICK ? 1 : (1 - c.along / 3) / (1 - c.sign * c.mu / 3));
+      CHECK(h.state(0).p == about(p));
+      CHECK(h.state(0).q == about(c.status == C2D_STICK ? c.along * p : c.sign * c.mu * p));
+    }
+  }
+}
+
 // METHOD 13.7: a guided pair slips, and its tableau is that of a sticking one, in the place where it is.
 TEST_CASE("rebuilding: a guided pair is a sticking one in the tableau, and stays what it was") {
   for (const bool list : {true, false}) {
