@@ -4,6 +4,8 @@
 #include "many_bodies.hpp"
 #include "memory/config.hpp"
 #include "shell.hpp"
+#include "solver/phases.hpp"
+#include "solver/solver.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -463,6 +465,36 @@ TEST_CASE("compressed solver: what is left of the equations is told" * doctest::
   CHECK(summary.compression_error > 1e-9);
   CHECK(summary.compression_residual < 1e-4);
   CHECK(std::string(c2d_message(C2D_WARN_COMPRESSED)).find("compress") != std::string::npos);
+}
+
+// A state that is taken up brings plans, which place what is read: each number of them is held to what it can be.
+TEST_CASE("compressed solver: a plan that is none of the body's is known, of either elimination" *
+          doctest::skip(c2d::kSmallCode)) {
+  const Deck deck = deck_at("tests/data/decks/sample.dat");
+  const host::Limits limits = deck.limits();
+  for (const bool compresses : {false, true}) {
+    CAPTURE(compresses);
+    Own own(limits, enough_for(limits));
+    const c2d_options options = compresses ? compressed() : c2d_options(C2D_INIT(c2d_options));
+    Numbers numbers;
+    REQUIRE(run_all(own.solver(), deck, numbers, &options) == C2D_OK);
+    const c2d::Model m = c2d::model_of(own.solver());
+    const c2d::PhaseSizes sizes = c2d::model_sizes(m);
+    const c2d::EliminationPlan plan = c2d::plan_of(own.solver(), 1);
+    REQUIRE((plan.rank > 0) == compresses);
+    CHECK(c2d::is_plan_of(sizes, 1, plan));
+    using Plan = c2d::EliminationPlan;
+    for (int32_t Plan::*const number : {&Plan::rows, &Plan::pivots, &Plan::trailing, &Plan::panel_columns, &Plan::block_columns,
+                                        &Plan::block_rows, &Plan::keep_lower, &Plan::rank})
+      for (const int32_t wrong : {-1, INT32_MAX}) {
+        Plan other = plan;
+        other.*number = wrong;
+        CHECK_FALSE(c2d::is_plan_of(sizes, 1, other));
+      }
+    Plan wide = plan;
+    wide.block_columns = wide.panel_columns + 1;
+    CHECK_FALSE(c2d::is_plan_of(sizes, 1, wide));
+  }
 }
 
 // ---- the store --------------------------------------------------------------------------------------------------------

@@ -501,3 +501,10 @@ TEST_CASE("mutated decks neither crash nor loop, and every refusal says where") 
   CHECK(accepted > 0); // a blank more at a line's end is no fault
   CHECK(accepted < 15000);
 }
+
+TEST_CASE("a boundary point more than a closed region has asks for a line of symmetry") {
+  std::vector<std::string> deck = squares();
+  deck[4] = "    1    2    4    5";
+  deck.insert(deck.begin() + 16, "    5        0.       0.5");
+  check_first(deck, 5, 0, 0, "number of boundary points is 5, expected 4: 4 elements of 2 nodes");
+}

@@ -106,6 +106,7 @@ TEST_CASE("port/posix: tickets that nobody has, folders that cannot be, tapes th
     CHECK(port.sync(&store, tape) == C2D_POSIX_STORE_TAPE);
     CHECK(port.close(&store, tape) == C2D_POSIX_STORE_TAPE);
   }
+  for (const int32_t tape : {-1, int32_t{C2D_TAPES}}) CHECK(port.open(&store, tape, 1, 8) == C2D_POSIX_STORE_TAPE);
   CHECK(port.open(&store, 0, UINT64_MAX / 2, 16) == C2D_POSIX_STORE_RANGE);
   CHECK(port.open(&store, 0, 0, UINT64_MAX) == 0);
   REQUIRE(port.open(&store, 0, 4, 8) == 0);
@@ -116,6 +117,8 @@ TEST_CASE("port/posix: tickets that nobody has, folders that cannot be, tapes th
   REQUIRE(port.start_write(&store, 0, 2, data, 8, &ticket) == 0);
   CHECK(port.wait(&store, ticket) == 0);
   CHECK(port.wait(&store, ticket) == C2D_POSIX_STORE_TICKET); // once
+  for (const int32_t none : {-2, 99, INT32_MAX}) CHECK(port.wait(&store, none) == C2D_POSIX_STORE_TICKET);
+  CHECK(port.wait(&store, -1) == 0); // what was done at once
   REQUIRE(port.start_read(&store, 0, 4, data, 8, &ticket) == 0);
   CHECK(port.wait(&store, ticket) == C2D_POSIX_STORE_RANGE); // its failure comes when it is waited for
   // A tape that is a link, a folder, or has two names, is somebody else's.

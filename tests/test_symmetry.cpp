@@ -561,6 +561,25 @@ TEST_CASE("symmetry: a deck with a meshed line, by images") {
   }
 }
 
+TEST_CASE("symmetry: forces at points inside a deck with a meshed line, by images") {
+  Problem p = load("hertz_lin_l.dat");
+  double x = 0, y = 0;
+  const std::vector<double>& xy = p.bodies[1].xy;
+  for (size_t i = 0; i < xy.size(); i += 2)
+    x += 2 * xy[i] / static_cast<double>(xy.size()), y += 2 * xy[i + 1] / static_cast<double>(xy.size());
+  const double pressed = resultant(p, solve(p), 2, 1).fy;
+  p.point_loads.push_back({2, x, y, 0.1 * pressed, -0.3 * pressed});
+  Setup images;
+  images.symmetry = C2D_SYMMETRY_IMAGES;
+  const Result meshed = solve(p), r = solve(p, images);
+  REQUIRE_MESSAGE(meshed.status == C2D_OK, meshed.messages());
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(r.summary.symmetry == 1);
+  const Resultant one = resultant(p, meshed, 2, 1), other = resultant(p, r, 2, 1);
+  CHECK(std::fabs(one.fy - pressed) > 0.05 * std::fabs(pressed)); // the force is felt
+  CHECK(other.fy == doctest::Approx(one.fy).epsilon(0.02));
+}
+
 TEST_CASE("symmetry: two lines of an old deck without contact") {
   Setup images;
   images.symmetry = C2D_SYMMETRY_IMAGES;

@@ -102,11 +102,14 @@ int32_t close_file(int32_t* file) {
   return code;
 }
 
+// The largest file offset of this system.
+constexpr uint64_t kMostBytes = sizeof(off_t) == 8 ? static_cast<uint64_t>(INT64_MAX) : static_cast<uint64_t>(INT32_MAX);
+
 // An existing file keeps its contents.
 int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   c2d_posix_store* s = self(context);
   if (tape < 0 || tape >= C2D_TAPES) return C2D_POSIX_STORE_TAPE;
-  if (blocks != 0 && block_bytes > static_cast<uint64_t>(INT64_MAX) / blocks) return C2D_POSIX_STORE_RANGE;
+  if (blocks != 0 && block_bytes > kMostBytes / blocks) return C2D_POSIX_STORE_RANGE;
   int32_t code = close_file(&s->file[tape]);
   if (code != 0) return code;
   const FileName name = file_name(tape);
@@ -132,12 +135,6 @@ int32_t check(const c2d_posix_store* s, int32_t tape, uint64_t block, uint64_t b
   return fits ? 0 : C2D_POSIX_STORE_RANGE;
 }
 
-// Is offset + bytes a file offset on this system?
-bool is_offset(uint64_t end) {
-  const off_t place = static_cast<off_t>(end);
-  return place >= 0 && static_cast<uint64_t>(place) == end;
-}
-
 size_t part(uint64_t bytes) { return static_cast<size_t>(bytes < kTransferBytes ? bytes : kTransferBytes); }
 
 int32_t read_block(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
@@ -145,7 +142,6 @@ int32_t read_block(void* context, int32_t tape, uint64_t block, void* data, uint
   const int32_t code = check(s, tape, block, bytes);
   if (code != 0) return code;
   const uint64_t start = block * s->block_bytes[tape];
-  if (!is_offset(start + bytes)) return C2D_POSIX_STORE_RANGE;
   char* to = static_cast<char*>(data);
   for (uint64_t done = 0; done < bytes;) {
     const ssize_t got = pread(s->file[tape], to + done, part(bytes - done), static_cast<off_t>(start + done));
@@ -161,7 +157,6 @@ int32_t write_block(void* context, int32_t tape, uint64_t block, const void* dat
   const int32_t code = check(s, tape, block, bytes);
   if (code != 0) return code;
   const uint64_t start = block * s->block_bytes[tape];
-  if (!is_offset(start + bytes)) return C2D_POSIX_STORE_RANGE;
   const char* from = static_cast<const char*>(data);
   for (uint64_t done = 0; done < bytes;) {
     const ssize_t put = pwrite(s->file[tape], from + done, part(bytes - done), static_cast<off_t>(start + done));

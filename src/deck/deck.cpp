@@ -16,10 +16,9 @@ void check_open_regions(Deck& deck) {
     cards.body = b + 1;
     cards.line = body_line(deck, b);
     const int32_t points = deck.body[b].points;
-    const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
-    fault(cards, fixed ? 16 : 0, fixed ? 20 : 0, "number of boundary points is ", points, ", expected ",
-          points - open_regions(deck, b), ": ", deck.body[b].elements, " elements of ", element_nodes(deck, b),
-          " nodes; more only with *SYMMETRY, one for each open region");
+    fault(cards, 0, 0, "number of boundary points is ", points, ", expected ", points - open_regions(deck, b), ": ",
+          deck.body[b].elements, " elements of ", element_nodes(deck, b),
+          " nodes; more only with *SYMMETRY, one for each open region"); // (the card itself is gone, with its fields' places)
   }
   cards.line = line;
   cards.body = 0;
@@ -112,7 +111,7 @@ bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
   const int32_t line = cards.line, body = cards.body;
   cards.line = deck.counted_line;
   cards.body = deck.counted_body;
-  const bool fixed = !cards.free_form; // as above
+  const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
   const int32_t column = deck.counted_line == deck.zones_line ? 6 : 1;
   fault(cards, fixed ? column : 0, fixed ? column + 4 : 0, deck.counted, " is ", deck.counted_cards, ", but line ", line,
         read_so_far < deck.counted_cards ? " holds another kind of card after " : " holds one more, or a wrong card, after ",
