@@ -308,3 +308,17 @@ TEST_CASE("pictures: a zone that stands upright, that sticks for ever, and force
     CHECK(contains(caption_of(turned, "model"), "plane stress"));
   }
 }
+
+TEST_CASE("pictures: elements with one node each, and how far such a mesh may be off") {
+  const Folder folder;
+  write_file(folder / "deck",
+             "*FREE\n1\nSQUARES\n0 3\n2 1 1\n1 2 4 4\n1 2 4 4\n1 4\n5 8\n100 0.3\n200 0.2\n1 0.5\n0 0\n"
+             "1 0 0\n2 1 0\n3 1 1\n4 0 1\n0 1\n5 0 0\n6 1 0\n7 1 1\n8 0 1\n2\n1 1 1100 0 0 0 0\n4 1 1100 0 0 0 0\n0\n"
+             "2\n7 1 1100 0 0 0 -0.001\n8 1 1100 0 0 0 -0.001\n0\n1 2 1 1\n3 3 5 5\n3 3 5 5\n1 1\n1 1\n1 10\n4 1\n");
+  Shown shown;
+  show(shown, folder / "deck", "--estimate --json " + quoted(folder / "r.json"));
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  CHECK(contains(shown.figures["model"], ">body 2<"));
+  CHECK(JsonReader::read(read_file(folder / "r.json"))["accuracy"]["rounds"].items.size() == 2);
+}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace app {
 namespace {
@@ -165,7 +164,7 @@ bool BodyFaces::face(int32_t element, Face& out) const {
 }
 
 void BodyFaces::find_ends(const c2d_side& side, bool first, StretchEnd out[2]) const {
-  const int32_t count = side.elements > 0 ? side.elements : std::abs(side.last_element - side.first_element) + 1;
+  const int32_t count = side.elements;
   int32_t last = side.first_element;
   for (int32_t k = 1; k < count && last != 0; ++k) last = next(last, true);
   const bool up = count == 1 ? first : last == side.last_element;

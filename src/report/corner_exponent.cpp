@@ -230,7 +230,6 @@ void Search::scan_axis() {
     if (at_low * on_axis(high) >= 0) continue;
     while (high - low > 4e-16 * high) {
       const double middle = low + (high - low) / 2, now = on_axis(middle);
-      if (middle == low || middle == high) break;
       if (now * at_low > 0)
         low = middle, at_low = now;
       else

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace app {
@@ -60,7 +59,7 @@ struct SideEnd {
 };
 // The ends at the side's first and last element. `first`: whether a side of one element runs up.
 void find_side_ends(const Corners& corners, const c2d_side& side, bool first, SideEnd out[2]) {
-  const int32_t elements = side.elements > 0 ? side.elements : std::abs(side.last_element - side.first_element) + 1;
+  const int32_t elements = side.elements;
   int32_t last = side.first_element;
   for (int32_t k = 1; k < elements; ++k) last = corners.next(last, true);
   const bool up = elements == 1 ? first : last == side.last_element;

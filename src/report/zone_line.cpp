@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace app {
 
@@ -82,7 +81,7 @@ c2d_status Finder::read() {
 Finder::Walk Finder::walk(const c2d_side& side) const {
   Walk w;
   const BodyCurve& c = curve(side.body);
-  const int32_t count = side.elements > 0 ? side.elements : std::abs(side.last_element - side.first_element) + 1;
+  const int32_t count = side.elements;
   for (const bool up : {false, true}) {
     w.up = up;
     w.elements.assign(1, side.first_element);

@@ -154,7 +154,7 @@ c2d_status History::describe() {
   for (const c2d_zone& zone : summary_.zone) {
     const auto side = [](const c2d_side& s) {
       const int32_t span = s.first_element - s.last_element;
-      const bool down = span > 0 && (s.elements == 0 || s.elements == span + 1);
+      const bool down = span > 0 && s.elements == span + 1;
       return Side{s.body - 1, (down ? s.last_element : s.first_element) - 1, (down ? s.first_element : s.last_element) - 1};
     };
     out_.zones.push_back({side(zone.side1), side(zone.side2)});
