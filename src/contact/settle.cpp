@@ -81,20 +81,23 @@ int32_t slips_at_once(const Tableau& t, const Pair& pair, const PairState& rate,
   return p > 0.0 && fabs(q) - pair.mu * p > no_rate(pair, s).force ? (q > 0.0 ? 1 : -1) : 0;
 }
 
+// Of most pairs the values alone say that their rates do not matter.
 Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
-  const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+  const PairState now = pair_state(*f.t, i, f.y);
+  const bool unloaded = is_unloaded(f, i, now, s), sticks = pair.status == C2D_STICK;
+  if (!unloaded && (pair.status == C2D_OPEN || (sticks && !is_at_bound(f, i, now, s)))) return {0.0, 0, 0};
+  const PairState rate = pair_rates(*f.t, i, f.dy);
   if (pair.status == C2D_OPEN) {
-    if (!is_unloaded(f, i, now, s) || rate.wn >= -no_rate(pair, s).motion) return {0.0, 0, 0};
+    if (rate.wn >= -no_rate(pair, s).motion) return {0.0, 0, 0};
     const int32_t sign = pair.mu == 0.0 ? 1 : slips_at_once(*f.t, pair, rate, s);
     return {-rate.wn / s.dw, sign != 0 ? C2D_SLIP : C2D_STICK, sign};
   }
-  if (is_unloaded(f, i, now, s)) {
+  if (unloaded) {
     const Violation v = judge_unloaded(pair, f.t->free_motions == 0, rate, s);
-    if (v.size > 0.0 || pair.status == C2D_STICK) return v;
+    if (v.size > 0.0 || sticks) return v;
   }
-  if (pair.status == C2D_SLIP) return judge_slipping(pair, rate, s);
-  return is_at_bound(f, i, now, s) ? judge_sticking(pair, sign_at_bound(f, i, now), rate, s) : Violation{0.0, 0, 0};
+  return sticks ? judge_sticking(pair, sign_at_bound(f, i, now), rate, s) : judge_slipping(pair, rate, s);
 }
 
 } // namespace

@@ -478,7 +478,11 @@ void apply_list(Tableau& t) {
 }
 
 void combine(const Tableau& t, const double* factor, bool with_constants, Real* out) {
-  for (int32_t i = 0; i < t.m; ++i) out[i] = with_constants ? constants(t)[i] : Real(0);
+  const Real* const from = constants(t);
+  if (with_constants)
+    for (int32_t i = 0; i < t.m; ++i) out[i] = from[i];
+  else
+    for (int32_t i = 0; i < t.m; ++i) out[i] = 0;
   for (int32_t k = 0; k < t.cases; ++k) {
     const Real f = static_cast<Real>(factor[k]);
     const Real* rate = load_rates(t, k);
