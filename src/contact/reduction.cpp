@@ -68,7 +68,7 @@ c2d_status add_body(const Bordered& s, int b) {
 // ---- A and C: equations that are kept --------------------------------------------------------------------------------
 
 // Columns of a product that go through memory of their own: `count` of them as they are, and as many of what comes out. With a
-// kernel half of its scratch holds them, so that packing the left factor serves many; how many depends on the sizes alone.
+// kernel most of its scratch holds them, so that packing the left factor serves many; how many depends on the sizes alone.
 struct Strips {
   Engine engine;
   Real *in, *out;
@@ -78,15 +78,17 @@ struct Strips {
 
 Strips strips_of(const Bordered& s) {
   const Reduction& r = s.r;
-  const int64_t ld = s.strip_length(), half = full_scratch(ld, ld) / 2 / 8 * 8, wide = half / (2 * ld) / 8 * 8;
+  const int64_t ld = s.strip_length(), all = full_scratch(ld, ld), packing = all / 5 / 8 * 8,
+                wide = (all - packing) / (2 * ld) / 4 * 4;
   constexpr int32_t kFew = kStripColumns / 2, kMost = 64;
-  if (kSmallCode || !r.engine.kernel || r.engine.numbers < 2 * half || wide < 2 * kFew)
+  if (kSmallCode || !r.engine.kernel || r.engine.numbers < all || wide < 2 * kFew)
     return {r.engine, r.strip, s.strip(kFew), ld, kFew};
-  const int32_t count = wide < kMost ? static_cast<int32_t>(wide) : kMost;
-  Strips strips = {r.engine, r.engine.scratch + half, r.engine.scratch + half + count * ld, ld, count};
-  strips.engine.numbers = half;
+  const int64_t most = ld < kMost ? ld : kMost; // there are no more
+  const int32_t count = static_cast<int32_t>(wide < most ? wide : most);
+  Strips strips = {r.engine, r.engine.scratch + packing, r.engine.scratch + packing + count * ld, ld, count};
+  strips.engine.numbers = packing;
   strips.engine.used = nullptr;
-  const int64_t used = half + 2 * count * ld;
+  const int64_t used = packing + 2 * count * ld;
   if (r.engine.used && *r.engine.used < used) *r.engine.used = used;
   return strips;
 }
