@@ -90,7 +90,7 @@ all: $(LIBRARY) $(if $(filter-out $(PORT_SOURCES),$(ALL_PORT_SOURCES)),,$(PROGRA
 
 # ---------------------------------------------------------------- objects
 # A stamp that changes with compiler and flags, so that other flags mean other objects.
-FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
+FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
@@ -113,8 +113,8 @@ $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
-# (what counts in the program is seldom run: its compiler is what takes time)
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(if $(COUNTED),-O0))))
+# (PROGRAM_FLAGS=-O0 where its compiler is what takes time)
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(PROGRAM_FLAGS))))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
