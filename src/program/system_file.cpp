@@ -95,7 +95,9 @@ int list_folder(const std::string& folder, std::vector<std::string>& names) {
   struct Close {
     void operator()(DIR* list) const { ::closedir(list); }
   };
-  const std::unique_ptr<DIR, Close> list(::opendir(folder.c_str()));
+  std::unique_ptr<DIR, Close> list;
+  do list.reset(::opendir(folder.c_str()));
+  while (list == nullptr && errno == EINTR && !interrupted());
   if (list == nullptr) return errno;
   for (errno = 0; const dirent* entry = ::readdir(list.get()); errno = 0) {
     const std::string_view name = entry->d_name;
