@@ -135,8 +135,10 @@ TEST_CASE("windows: the deck from standard input with ends of lines as Windows h
   CHECK(contains(missing.err, "contact2d: no\\such.dat: error: cannot be read: No such file or directory"));
   CHECK(contains(is_folder.err, "Is a directory"));
   CHECK_FALSE(contains(missing.err, "\033"));
-  const Result same = there(folder, "run d --csv D2 --json '.\\D2'");
-  CHECK((same.status == 64 && contains(same.err, "--csv and --json are the same file")));
+  for (const char* other : {"'.\\D2'", "d2", "./d2"}) {
+    const Result same = there(folder, "run d --csv D2 --json " + std::string(other));
+    CHECK((same.status == 64 && contains(same.err, "--csv and --json are the same file")));
+  }
 }
 
 TEST_CASE("windows: files beside a sketch; a sweep in threads; rows that are added") {

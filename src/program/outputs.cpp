@@ -15,7 +15,12 @@ std::string spelled_out(const std::string& name) {
   std::error_code error;
   const std::filesystem::path path =
       std::filesystem::weakly_canonical(std::filesystem::absolute(std::filesystem::u8path(name), error), error);
-  return error ? name : path.lexically_normal().generic_u8string();
+  if (error) return name;
+  std::string text = path.lexically_normal().generic_u8string();
+  const bool any_case = std::filesystem::path::preferred_separator != '/'; // Windows, of letters of ASCII
+  for (char& c : text)
+    if (any_case && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
 // A file that the run reads or writes.
