@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLargest = 1e100;
 
-// The text of a field, which is not blank, without outer blanks, in quotes.
+// The text of a field without outer blanks, in quotes. (It is not blank: that is 0, and well formed.)
 void put_field(Text& text, const char* field, int32_t width) {
   while (field[width - 1] == ' ') --width;
   while (field[0] == ' ') {

@@ -16,9 +16,9 @@
 namespace app {
 namespace {
 
+const char* const kNotWritten = "cannot be written";
 // What is written aside goes out in pieces; what is written directly waits in memory, so that a cancelled or
 // failed run has printed nothing, as long as that is reasonable.
-const char* const kNotWritten = "cannot be written";
 const size_t kPiece = size_t{1} << 18, kDirectPiece = size_t{1} << 26;
 
 // 0: this process holds the file, under this name.

@@ -12,7 +12,8 @@ SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indi
 # $(1) folder, $(2) lists of tests left out, $(3) files of tests or nothing: all, $(4) more variables
 coverage_run = C2D_TESTS_NOT='$(2)' C2D_TESTS_FILES='$(3)' LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
   $(MAKE) -s test BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
-  LDFLAGS=-fprofile-instr-generate HARDENING= PROGRAM_FLAGS=-O0 TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(4)
+  LDFLAGS=-fprofile-instr-generate HARDENING= PROGRAM_FLAGS=-O0 \
+  TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(4)
 coverage_show = llvm-profdata-14 merge -o $(1)/all.profdata $(1)/profile/*.profraw && \
   llvm-cov-14 show -show-branches=count -instr-profile $(1)/all.profdata $(1)/tests/run_tests -object $(1)/contact2d \
   $$(for program in $(1)/counted/*; do [ ! -f $$program ] || echo -object $$program; done) \

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace families {
 namespace {
@@ -31,6 +32,8 @@ const struct {
                 {"a number from 0 to 1", [](double v) { return v >= 0 && v <= 1; }},
                 {"a number above -1, at most 0.5", [](double v) { return v > -1 && v <= 0.5; }},
                 {"a number from 0, or inf", [](double v) { return v >= 0; }}};
+static_assert(std::size(kNumbers) == static_cast<size_t>(Kind::kChoice),
+              "words are the last kind, behind all kinds of numbers");
 
 const Parameter* find_parameter(const Family& family, const std::string& key) {
   for (const Parameter& parameter : family.parameters)
