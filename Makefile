@@ -178,9 +178,10 @@ ALL_TEST_OBJECTS := $(filter $(TESTS_OWN),$(ALL_TEST_OBJECTS)) \
 endif
 .PHONY: test-objects
 test-objects: $(ALL_TEST_OBJECTS) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS) $(CHAPTER9_OBJECTS)
-# Calls that a test can refuse go through it (tests/refused_calls.hpp); linkers elsewhere cannot do that.
+# Calls that a test can refuse go through it (tests/refused_calls.hpp, system_calls.hpp); linkers elsewhere cannot do that.
 WRAP_CALLS := $(if $(filter Linux,$(shell uname -s)),$(patsubst %,-Wl$(comma)--wrap=%,\
-  $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p' tests/refused_calls.cpp)))
+  $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p; s/.* __wrap_\([a-z0-9_]*\)(.*) {$$/\1/p' \
+  tests/refused_calls.cpp tests/system_calls.cpp)))
 # What counts stands first: of functions that stand in headers the linker takes the first copy.
 $(TESTS): $(if $(COUNTED),$(CORE_OBJECTS) $(PORT_OBJECTS) $(FAMILY_OBJECTS) $(REPORT_OBJECTS)) \
   $(ALL_TEST_OBJECTS) $(STUDY_OBJECT) $(FUZZ_PROGRAM)

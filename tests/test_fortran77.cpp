@@ -1,6 +1,6 @@
 // The FORTRAN 77 names, called as a compiler of FORTRAN calls them: arrays at odd addresses, texts padded
 // with blanks, everything by reference. What comes out is compared with the C interface.
-#include "fortran77.hpp"
+#include "fortran77_calls.hpp"
 #include "host_structs.hpp"
 #include "paths.hpp"
 #include "shell.hpp"
@@ -17,59 +17,10 @@
 #include <utility>
 
 using namespace test;
-using c2d::fortran::integer_at;
-using c2d::fortran::put_real;
-using c2d::fortran::real_at;
 
 namespace {
 
 const std::string kRoot = paths::root();
-
-// Memory whose address is `odd` bytes behind a multiple of 64.
-class Odd {
-public:
-  Odd(size_t bytes, size_t odd) : bytes_(bytes + 128), odd_(odd) {}
-  void* at() {
-    const uintptr_t address = reinterpret_cast<uintptr_t>(bytes_.data());
-    return bytes_.data() + (64 - address % 64) + odd_;
-  }
-
-private:
-  std::vector<unsigned char> bytes_;
-  size_t odd_;
-};
-
-// Arguments as FORTRAN hands them over: the address of a copy.
-struct I {
-  int32_t value;
-  operator In() const { return &value; }
-};
-struct R {
-  double value;
-  operator In() const { return &value; }
-};
-
-const int32_t kIntegers[2] = {1987, 64};
-const double kLiteral[1] = {1987.015625};
-constexpr int32_t kWords = 60000;
-
-int32_t open(void* work, int32_t words = kWords) {
-  int32_t error = -1;
-  c2open_(work, I{words}, kIntegers, kLiteral, &error);
-  return error;
-}
-
-std::vector<std::string> cards_of(const std::string& file) { return lines_of(read_file(kRoot + "/examples/" + file)); }
-
-// CHARACTER*80 CARDS(N).
-std::string padded(const std::vector<std::string>& cards) {
-  std::string out;
-  for (std::string card : cards) {
-    card.resize(80, ' ');
-    out += card;
-  }
-  return out;
-}
 
 std::string message(int32_t code) {
   char text[60];

@@ -96,10 +96,13 @@ c2d_error blank_error() {
   return error;
 }
 
-int32_t words_for(uint64_t solver_bytes) {
-  if (solver_bytes > UINT64_C(8) * INT32_MAX - kHostSlack - 7) return 0;
-  return static_cast<int32_t>((solver_bytes + kHostSlack + 7) / 8);
+int32_t words_of(uint64_t bytes) {
+  const uint64_t words = bytes / 8 + (bytes % 8 != 0);
+  return words > INT32_MAX ? 0 : static_cast<int32_t>(words);
 }
+int32_t words_for(uint64_t solver_bytes) { return words_of(solver_bytes + kHostSlack); }
+
+int32_t at_most(uint64_t count) { return count > INT32_MAX ? INT32_MAX : static_cast<int32_t>(count); }
 
 Entry entry_of(const c2d_error& e) {
   const int32_t words = e.bytes_needed > 0 ? words_for(e.bytes_needed) : 0;
@@ -127,8 +130,8 @@ bool Call::ready() {
 // What the solver knows of its last failure, if it is this one or the one that broke it; else the number and its words.
 void Call::keep_failure() {
   c2d_error error = blank_error();
-  if (solver && c2d_last_error(solver, &error) == C2D_OK &&
-      (error.status == status || c2d_get_state(solver) == C2D_STATE_BROKEN)) {
+  if (solver) c2d_last_error(solver, &error);
+  if (solver && (error.status == status || c2d_get_state(solver) == C2D_STATE_BROKEN)) {
     host->error = entry_of(error);
   } else if (!told) {
     error = blank_error();
@@ -137,10 +140,8 @@ void Call::keep_failure() {
     put_text(error.text, static_cast<int32_t>(strlen(message(status))), message(status));
     host->error = entry_of(error);
   }
-  if (status == C2D_ERR_STORE_OPEN && host->store_kind == kMemoryStore) {
-    const uint64_t words = c2d_memory_store_need(&host->store.memory) / 8 + 1;
-    host->error.info[kInfo - 1] = words > INT32_MAX ? 0 : static_cast<int32_t>(words);
-  }
+  if (status == C2D_ERR_STORE_OPEN && host->store_kind == kMemoryStore)
+    host->error.info[kInfo - 1] = words_of(c2d_memory_store_need(&host->store.memory));
 }
 
 void Call::tell(const c2d_error& error) {

@@ -104,8 +104,10 @@ Host* moved_host_of(Work work);
 bool check_caller(In icheck, In rlit, Out ierr);
 Entry entry_of(const c2d_error& error);
 c2d_error blank_error();
-// Words of WORK for a solver of this many bytes; 0 if INTEGER*4 cannot count them.
+// Words of so many bytes, and words of WORK for a solver of so many; 0 if INTEGER*4 cannot count them.
+int32_t words_of(uint64_t bytes);
 int32_t words_for(uint64_t solver_bytes);
+int32_t at_most(uint64_t count); // the count, or the largest INTEGER*4
 c2d_port port_of(Host* host);
 // Makes the solver with these limits; call.status says how it went.
 void make_solver(Call& call, Work work, const c2d_limits& limits);

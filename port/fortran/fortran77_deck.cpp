@@ -86,7 +86,8 @@ void read_cards(Call& call, Work work, Cards& cards) {
   call.status = c2d_read_deck(call.solver, next_card, &cards);
   if (call.status == C2D_OK) return;
   c2d_error why = blank_error();
-  if (c2d_last_error(call.solver, &why) == C2D_OK) call.tell(why);
+  c2d_last_error(call.solver, &why);
+  call.tell(why);
   c2d_close(call.solver);
   call.forget_solver();
 }
@@ -125,11 +126,13 @@ void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   c2d_error why = blank_error();
   call.status = c2d_memory_need(&limits, &least, &most, &why);
   if (call.status != C2D_OK) return call.tell(why);
-  const int32_t least_words = words_for(least), most_words = words_for(most);
-  if (least_words == 0) call.status = C2D_ERR_OVERFLOW;
-  if (call.status != C2D_OK) return;
+  const int32_t least_words = words_for(least);
+  if (least_words == 0) {
+    call.status = C2D_ERR_OVERFLOW;
+    return;
+  }
   put_integer(nmin, least_words);
-  put_integer(nall, most_words > 0 ? most_words : INT32_MAX);
+  put_integer(nall, at_most((most + kHostSlack + 7) / 8));
 }
 
 // For a solver that is made in the array as it was opened, with the options given so far.
@@ -139,10 +142,8 @@ void tell_tape(Call& call, const c2d_limits& limits, int32_t tape, Out nblock, O
   c2d_error why = blank_error();
   call.status = c2d_tape_need(&limits, &call.host->options, call.host->bytes - kHostSlack, tape, &blocks, &bytes, &why);
   if (call.status != C2D_OK) return call.tell(why);
-  if (blocks > INT32_MAX || bytes / 8 >= INT32_MAX) call.status = C2D_ERR_OVERFLOW;
-  if (call.status != C2D_OK) return;
-  put_integer(nblock, static_cast<int32_t>(blocks));
-  put_integer(nwords, static_cast<int32_t>((bytes + 7) / 8));
+  put_integer(nblock, at_most(blocks));
+  put_integer(nwords, words_of(bytes)); // a block has room in WORK
 }
 
 // For the solver that is there, and for those to come.

@@ -46,9 +46,8 @@ void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr) {
   if (call.ready()) {
     const int32_t body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
     const int64_t stride = integer_at(ldxy);
-    if (is_aligned(xy) || count < 1 || stride < 2) {
-      call.status =
-          c2d_set_nodes(call.solver, body, first, count, is_aligned(xy) ? static_cast<const double*>(xy) : nullptr, stride);
+    if (is_aligned(xy) || count < 1 || stride < 2) { // the latter are refused
+      call.status = c2d_set_nodes(call.solver, body, first, count, static_cast<const double*>(xy), stride);
     } else {
       for (int32_t i = count - 1; i >= 0 && call.status == C2D_OK; --i) {
         const Reals point(static_cast<const char*>(xy) + i * stride * 8, 2);

@@ -14,18 +14,16 @@ char* behind(Out to, int64_t reals) { return static_cast<char*>(to) + reals * 8;
 constexpr int32_t kChunk = 32; // entries fetched at a time where the caller's array stands at an odd address
 
 c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
-  double some[kChunk];
+  double some[kChunk] = {};
   // The last entry goes first: if there are fewer, nothing has been written when that is found.
   if (first < 1 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
-  const c2d_status last = c2d_get(solver, field, body, count > 0 ? first + count - 1 : first, count > 0 ? 1 : 0, some, 1);
-  if (last != C2D_OK) return last;
-  for (int32_t done = 0; done < count; done += kChunk) {
+  c2d_status status = c2d_get(solver, field, body, count > 0 ? first + count - 1 : first, count > 0 ? 1 : 0, some, 1);
+  for (int32_t done = 0; done < count && status == C2D_OK; done += kChunk) {
     const int32_t now = count - done < kChunk ? count - done : kChunk;
-    const c2d_status status = c2d_get(solver, field, body, first + done, now, some, 1);
-    if (status != C2D_OK) return status;
+    status = c2d_get(solver, field, body, first + done, now, some, 1);
     for (int32_t i = 0; i < now; ++i) put_real(behind(a, (done + i) * stride), some[i]);
   }
-  return C2D_OK;
+  return status;
 }
 
 c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a, int64_t stride) {
@@ -80,7 +78,6 @@ template <class T, class Put> void put_list(Out to, int32_t count, const T* list
 }
 
 void put_summary(const c2d_summary& s, const c2d_body_result (&body)[2], Out isum, int32_t ni, Out rsum, int32_t nr) {
-  const int32_t events = s.events > INT32_MAX ? INT32_MAX : static_cast<int32_t>(s.events);
   const int32_t integers[] = {s.state,
                               s.outcome,
                               s.outcome_body,
@@ -101,7 +98,7 @@ void put_summary(const c2d_summary& s, const c2d_body_result (&body)[2], Out isu
                               s.paths,
                               s.load_cases,
                               s.warnings,
-                              events};
+                              at_most(static_cast<uint64_t>(s.events))};
   double reals[28] = {
       s.load,      s.mu,   s.force_applied, s.force_contact, s.force_error,   s.max_residual, s.elimination_residual,
       s.condition, s.work, s.dissipated,    s.elastic,       s.energy_defect, s.tension_ratio};
@@ -163,8 +160,7 @@ void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr) {
     c2d_summary summary = C2D_INIT(c2d_summary);
     c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};
     call.status = c2d_get_summary(call.solver, &summary);
-    for (int32_t b = 0; b < summary.bodies && b < 2 && call.status == C2D_OK; ++b)
-      call.status = c2d_get_body_result(call.solver, b + 1, &body[b]);
+    for (int32_t b = 0; b < summary.bodies && b < 2; ++b) c2d_get_body_result(call.solver, b + 1, &body[b]);
     if (call.status == C2D_OK) put_summary(summary, body, isum, integer_at(ni), rsum, integer_at(nr));
   }
   call.leave(ierr);

@@ -77,8 +77,7 @@ int32_t reserve(int file, uint64_t bytes) {
   if (fstat(file, &about) != 0) return errno;
   const uint64_t has = static_cast<uint64_t>(about.st_blocks) * kUnit;
   if (has >= bytes) return 0; // not even its time is touched
-  if (fstatvfs(file, &disk) == 0 && disk.f_blocks > 0 && disk.f_frsize > 0 && (bytes - has) / disk.f_frsize > disk.f_bavail)
-    return ENOSPC;
+  if (fstatvfs(file, &disk) == 0 && disk.f_blocks > 0 && bytes - has > uint64_t(disk.f_bavail) * disk.f_frsize) return ENOSPC;
   int result;
   do {
     result = fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes));

@@ -59,14 +59,14 @@ void wake(Helper* h, pthread_cond_t* bell, const std::atomic<bool>& sleeps) {
 void* work(void* argument) {
   Helper* h = static_cast<Helper*>(argument);
   for (;;) {
-    await(h, &h->for_thread, &h->thread_sleeps, [h] { return h->put.load() != h->taken.load() || h->stop.load(); });
-    uint32_t mine = h->taken.load();
-    if (h->put.load() == mine) {
-      if (h->stop.load()) return nullptr; // nothing is left
-      continue;                           // the caller was quicker
-    }
+    uint32_t mine = 0;
+    await(h, &h->for_thread, &h->thread_sleeps, [h, &mine] {
+      mine = h->taken.load();
+      return h->put.load() != mine || h->stop.load();
+    });
+    if (h->put.load() == mine) return nullptr; // to stop, and nothing is left
     Slot& slot = h->slot[h->queue[mine % kSlots].load()];
-    if (!h->taken.compare_exchange_strong(mine, mine + 1)) continue;
+    if (!h->taken.compare_exchange_strong(mine, mine + 1)) continue; // the caller was quicker
     slot.code = do_posix_transfer(h->store, slot.transfer);
     slot.state.store(done);
     wake(h, &h->for_caller, h->caller_sleeps);
@@ -98,7 +98,7 @@ bool lend_a_hand(Helper* h) {
 bool start_thread(Helper* h) {
   sigset_t all, before;
   sigfillset(&all);
-  if (pthread_sigmask(SIG_SETMASK, &all, &before) != 0) return false;
+  pthread_sigmask(SIG_SETMASK, &all, &before);
   const bool started = pthread_create(&h->thread, nullptr, work, h) == 0;
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return started;
