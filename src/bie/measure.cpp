@@ -24,8 +24,9 @@ struct Facing {
   bool reversed;
 };
 Facing facing_element(const Model& m, int b, int32_t element) {
-  ZonePlace at;
-  if (!find_contact_element(m, b, element, &at) || at.side != 1) return Facing{0, -1, false};
+  ZonePlace at{};
+  find_contact_element(m, b, element, &at);
+  if (at.side != 1) return Facing{0, -1, false};
   const Zone& z = m.zone[at.zone];
   if (z.is_free != 0) return Facing{0, -1, false}; // tau is per length of side 1
   return Facing{z.body[0], zone_element(m, z, 0, at.place), z.element_step[0] != z.element_step[1]};
@@ -51,7 +52,7 @@ void end_resultants(const Model& m, int b, int32_t element, Measure measure, End
 bool next_contact_end(const Model& m, int b, ContactEnd& end) {
   for (++end.l; end.element < end_of_elements(m, b); ++end.element, end.l = 0) {
     ZonePlace place;
-    if (!find_contact_element(m, b, end.element, &place) || !is_integrated(m, b, end.element)) continue;
+    if (!find_contact_element(m, b, end.element, &place)) continue;
     if (end.l == 0) end_resultants(m, b, end.element, Measure::contact, end.of_element);
     for (; end.l < m.head->function_nodes; ++end.l) {
       end.at = pair_of_end(m, b, end.element, end.l);
@@ -63,7 +64,7 @@ bool next_contact_end(const Model& m, int b, ContactEnd& end) {
 
 double traction_ratio(const Model& m, int b, int32_t element, int l) {
   const Facing facing = facing_element(m, b, element);
-  if (facing.element < 0 || pair_of_end(m, b, element, l).pair < 0) return 1.0;
+  if (facing.element < 0) return 1.0;
   const double eta = node_eta(m.head->function_nodes, l);
   const Point own = element_point(scaled_element(m, b, element), eta);
   const Point other = element_point(scaled_element(m, facing.body, facing.element), facing.reversed ? -eta : eta);

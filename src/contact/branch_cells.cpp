@@ -258,13 +258,11 @@ Division worst_division(const RateProblem& r) {
 
 // A cell of those left in which the pair is where the point has it.
 Cell cell_at(const Doubt& d, const PairPoint& x, double none) {
-  if (is_allowed(d, Cell::open) && pressed(d, x) <= none) return Cell::open;
+  const Cell closed = closed_cell(d);
+  if (is_allowed(d, Cell::open) && (is_fixed(d) || pressed(d, x) <= none)) return Cell::open;
   const bool slides = lacking(d, x) <= none && fabs(x.wt) > none;
   if (slides && is_allowed(d, way_of(x))) return way_of(x);
-  const Cell all[] = {closed_cell(d), Cell::slip_plus, Cell::slip_minus};
-  for (const Cell cell : all)
-    if (is_allowed(d, cell)) return cell;
-  return Cell::open;
+  return is_allowed(d, closed) ? closed : is_allowed(d, Cell::slip_plus) ? Cell::slip_plus : Cell::slip_minus;
 }
 
 // Where no pair is between two cells: cells that have rates there, unless they are no regular system. False: they are not.
@@ -290,9 +288,10 @@ void allow_all(RateProblem& r) {
   }
 }
 
+// A point that was given up on the way may say a cell that is not left; any other will do.
 void descend(RateProblem& r, const Division& at, int32_t* depth) {
   Doubt& d = r.doubt[at.doubt];
-  const int32_t before = d.allowed, one = bit(at.cell), others = before & ~one;
+  const int32_t before = d.allowed, one = is_allowed(d, at.cell) ? bit(at.cell) : before & -before, others = before & ~one;
   d.allowed = at.cell_first ? one : others;
   r.branch[(*depth)++] = Branch{at.doubt, before, before & ~d.allowed};
 }

@@ -68,8 +68,7 @@ void find_work(const Model& m, int b, const double motion[3], Real* out) {
   for (int32_t i = 0; i < m.body[b].contact; ++i) out[i] = 0;
   for (int32_t element = 0; element < end_of_elements(m, b); ++element) {
     ZonePlace place;
-    if (find_contact_element(m, b, element, &place) && is_integrated(m, b, element))
-      add_element_work(m, b, element, motion, out);
+    if (find_contact_element(m, b, element, &place)) add_element_work(m, b, element, motion, out);
   }
   TransferWalk walk{};
   walk.body = b;

@@ -60,13 +60,13 @@ bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathS
 }
 bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
-  if (i == f.bound.pair && f.bound.status == C2D_SLIP) return true;
+  if (i == f.bound.pair) return true; // (it is not unloaded: the event was one of slip)
   return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
 }
 
 // Of friction at its bound.
 int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
-  if (i == f.bound.pair && f.bound.status == C2D_SLIP && f.bound.sign != 0) return f.bound.sign;
+  if (i == f.bound.pair) return f.bound.sign; // (as above)
   return now.q > 0.0 ? 1 : -1;
 }
 
@@ -177,22 +177,18 @@ Round change_all(Follower& f, const PathScales& s) {
 }
 
 // Rounds of changes as long as they make new sets of statuses: what most events need. y and dy are those of the tableau, before
-// and after.
-c2d_status change_in_rounds(Follower& f, const PathScales& s, bool* settled) {
+// and after. True: nothing offends any more.
+bool change_in_rounds(Follower& f, const PathScales& s) {
   constexpr int32_t kRounds = 12;
   uint64_t seen[kRounds];
-  *settled = false;
   for (int32_t round = 0; round < kRounds; ++round) {
     seen[round] = fingerprint(*f.t);
     for (int32_t k = 0; k < round; ++k)
-      if (seen[k] == seen[round]) return C2D_OK;
-    switch (change_all(f, round == 0 ? s : decision_scales(f))) {
-    case Round::quiet: *settled = true; return C2D_OK;
-    case Round::stuck: return C2D_OK;
-    case Round::changed: break;
-    }
+      if (seen[k] == seen[round]) return false;
+    const Round made = change_all(f, round == 0 ? s : decision_scales(f));
+    if (made != Round::changed) return made == Round::quiet;
   }
-  return C2D_OK;
+  return false;
 }
 
 } // namespace
@@ -292,12 +288,6 @@ bool is_held(const Follower& f) {
 
 namespace {
 
-c2d_status settle_by_rounds(Follower& f, const PathScales& s, bool* settled) {
-  const c2d_status status = change_in_rounds(f, s, settled);
-  *settled = *settled && is_held(f);
-  return status;
-}
-
 // Before anything else: in a small model, and where nothing is loaded yet or the path turns. Elsewhere the state before says
 // which of several solutions goes on, and rounds of changes find it.
 bool wants_all(const Follower& f) { return f.t->pairs <= 6 || !f.goes_on; }
@@ -310,7 +300,7 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   const bool was_let_go = let_go, was_idle = f.idle;
   PathScales s = decision_scales(f);
   status = kSearchPart.note_idle(f, s);
-  if (let_go && status == C2D_OK) status = kSearchPart.hold_again(f, &let_go, outcome);
+  if (let_go) status = kSearchPart.hold_again(f, &let_go, outcome); // (of which note_idle asks nothing)
   if (status != C2D_OK || let_go || *outcome != C2D_REACHED) return status;
   if (was_let_go || f.idle != was_idle) s = decision_scales(f);
   const bool first = wants_all(f);
@@ -325,9 +315,7 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (first) status = kSearchPart.try_all(f, offends, &found);
   if (status != C2D_OK || found > 0 || !offends) return status;
   if (found < 0) {
-    bool settled = false;
-    status = settle_by_rounds(f, s, &settled);
-    if (status != C2D_OK || settled) return status;
+    if (change_in_rounds(f, s) && is_held(f)) return C2D_OK;
     status = restore_pairs(f);
     if (status == C2D_OK && !first) status = kSearchPart.try_all(f, true, &found);
     if (status != C2D_OK || found > 0) return status;

@@ -258,7 +258,7 @@ c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
 
 // Slots that must leave the all-stick basis: both of an open pair, the tangential one of a slipping pair.
 bool must_leave(const Pair& pair, int slot) {
-  if (slot == 1) return pair.tangential && pair.status != C2D_STICK;
+  if (slot == 1) return pair.status != C2D_STICK;
   return pair.status == C2D_OPEN;
 }
 
@@ -443,7 +443,8 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
-  const bool placed = !let_go || kSearchPart.place_body(t, left, count);
+  bool placed = true;
+  if (let_go) placed = kSearchPart.place_body(t, left, count);
   if (C2D_NEVER(!placed)) return C2D_ERR_SINGULAR; // contact/let_go.cpp
   for (; !let_go && t.resting < count; ++t.resting) {
     const bool rests = kSearchPart.rest_along(t, left[t.resting], static_cast<Real*>(tape.buffer));
@@ -457,10 +458,16 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
 
 // ---- reading ------------------------------------------------------------------------------------------------------
 
+template <bool hostile> int32_t longest_list(int64_t all) {
+  if constexpr (hostile)
+    if (all > kHostileWidth) return kHostileWidth;
+  return static_cast<int32_t>(all);
+}
+
 void place_list(Tableau& t, Real* numbers, int32_t count) {
   if (kSmallCode) return;
-  const int64_t m = t.m, all = delayed_exchanges(m);
-  const int32_t most = kHostile && all > kHostileWidth ? kHostileWidth : static_cast<int32_t>(all);
+  const int64_t m = t.m;
+  const int32_t most = longest_list<kHostile>(delayed_exchanges(m));
   t.own = numbers;
   t.cross = numbers + m;
   t.delayed = {t.m, t.n, t.t, most, numbers + 2 * m, count};

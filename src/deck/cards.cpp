@@ -91,7 +91,7 @@ bool is_free_comment(const Cards& cards) {
 }
 
 void missing_card(Cards& cards, const char* what) {
-  if (cards.status == C2D_OK && cards.faults == 0 && cards.line == 0)
+  if (cards.faults == 0 && cards.line == 0)
     fault(cards, 0, 0, "the deck is empty");
   else
     fault(cards, 0, 0, "the deck ends here, expected ", what);
@@ -116,12 +116,11 @@ void refuse_tabs(Cards& cards) {
 }
 
 bool next_heading(Cards& cards, const char* what) {
-  const bool was_ended = cards.ended;
   const int32_t faults = cards.faults;
   cards.is_heading = true;
   const bool found = next_line(cards);
   cards.is_heading = false;
-  if (!found && !was_ended && cards.faults == faults) missing_card(cards, what);
+  if (!found && cards.faults == faults) missing_card(cards, what);
   return found;
 }
 

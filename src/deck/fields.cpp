@@ -113,7 +113,6 @@ bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
 int32_t words_left(const Cards& cards) { return cards.words.count - cards.taken; }
 
 int32_t take_word(Cards& cards, int32_t column, int32_t width) {
-  if (cards.taken >= kMaximumWords) return kMaximumWords;
   Word& place = cards.place[cards.taken];
   place.column = static_cast<int16_t>(column);
   place.column_end = static_cast<int16_t>(column + width - 1);

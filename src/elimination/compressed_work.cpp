@@ -111,7 +111,7 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
 bool is_tree_node(const Model& m, int b, int32_t node) {
-  return m.node_column[b][node + 1] - m.node_column[b][node] == 2 && pair_of_node(m, b, node).pair < 0;
+  return m.node_column[b][node + 1] - m.node_column[b][node] == 2;
 }
 
 namespace {
@@ -210,7 +210,7 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
   // Blocks are no longer than those of the records, so that bounds of their number are none of much larger ones.
   const uint64_t column = static_cast<uint64_t>(narrow.rows) * sizeof(Real);
   cut.block_rows = 0;
-  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(column > 0 ? plan.block_bytes / column : 1));
+  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(plan.block_bytes / column));
   while (elimination_bytes(cut) > room) --cut.block_columns;
   return C2D_OK;
 }

@@ -476,8 +476,7 @@ c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Rea
         continue;
       }
       const int32_t i = chunk.first + j; // forward substitution: U^T is lower triangular
-      const Real diagonal = column[i];
-      f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
+      f[i] = (f[i] - dot(i, column, f)) / column[i];
     }
   }
 }

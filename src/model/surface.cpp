@@ -68,8 +68,7 @@ bool go_on(const Model& m, int b, Walk& walk) {
   if (m.body[b].lines != 0) {
     const double* end = m.xy[b] + 2 * geometry_node(m, b, walk.element, walk.way > 0 ? body_of(m, b).element_nodes - 1 : 0);
     const int32_t lines = lines_through(*m.head, end[0], end[1]);
-    if (lines != 0 && (next < 0 || is_axis_element(m, b, next))) {
-      if (lines == 3) return false;
+    if (lines != 0 && (next < 0 || is_axis_element(m, b, next))) { // (no boundary is at the crossing of both)
       walk.sign[lines - 1] = -walk.sign[lines - 1];
       walk.way = -walk.way;
       return true;
@@ -77,7 +76,7 @@ bool go_on(const Model& m, int b, Walk& walk) {
   }
   const Curve* const own = curve_of(m, b, walk.element);
   walk.element = next;
-  return next >= 0 && !is_zero_length(m, b, next) && curve_of(m, b, next) == own;
+  return !is_zero_length(m, b, next) && curve_of(m, b, next) == own;
 }
 
 void add_chord(const Model& m, int b, const Walk& walk, int place, Chain& chain) {

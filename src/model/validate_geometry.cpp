@@ -57,7 +57,7 @@ void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
   if (is_zero_length(m, b, element)) return;
   int32_t next = element;
   do next = element_after(m, b, next);
-  while (next >= 0 && is_zero_length(m, b, next) && next != element);
+  while (next >= 0 && is_zero_length(m, b, next));
   if (next < 0) return; // the end of an open region
   double n1[2], n2[2];
   outward_normal(m, b, element, 1, n1);

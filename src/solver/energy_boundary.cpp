@@ -39,22 +39,17 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   const Model& m = a.model();
   const double modulus = 2.0 * shear_modulus(m, a.b);
   const int32_t end = element * m.head->function_nodes + l;
-  switch (traction_kind(m, a.b, element, l, c)) {
-  case TractionKind::contact: {
+  const TractionKind kind = traction_kind(m, a.b, element, l, c);
+  if (kind == TractionKind::contact) {
     const PairSide at = pair_of_end(m, a.b, element, l);
     const Pair& pair = m.pair[at.pair];
     const double scaled = signed_on(at.side, factor) * m.head->stress_unit / modulus;
     for (int slot = 0; slot <= pair.tangential; ++slot)
       a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
-    return;
-  }
-  case TractionKind::solved: {
+  } else if (kind == TractionKind::solved) {
     add_outer(a, outer_column(m, a.b, functional_node(m, a.b, element, l), c), factor);
-    return;
-  }
-  case TractionKind::given: {
+  } else {
     for (int32_t k = 0; k < m.head->load_cases; ++k) a.lambda[k] += factor * given_traction(m, a.b, end, c, k) / modulus;
-  }
   }
 }
 
