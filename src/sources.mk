@@ -140,6 +140,7 @@ CORE_SOURCES += src/memory/characters.cpp
 CORE_SOURCES += src/memory/sizes.cpp
 CORE_SOURCES += src/memory/structs.cpp
 CORE_SOURCES += src/memory/text.cpp
+CORE_SOURCES += src/memory/wide_integer.cpp
 CORE_SOURCES += src/model/element.cpp
 CORE_SOURCES += src/model/facing_bounds.cpp
 CORE_SOURCES += src/model/facing_pieces.cpp

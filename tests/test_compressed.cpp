@@ -2,6 +2,7 @@
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "elimination/compressed.hpp"
+#include "elimination/compressed_work.hpp"
 #include "elimination/stream.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/interpolate.hpp"
@@ -476,6 +477,33 @@ TEST_CASE("compressed: in the least memory") {
   }
 }
 
+// Of a body nearly all of whose nodes are in contact the border is what is large.
+TEST_CASE("compressed: plans for bodies that are large, or nearly all in contact") {
+  const c2d::CompressedPlan wide = c2d::plan_compressed(c2d::CompressedLimits{1, 100000, 200000, 1, 0}, 160, 12);
+  const uint64_t rows = static_cast<uint64_t>(wide.border.rows), pivots = static_cast<uint64_t>(wide.border.pivots);
+  CHECK(rows > 200000);
+  CHECK(wide.block_bytes >= rows * sizeof(c2d::Real)); // a column of the border is not cut
+  CHECK(c2d::block_numbers(wide) >= static_cast<int64_t>(4 * rows));
+  CHECK(c2d::compressed_back_bytes(wide) >= pivots * (sizeof(c2d::Real) + sizeof(int32_t)));
+  CHECK(c2d::compressed_bytes(wide) > c2d::compressed_back_bytes(wide));
+  const c2d::CompressedPlan huge = c2d::plan_compressed(c2d::CompressedLimits{1 << 29, 0, 0, 1, 0}, 1 << 29, 12);
+  CHECK(c2d::compressed_bytes(huge) == UINT64_MAX); // n^2 numbers, n = 2^30, more than once
+}
+
+TEST_CASE("compressed: a border is known by each of its numbers") {
+  ModelData d = disc(2, 2, 100);
+  REQUIRE(d.complete());
+  c2d::Model m = d.view();
+  c2d::number_unknowns(m, 0);
+  const c2d::EliminationPlan border = c2d::plan_compressed(m, 0, 20, c2d::kLeafNodes).border;
+  REQUIRE(c2d::is_border(m, 0, border));
+  c2d::EliminationPlan other = border;
+  other.rank = 0;
+  CHECK_FALSE(c2d::is_border(m, 0, other));
+  d.bodies[0].rigid = 1;
+  CHECK_FALSE(c2d::is_border(d.view(), 0, border));
+}
+
 // The least of a work area counts blocks of 32 KB; where wide columns of the border make them longer, less is left for panels.
 TEST_CASE("compressed: whatever the memory, the plan fits into it") {
   ModelData d = disc(2, 2, 2300);
@@ -645,11 +673,13 @@ TEST_CASE("compressed: records of a stranger lead nowhere") {
     }
   };
   std::vector<unsigned char> block(c2d::kBlockHeaderBytes + 1024), spoilt;
-  for (uint64_t k = first; k < first + 30; ++k) {
+  uint64_t last = first + 1;
+  while (c2d::read_block(compressed.tapes, C2D_TAPE_UPPER, last, block.data(), 1024) == C2D_OK) ++last;
+  for (uint64_t k = first; k < last; k += k == first + 29 && last > first + 36 ? last - k - 6 : 1) { // the border's come last
     const uint64_t bytes = k == first ? 64 : 1024; // that tells where the records end
     REQUIRE(c2d::read_block(compressed.tapes, C2D_TAPE_UPPER, k, block.data(), bytes) == C2D_OK);
     for (uint64_t at = 0; at < bytes; at += 4 + bytes / 32)
-      for (int32_t number : {-7, 1 << 30, 3}) {
+      for (int32_t number : {-7, 1 << 30, 3, 2000}) {
         spoilt = block;
         std::memcpy(spoilt.data() + c2d::kBlockHeaderBytes + at, &number, sizeof number);
         REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, k, spoilt.data(), bytes) == C2D_OK);
@@ -677,7 +707,7 @@ TEST_CASE("compressed: every operation of the store fails, and the host cancels 
   const auto kind = [&](int64_t n) {
     return clean.store.done[static_cast<size_t>(n)].kind == 'r' ? C2D_ERR_STORE_READ : C2D_ERR_STORE_WRITE;
   };
-  for (int64_t n = 0; n < operations; n += 1 + operations / 30) {
+  for (int64_t n = 0; n < operations; n += 1 + operations / 400) {
     CAPTURE(n);
     trouble.fails_at = n;
     CHECK(Compressed(d, 0, 60, 4, trouble).status == kind(n));
@@ -691,22 +721,27 @@ TEST_CASE("compressed: every operation of the store fails, and the host cancels 
   Numbers x(static_cast<size_t>(clean.pivots)), f(x.size(), 1), w(static_cast<size_t>(clean.trailing));
   const Numbers c(w.size(), 0);
   Aligned work(c2d::compressed_back_bytes(clean.plan));
-  const auto back = [&](bool transposed) {
-    if (!transposed) return c2d::back_substitute_compressed(clean.plan, clean.tapes, c.data(), x.data(), work.at);
+  Aligned room(c2d::compressed_check_bytes(clean.plan));
+  const auto back = [&](int which) {
+    c2d::Remainder left;
+    if (which == 2)
+      return c2d::check_compressed(clean.plan, clean.system, clean.tapes, c.data(), x.data(), room.at, &left);
+    if (which == 0) return c2d::back_substitute_compressed(clean.plan, clean.tapes, c.data(), x.data(), work.at);
     Numbers own = f;
     return c2d::compressed_functional(clean.plan, clean.tapes, own.data(), w.data(), work.at);
   };
-  for (const bool transposed : {false, true}) {
+  for (const int which : {0, 1, 2}) {
+    CAPTURE(which);
     clean.fail(-1);
-    REQUIRE(back(transposed) == C2D_OK);
+    REQUIRE(back(which) == C2D_OK);
     const int64_t reads = static_cast<int64_t>(clean.store.done.size());
-    REQUIRE(reads > 3);
+    REQUIRE(reads > (which == 2 ? 0 : 3));
     for (int64_t n = 0; n < reads; ++n) {
       clean.fail(n);
-      CHECK(back(transposed) == C2D_ERR_STORE_READ);
+      CHECK(back(which) == C2D_ERR_STORE_READ);
     }
     clean.fail(-1);
-    CHECK(back(transposed) == C2D_OK);
+    CHECK(back(which) == C2D_OK);
   }
 }
 

@@ -141,6 +141,10 @@ TEST_CASE("inner edges: tapes that are none, or not open, or longer than a file 
     CHECK(close_tape(tapes, tape) == C2D_ERR_INTERNAL);
     CHECK(read_block(tapes, tape, 0, buffer, 8) == C2D_ERR_INTERNAL);
     CHECK(write_block(tapes, tape, 0, buffer, 8) == C2D_ERR_INTERNAL);
+    for (const bool ahead : {false, true}) {
+      BlockTransfer transfer;
+      CHECK(start_transfer(tapes, transfer, BlockTransfer::read, tape, 0, buffer, 8, ahead) == C2D_ERR_INTERNAL);
+    }
   }
   CHECK(recount_run(tapes, buffer) == C2D_ERR_INTERNAL); // tape CONTROL is not open
   CHECK(keep_count(tapes, buffer) == C2D_ERR_INTERNAL);
@@ -186,18 +190,25 @@ TEST_CASE("inner edges: a run whose number would be that of the count itself tak
 }
 
 TEST_CASE("inner edges: a count that is spoilt on its tape is written again, and a run goes on from another") {
-  Counter c;
-  REQUIRE(begin_run(c.tapes, 7, c.buffer) == C2D_OK);
-  const std::vector<unsigned char> sound = c.block;
-  c.block[kBlockHeaderBytes] ^= 1;
-  uint64_t count = 0;
-  CHECK(read_count(c.tapes, &count, c.buffer) == C2D_ERR_STORE_CHECKSUM);
-  CHECK(keep_count(c.tapes, c.buffer) == C2D_OK);
-  CHECK(c.block == sound);
-  const uint64_t before = c.tapes.count;
-  c.block[kBlockHeaderBytes] ^= 1;
-  CHECK(begin_run(c.tapes, 7, c.buffer) == C2D_OK);
-  CHECK(c.tapes.count > before + 1000); // from the sum of what is there: nobody had that
+  for (const bool torn : {false, true}) {
+    CAPTURE(torn);
+    Counter c;
+    REQUIRE(begin_run(c.tapes, 7, c.buffer) == C2D_OK);
+    const auto spoil = [&] { // half of the end of the block is not the one written with it, or a byte of the data
+      for (size_t i = 1; i <= 4 && torn; ++i) c.block[c.block.size() - i] ^= 0x55;
+      if (!torn) c.block[kBlockHeaderBytes] ^= 1;
+    };
+    const std::vector<unsigned char> sound = c.block;
+    uint64_t count = 0;
+    spoil();
+    CHECK(read_count(c.tapes, &count, c.buffer) == (torn ? C2D_ERR_STORE_SHORT : C2D_ERR_STORE_CHECKSUM));
+    CHECK(keep_count(c.tapes, c.buffer) == C2D_OK);
+    CHECK(c.block == sound);
+    const uint64_t before = c.tapes.count;
+    spoil();
+    CHECK(begin_run(c.tapes, 7, c.buffer) == C2D_OK);
+    CHECK(c.tapes.count > before + 1000); // from the sum of what is there: nobody had that
+  }
 }
 
 TEST_CASE("inner edges: an elimination of no sizes, of wrong ones, of any: the plan fits, and its tapes hold what it says") {
@@ -219,7 +230,8 @@ TEST_CASE("inner edges: an elimination of no sizes, of wrong ones, of any: the p
   int planned = 0;
   for (int i = 0; i < 20000; ++i) {
     const int32_t rows = below(3) == 0 ? below(20) : below(4000), pivots = rows > 0 ? below(rows + 1) : 0;
-    const int32_t trailing = below(3) == 0 ? 0 : below(200), forced = below(2) == 0 ? 0 : 1 + below(60);
+    const int32_t trailing = below(3) == 0 ? 0 : below(200);
+    const int32_t forced = below(2) == 0 ? 0 : 1 + below(below(2) == 0 ? 60 : 3000);
     const uint64_t in_core = elimination_bytes_in_core(rows, pivots, trailing);
     const uint64_t bytes = static_cast<uint64_t>(std::ldexp(static_cast<double>(in_core), -below(12)));
     const c2d_status status = plan_elimination(bytes, rows, pivots, trailing, forced, plan, &needed);
@@ -257,6 +269,10 @@ TEST_CASE("inner edges: two exchanges at once, where either has no pivot, leave 
     CHECK_FALSE(exchange_two(2, 2, t, 2, 0, 1, nullptr));
     if (!kSmallCode) CHECK(std::memcmp(t, was, sizeof t) == 0);
   }
+  Real t[4] = {2, 1, 1, 3}; // both at once are the negative of the inverse, as METHOD 11 has exchanges, or the inverse
+  REQUIRE(exchange_two(2, 2, t, 2, 0, 1, nullptr));
+  const double inverse[4] = {0.6, -0.2, -0.2, 0.4};
+  for (int i = 0; i < 4; ++i) CHECK(std::fabs(static_cast<double>(t[i])) == doctest::Approx(std::fabs(inverse[i])).epsilon(1e-6));
 }
 
 TEST_CASE("inner edges: columns are cut for many workers into pieces that are neither too narrow nor too wide") {

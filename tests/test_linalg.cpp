@@ -424,15 +424,15 @@ TEST_CASE("row and column operations replace y and z as they say") {
 }
 
 TEST_CASE("many vectors are made orthonormal, with what made them so") {
-  const int32_t n = 90;
-  for (const int32_t count : {1, 16, 17, 45, 64}) {
+  for (const auto& [n, count] : {std::pair<int32_t, int32_t>{90, 1}, {90, 16}, {90, 17}, {90, 45}, {90, 64}, {30, 20}}) {
+    CAPTURE(n);
     CAPTURE(count);
     std::mt19937 generator(7);
     std::uniform_real_distribution<double> uniform(-1, 1);
     const auto at = [](const std::vector<Real>& a, int32_t rows, int32_t i, int32_t j) {
       return static_cast<double>(a[static_cast<size_t>(i + j * rows)]);
     };
-    std::vector<Real> given(static_cast<size_t>(n * count)), mix(static_cast<size_t>(count * count)), scratch(n * n);
+    std::vector<Real> given(static_cast<size_t>(n * count)), mix(static_cast<size_t>(count * count)), scratch(static_cast<size_t>(n * n));
     for (Real& x : given) x = static_cast<Real>(1e3 * (1 + 0.1 * uniform(generator))); // nearly parallel
     for (int32_t j = 0; j < count; ++j) mix[static_cast<size_t>(j * (count + 1))] = 1;
     std::vector<Real> x = given;
@@ -455,5 +455,15 @@ TEST_CASE("many vectors are made orthonormal, with what made them so") {
     for (int32_t i = 0; i < n; ++i)
       x[static_cast<size_t>(i + (count - 1) * n)] = x[static_cast<size_t>(i)] + x[static_cast<size_t>(i + (count - 2) * n)];
     CHECK(!orthonormalise(kPlainEngine, n, count, x.data(), 0, nullptr, scratch.data()));
+  }
+}
+
+TEST_CASE("a vector of zeros has no direction, and stays what it is") {
+  std::vector<Real> x = {3, 4, 0, 0, 0, 0, 0, 0, 2}, mix = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  CHECK(!orthonormalise(3, 3, x.data(), 3, mix.data()));
+  const double expected[] = {0.6, 0.8, 0, 0, 0, 0, 0, 0, 1}, mixed[] = {0.2, 0, 0, 0, 1, 0, 0, 0, 0.5};
+  for (size_t i = 0; i < 9; ++i) {
+    CHECK(static_cast<double>(x[i]) == doctest::Approx(expected[i]).epsilon(1e-6));
+    CHECK(static_cast<double>(mix[i]) == doctest::Approx(mixed[i]).epsilon(1e-6));
   }
 }

@@ -103,7 +103,7 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   dense.take(room, elimination_bytes(plan.border));
   w.dense = room;
   dense.carver.align();
-  if (!bump.carver.fits || !dense.carver.fits) return UINT64_MAX;
+  if (!bump.carver.fits) return UINT64_MAX;
   if (out) *out = w;
   return bump.carver.used > dense.carver.used ? bump.carver.used : dense.carver.used;
 }

@@ -8,7 +8,7 @@ COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
 SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indicator elimination assembly store bodies coarse \
-  corners invariance search)
+  corners invariance search inner_edges)
 # $(1) folder, $(2) lists of tests left out, $(3) files of tests or nothing: all, $(4) more variables
 coverage_run = C2D_TESTS_NOT='$(2)' C2D_TESTS_FILES='$(3)' LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
   $(MAKE) -s test BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
