@@ -724,8 +724,7 @@ TEST_CASE("compressed: every operation of the store fails, and the host cancels 
   Aligned room(c2d::compressed_check_bytes(clean.plan));
   const auto back = [&](int which) {
     c2d::Remainder left;
-    if (which == 2)
-      return c2d::check_compressed(clean.plan, clean.system, clean.tapes, c.data(), x.data(), room.at, &left);
+    if (which == 2) return c2d::check_compressed(clean.plan, clean.system, clean.tapes, c.data(), x.data(), room.at, &left);
     if (which == 0) return c2d::back_substitute_compressed(clean.plan, clean.tapes, c.data(), x.data(), work.at);
     Numbers own = f;
     return c2d::compressed_functional(clean.plan, clean.tapes, own.data(), w.data(), work.at);

@@ -315,3 +315,198 @@ TEST_CASE("deck edges: a region that is not the last of its body ends within it"
   CHECK(r.faults[0].column == 6);
   CHECK(contains_text(r.faults[0].text, "last element of the region is 9, expected 1 to 4"));
 }
+
+namespace {
+
+// Three squares, one upon the other; two contact zones.
+List three_squares() {
+  return {"*FREE",
+          "1",
+          "THREE",
+          "0 2",
+          "3 2 2",
+          "1 2 4 4",
+          "1 2 4 4",
+          "1 2 4 4",
+          "1 4",
+          "1 4",
+          "1 4",
+          "1e3 0.3",
+          "1e3 0.3",
+          "1e3 0.3",
+          "1 0.3",
+          "0 0",
+          "1 0 0",
+          "2 1 0",
+          "3 1 1",
+          "4 0 1",
+          "0 0",
+          "1 0 1",
+          "2 1 1",
+          "3 1 2",
+          "4 0 2",
+          "0 0",
+          "1 0 2",
+          "2 1 2",
+          "3 1 3",
+          "4 0 3",
+          "2",
+          "1 1 1100 0 0 0 0",
+          "1 2 1100 0 0 0 0",
+          "0",
+          "0",
+          "0",
+          "2",
+          "3 1 0011 0 -1 0 0",
+          "3 2 0011 0 -1 0 0",
+          "0",
+          "1 2 2 1",
+          "3 3 1 1",
+          "3 4 2 1",
+          "2 3 2 1",
+          "3 3 1 1",
+          "3 4 2 1",
+          "2 1",
+          "4 2",
+          "2 1",
+          "1 50",
+          "1 1"};
+}
+constexpr size_t kSums = 46; // of the first card with numbers of contact nodes and elements, from 0
+
+} // namespace
+
+TEST_CASE(
+    "deck edges: of three bodies the sums of contact nodes and elements are compared, at the last, if all could be read") {
+  List deck = three_squares();
+  CHECK(read(joined(deck)).status == C2D_OK);
+  deck[kSums + 1] = "5 2";
+  Fault f = the_fault(read(joined(deck)));
+  CHECK(f.line == static_cast<int>(kSums) + 3);
+  CHECK(contains_text(f.text, "numbers of contact nodes of all bodies make 9, expected 8"));
+  deck[kSums + 1] = "4 x";
+  f = the_fault(read(joined(deck)));
+  CHECK(f.line == static_cast<int>(kSums) + 2); // that of the number that is none, and no other
+}
+
+TEST_CASE("deck edges: behind the first keyword card a C begins a remark only with a blank behind it") {
+  CHECK(behind({"*UNITS mm N", "C no card", "C"}).status == C2D_OK);
+  const Fault f = the_fault(behind({"*UNITS mm N", "Card"}));
+  CHECK(contains_text(f.text, "the card does not belong to *UNITS above it"));
+  CHECK(behind({"Card", "*UNITS mm N"}).status == C2D_OK); // before, it did in 1987
+}
+
+TEST_CASE("deck edges: a keyword that is long is told as far as there is room") {
+  const Fault f = the_fault(behind({"*ANUMBEROFLETTERSWITHOUTEND WORD"}));
+  CHECK(contains_text(f.text, "ANUMBEROFLETTERSWITHOU"));
+  CHECK(!contains_text(f.text, "WORD"));
+}
+
+TEST_CASE("deck edges: one body has no free zone but with itself; with constant functions a zone has a pair for each element") {
+  List deck = three_squares();
+  deck[4] = "3 0 1";
+  deck.erase(deck.begin() + 40, deck.begin() + 46);
+  for (size_t i = 40; i < 43; ++i) deck[i] = "0 0";
+  deck[36] = deck[30] = "1"; // a condition of an element's only node
+  deck.erase(deck.begin() + 38);
+  deck.erase(deck.begin() + 32);
+  deck.push_back("*ZONE 3 3 1 1");
+  const Reading r = read(joined(deck));
+  CAPTURE((r.faults.empty() ? std::string() : r.faults[0].text));
+  CHECK(r.status == C2D_OK);
+  CHECK(r.sizes.pairs == 1);
+  const List one = {"*FREE",
+                    "1",
+                    "ONE",
+                    "0 2",
+                    "1 0 2",
+                    "1 2 4 4",
+                    "1 4",
+                    "1e3 0.3",
+                    "1 0.3",
+                    "0 0",
+                    "1 0 0",
+                    "2 1 0",
+                    "3 1 1",
+                    "4 0 1",
+                    "2",
+                    "1 1 1100 0 0 0 0",
+                    "1 2 1100 0 0 0 0",
+                    "0",
+                    "0 0",
+                    "1 50",
+                    "1 1",
+                    "*ZONE 3 3 1 1"};
+  const Fault f = the_fault(read(joined(one)));
+  CHECK(contains_text(f.text, "a contact zone with one body only, expected two bodies, or BODIES 1 -1"));
+}
+
+TEST_CASE("deck edges: a heading is told without the blanks and tabs behind it") {
+  List deck = squares();
+  deck[1] = "TWO SQUARES \t";
+  Bytes bytes;
+  bytes.bytes = joined(deck);
+  std::vector<std::string> headings;
+  c2d_body_limits room[2] = {};
+  const auto keep = [](void* context, const c2d_card* card) {
+    if (card->kind == C2D_CARD_HEADING)
+      static_cast<std::vector<std::string>*>(context)->emplace_back(card->text, static_cast<size_t>(card->length));
+  };
+  CHECK(c2d_walk_deck(read_bytes, &bytes, room, 2, keep, &headings, nullptr, nullptr) == C2D_OK);
+  REQUIRE(headings.size() == 1);
+  CHECK(headings[0] == "TWO SQUARES");
+}
+
+// Cards of point loads without numbers, so many that the last fault that is told stands on each of the cards behind them.
+TEST_CASE("deck edges: wherever the hundredth fault is, the next ends the reading, and no model hears of what follows") {
+  int ended = 0;
+  for (int faults = 90; faults <= 101; ++faults) {
+    CAPTURE(faults);
+    List deck = squares();
+    deck[27] = std::string(5 - std::to_string(faults).size(), ' ') + std::to_string(faults);
+    deck.erase(deck.begin() + 28);
+    deck.insert(deck.begin() + 28, static_cast<size_t>(faults), "    1         x       0.5       0.0      -2.0");
+    const size_t zones = 28 + static_cast<size_t>(faults);
+    deck[zones + 3] = "    7    x", deck[zones + 4] = "    7    x";
+    deck[zones + 5] = "    1    x";
+    deck[zones + 6] = "    x       1.0";
+    const Reading r = read(joined(deck));
+    CHECK(r.status == C2D_ERR_INPUT);
+    const bool too_many = contains_text(r.faults.back().text, "too many faults");
+    CHECK(r.faults.size() == (too_many ? 101 : r.faults.size()));
+    ended += too_many;
+    for (const Call& call : r.model.calls) CHECK(call.name != "path");
+  }
+  CHECK(ended >= 5);
+  List deck = squares(); // nodes without a coordinate
+  deck[4] = "    1    2  102  102", deck[6] = "    1  102";
+  std::string number = "    0";
+  deck.erase(deck.begin() + 12, deck.begin() + 16);
+  for (int node = 102; node >= 1; --node) {
+    number = std::string(5 - std::to_string(node).size(), ' ') + std::to_string(node);
+    deck.insert(deck.begin() + 12, number + "        x        0.");
+  }
+  const Reading r = read(joined(deck));
+  CHECK(r.faults.size() == 101);
+  CHECK(contains_text(r.faults.back().text, "too many faults"));
+  CHECK(r.faults.back().line == 12 + 101);
+}
+
+TEST_CASE("deck edges: a model that refuses everything is not asked for ever") {
+  List deck = squares();
+  deck[27] = "  150";
+  deck.insert(deck.begin() + 28, 149, deck[28]);
+  Bytes bytes;
+  bytes.bytes = joined(deck);
+  Reading r;
+  r.sizes.bodies = host::Limits::kRoom;
+  c2d::DeckSink sink = recording_sink(r.model);
+  sink.add_point_load = [](c2d_solver* s, int32_t, int32_t, double, double, double, double) -> c2d_status {
+    recorder(s)->record("point load", {});
+    return C2D_ERR_INPUT;
+  };
+  CHECK(c2d::read_deck_cards(&sink, read_bytes, &bytes, keep_fault, &r.faults, &r.sizes) == C2D_ERR_INPUT);
+  int asked = 0;
+  for (const Call& call : r.model.calls) asked += call.name == "point load";
+  CHECK(asked == 101);
+}

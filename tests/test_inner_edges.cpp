@@ -272,7 +272,8 @@ TEST_CASE("inner edges: two exchanges at once, where either has no pivot, leave 
   Real t[4] = {2, 1, 1, 3}; // both at once are the negative of the inverse, as METHOD 11 has exchanges, or the inverse
   REQUIRE(exchange_two(2, 2, t, 2, 0, 1, nullptr));
   const double inverse[4] = {0.6, -0.2, -0.2, 0.4};
-  for (int i = 0; i < 4; ++i) CHECK(std::fabs(static_cast<double>(t[i])) == doctest::Approx(std::fabs(inverse[i])).epsilon(1e-6));
+  for (int i = 0; i < 4; ++i)
+    CHECK(std::fabs(static_cast<double>(t[i])) == doctest::Approx(std::fabs(inverse[i])).epsilon(1e-6));
 }
 
 TEST_CASE("inner edges: columns are cut for many workers into pieces that are neither too narrow nor too wide") {

@@ -432,7 +432,8 @@ TEST_CASE("many vectors are made orthonormal, with what made them so") {
     const auto at = [](const std::vector<Real>& a, int32_t rows, int32_t i, int32_t j) {
       return static_cast<double>(a[static_cast<size_t>(i + j * rows)]);
     };
-    std::vector<Real> given(static_cast<size_t>(n * count)), mix(static_cast<size_t>(count * count)), scratch(static_cast<size_t>(n * n));
+    std::vector<Real> given(static_cast<size_t>(n * count)), mix(static_cast<size_t>(count * count)),
+        scratch(static_cast<size_t>(n * n));
     for (Real& x : given) x = static_cast<Real>(1e3 * (1 + 0.1 * uniform(generator))); // nearly parallel
     for (int32_t j = 0; j < count; ++j) mix[static_cast<size_t>(j * (count + 1))] = 1;
     std::vector<Real> x = given;

@@ -28,7 +28,7 @@ bool count_fields(Cards& cards, FieldCount& count) {
   const int32_t least = kFields + (count.codes_apart ? kMoreFields : 0);
   count.has_flag = fields == least + 1;
   if (fields == least || fields == least + 1) return true;
-  word_fault(cards, cards.words, fields, "the card has ", fields, fields == 1 ? " field" : " fields",
+  word_fault(cards, cards.words, fields, "the card has ", fields, " fields",
              ", expected 7: element, node, four codes as one field, four values; 10 with the codes apart; one "
              "more with the flag 1 in front");
   return false;

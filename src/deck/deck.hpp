@@ -120,6 +120,8 @@ bool read_count(Deck& deck, const char* name, int32_t* value);
 bool fits_count(Deck& deck, bool fits, int32_t read_so_far);
 // Fields of the card at hand that begin like a number.
 int32_t numbers_on(const Cards& cards);
+// Of the limits, which are 32-bit: the largest there is where a sum is beyond.
+int32_t bounded(int64_t size); // free_zones.cpp
 // What the card of body b said. (keep_body_card: so that the two others know.)
 void keep_body_card(Deck& deck, int b, int32_t element_nodes);
 int32_t body_line(const Deck& deck, int b);

@@ -58,11 +58,12 @@ void read_range(Deck& deck, const Words& words, int32_t at, c2d_side& side) {
 
 } // namespace
 
+int32_t bounded(int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); }
+
 void count_zone(Deck& deck, int32_t elements, int32_t kind) {
   const int64_t order = deck.sizes.function_nodes;
   const int64_t pairs = order > 1 ? elements * (order - 1) + 1 : elements;
   const bool self = (kind & C2D_ZONE_SELF) != 0;
-  const auto bounded = [](int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); };
   if (self) deck.self_pairs += pairs;
   deck.pairs += pairs;
   deck.contact_elements += elements;

@@ -124,8 +124,6 @@ bool read_zone(Deck& deck, bool* sound) {
   return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
 }
 
-int32_t bounded(int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); }
-
 // What a card for each body says once more of its zones.
 struct Sum {
   const char* what;

@@ -110,9 +110,7 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
 
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
-bool is_tree_node(const Model& m, int b, int32_t node) {
-  return m.node_column[b][node + 1] - m.node_column[b][node] == 2;
-}
+bool is_tree_node(const Model& m, int b, int32_t node) { return m.node_column[b][node + 1] - m.node_column[b][node] == 2; }
 
 namespace {
 
