@@ -218,7 +218,7 @@ std::vector<Contour> contours_of(const Graph& graph) {
   }
   std::vector<Contour> out;
   for (auto& entry : contours)
-    if (!entry.second.inside.empty() && !entry.second.polygon.empty()) out.push_back(std::move(entry.second));
+    if (!entry.second.inside.empty()) out.push_back(std::move(entry.second)); // (all areas cancel: it has a polygon)
   return out;
 }
 
@@ -268,11 +268,13 @@ void nest(std::vector<Contour>& contours, Drawing& drawing) {
     c.outside.hole = true;
     if (c.inside.size() > 1)
       drawing.notes.push_back("a hole near " + told(c.polygon.front()) + " has curves across it, which were left out");
-    for (size_t f = 0; f < body_of[around].size(); ++f)
-      if (encloses(contours[around].polygons[f], c.polygon)) {
-        drawing.bodies[body_of[around][f]].loops.push_back(std::move(c.outside));
-        break;
-      }
+    const std::vector<size_t>& bodies = body_of[around];
+    size_t f = 0;
+    while (f < bodies.size() && !encloses(contours[around].polygons[f], c.polygon)) ++f;
+    if (f < bodies.size())
+      drawing.bodies[bodies[f]].loops.push_back(std::move(c.outside));
+    else
+      drawing.notes.push_back("a hole near " + told(c.polygon.front()) + " lies in several bodies and was left out");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "program/drawing/nurbs.hpp"
 
 #include "program/drawing/chain.hpp"
+#include "program/sketch/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +114,7 @@ bool follows_circle(const Nurbs& n, double first, double last, bool closed, Curv
   constexpr int kSamples = 48;
   std::vector<Point> points;
   for (int i = 0; i < kSamples + (closed ? 0 : 1); ++i) points.push_back(n.at(first + (last - first) * i / kSamples));
-  const std::vector<Curve> curves = curves_of(points, closed, size_of({smooth(points, false)}));
+  const std::vector<Curve> curves = curves_of(points, closed, sketch::size_of(points));
   if (curves.size() != 1 || curves[0].kind != Curve::kArc) return false;
   arc = curves[0];
   return true;
@@ -172,7 +173,7 @@ Point Nurbs::at(double t) const {
   size_t k = static_cast<size_t>(std::upper_bound(knots.begin() + degree, knots.begin() + static_cast<ptrdiff_t>(n), t) -
                                  knots.begin()) -
              1;
-  while (k > p && knots[k + 1] == knots[k]) --k; // t is the last knot
+  while (knots[k + 1] == knots[k]) --k; // t is the last knot; there is a range before it
   double x[16], y[16], w[16];
   for (size_t i = 0; i <= p; ++i) {
     const size_t j = k - p + i;
@@ -181,8 +182,8 @@ Point Nurbs::at(double t) const {
   }
   for (size_t r = 1; r <= p; ++r)
     for (size_t i = p; i >= r; --i) {
-      const double low = knots[k - p + i], high = knots[k + 1 + i - r];
-      const double f = high > low ? (t - low) / (high - low) : 0;
+      const double low = knots[k - p + i], high = knots[k + 1 + i - r]; // on both sides of the range of t
+      const double f = (t - low) / (high - low);
       x[i] = (1 - f) * x[i - 1] + f * x[i];
       y[i] = (1 - f) * y[i - 1] + f * y[i];
       w[i] = (1 - f) * w[i - 1] + f * w[i];
@@ -195,7 +196,7 @@ std::vector<Curve> curves_of(const Nurbs& n, double tolerance) {
   std::vector<Curve> out;
   const double first = corners.front(), last = corners.back(), step = 1e-7 * (last - first);
   const Point gap = n.at(last) - n.at(first);
-  const bool meets = sketch::length(gap) <= 1e-9 * size_of({smooth(n.points, false)});
+  const bool meets = sketch::length(gap) <= 1e-9 * sketch::size_of(n.points);
   // A closed one without a corner is one curve that is whole.
   const bool whole =
       corners.size() == 2 && meets && sketch::dot(tangent(n, first, step), tangent(n, last, -step)) < -std::cos(1e-3);

@@ -13,7 +13,7 @@ namespace {
 std::string fixed(double value, int decimals) {
   char text[400];
   std::string out(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr);
-  if (out.find('.') != std::string::npos) out.erase(out.find_last_not_of('0') + 1);
+  out.erase(out.find_last_not_of('0') + 1); // behind the point, of which there is one
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;
 }
@@ -52,11 +52,10 @@ void Writer::comment(const std::string& text) {
   constexpr size_t kWidth = 110;
   std::string rest = text;
   while (rest.size() > kWidth) {
-    size_t blank = rest.rfind(' ', kWidth);
-    if (blank == std::string::npos || blank == 0) break;
+    const size_t blank = rest.rfind(' ', kWidth);
+    if (blank == std::string::npos || blank < 2) break; // a word as long as that
     line("! " + rest.substr(0, blank));
     rest = "  " + rest.substr(blank + 1);
-    if (rest.find(' ', 2) == std::string::npos) break;
   }
   line("! " + rest);
 }
@@ -175,7 +174,7 @@ std::string Writer::write(const std::string& name) {
         doubt_ = std::max(doubt_, c.doubt);
       }
   const double size = size_of(all);
-  decimals_ = size > 1e-6 && size < 1e12 ? std::max(0, 13 - static_cast<int>(std::ceil(std::log10(size)))) : -1;
+  decimals_ = size > 1e-6 && size < 1e12 ? 13 - static_cast<int>(std::ceil(std::log10(size))) : -1;
   give_names();
   check_materials();
   if (std::any_of(all.begin(), all.end(), [](const Curve& c) { return c.kind == Curve::kSpline; }))
