@@ -1,22 +1,44 @@
 #include "refused_calls.hpp"
 
 #include <contact2d.h>
+#include <contact2d_cards.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <dirent.h>
 #include <map>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <type_traits>
+#include <unistd.h>
 
 namespace {
 std::atomic<int64_t> count{0}, refused{0};
+c2d_status status_of_refused = C2D_ERR_STATE;
 std::map<void*, std::vector<int64_t>> calls; // by where they come from; kept while none is refused
+std::map<std::string, std::vector<int64_t>> by_name;
 const char* name_refused = "";
+std::atomic<const char*> system_name{nullptr}; // of the calls of the system that are asked about
+std::function<int()> system_asked;
+std::atomic<int> system_calls{0};
 } // namespace
 
 namespace test {
 
-void refuse_call(int64_t n) {
-  count = 0, refused = n, name_refused = "";
-  calls.clear();
+void refuse_call(int64_t n, c2d_status status) {
+  count = 0, refused = n, status_of_refused = status, name_refused = "";
+  calls.clear(), by_name.clear();
 }
+std::vector<int64_t> calls_of(const std::string& name) { return by_name[name]; }
+
+System::System(const char* name, std::function<int()> asked) {
+  system_calls = 0, system_asked = std::move(asked), system_name = name;
+}
+System::System(const char* name, int n, int code) : System(name, [n, code] { return system_calls == n ? code : 0; }) {}
+System::~System() { system_name = nullptr; }
+int System::calls() const { return system_calls; }
+
 std::vector<int64_t> calls_to_refuse() {
   std::vector<int64_t> out;
   for (const auto& [place, numbers] : calls) {
@@ -36,7 +58,7 @@ bool can_refuse_calls() { return true; }
 namespace {
 bool is_let_through(const char* name, void* place) {
   const int64_t number = ++count;
-  if (refused == 0) calls[place].push_back(number);
+  if (refused == 0) calls[place].push_back(number), by_name[name].push_back(number);
   if (number == refused) name_refused = name;
   return number != refused;
 }
@@ -48,7 +70,7 @@ bool is_let_through(const char* name, void* place) {
   extern "C" c2d_status __wrap_##name parameters;                                                                              \
   extern "C" c2d_status __wrap_##name parameters {                                                                             \
     if (is_let_through(#name, __builtin_return_address(0))) return __real_##name arguments;                                    \
-    return C2D_ERR_STATE;                                                                                                      \
+    return status_of_refused;                                                                                                  \
   }
 
 using Solver = c2d_solver*;
@@ -75,7 +97,57 @@ WRAPPED(c2d_save, (Solver s), (s))
 WRAPPED(c2d_restore, (Solver s), (s))
 WRAPPED(c2d_create, (Solver * s, void* a, size_t b, const c2d_limits* c, const c2d_port* d, c2d_error* e), (s, a, b, c, d, e))
 WRAPPED(c2d_check_deck, (c2d_read_line a, void* b, c2d_limits* c, c2d_report d, void* e), (a, b, c, d, e))
+WRAPPED(c2d_close, (Solver s), (s))
+WRAPPED(c2d_walk_deck, (c2d_read_line a, void* b, c2d_body_limits* c, int32_t d, c2d_card_fn e, void* f, c2d_report g, void* h),
+        (a, b, c, d, e, f, g, h))
 WRAPPED(c2d_scan_deck, (c2d_read_line a, void* b, c2d_limits* c, c2d_error* d), (a, b, c, d))
+
+// Calls of the system: nothing but the name that is asked about costs more than a look at it. What tells its failure by what it
+// returns, as pthread_create does, returns the code.
+namespace {
+bool is_asked_about(const char* name, int& code) {
+  const char* const asked = system_name;
+  if (asked == nullptr || std::strcmp(asked, name) != 0) return false;
+  ++system_calls;
+  code = system_asked();
+  return code != 0;
+}
+template <class Result> Result failed(const char* name, int code) {
+  const bool is_code = std::strcmp(name, "pthread_create") == 0;
+  if (!is_code && code != test::kNothing) errno = code;
+  if constexpr (std::is_pointer_v<Result>)
+    return nullptr;
+  else
+    return static_cast<Result>(is_code ? code : code == test::kNothing ? 0 : -1);
+}
+} // namespace
+
+#undef WRAPPED
+#define WRAPPED(name, result, parameters, arguments)                                                                           \
+  extern "C" result __real_##name parameters;                                                                                  \
+  extern "C" result __wrap_##name parameters;                                                                                  \
+  extern "C" result __wrap_##name parameters {                                                                                 \
+    int code = 0;                                                                                                              \
+    return is_asked_about(#name, code) ? failed<result>(#name, code) : __real_##name arguments;                                \
+  }
+
+WRAPPED(open, int, (const char* a, int b, unsigned c), (a, b, c))
+WRAPPED(read, ssize_t, (int a, void* b, size_t c), (a, b, c))
+WRAPPED(pread, ssize_t, (int a, void* b, size_t c, off_t d), (a, b, c, d))
+WRAPPED(write, ssize_t, (int a, const void* b, size_t c), (a, b, c))
+WRAPPED(fsync, int, (int a), (a))
+WRAPPED(flock, int, (int a, int b), (a, b))
+WRAPPED(fstat, int, (int a, struct stat* b), (a, b))
+WRAPPED(ftruncate, int, (int a, off_t b), (a, b))
+WRAPPED(access, int, (const char* a, int b), (a, b))
+WRAPPED(realpath, char*, (const char* a, char* b), (a, b))
+WRAPPED(rename, int, (const char* a, const char* b), (a, b))
+WRAPPED(unlink, int, (const char* a), (a))
+WRAPPED(opendir, DIR*, (const char* a), (a))
+WRAPPED(sysconf, long, (int a), (a))
+WRAPPED(malloc, void*, (size_t a), (a))
+WRAPPED(calloc, void*, (size_t a, size_t b), (a, b))
+WRAPPED(pthread_create, int, (pthread_t * a, const pthread_attr_t* b, void* (*c)(void*), void* d), (a, b, c, d))
 
 #else
 
