@@ -146,6 +146,7 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
     return true;
   };
   const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
+  if (interrupted()) return kExitCancelled; // a file that was waited for is none that cannot be read
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
   if (const std::string clash = drawing.find_clash ? drawing.find_clash(read) : ""; !clash.empty()) {
