@@ -4,14 +4,7 @@
 #include <contact2d_cards.h>
 
 #include <atomic>
-#include <cerrno>
-#include <cstring>
-#include <dirent.h>
 #include <map>
-#include <pthread.h>
-#include <sys/stat.h>
-#include <type_traits>
-#include <unistd.h>
 
 namespace {
 std::atomic<int64_t> count{0}, refused{0};
@@ -19,9 +12,6 @@ c2d_status status_of_refused = C2D_ERR_STATE;
 std::map<void*, std::vector<int64_t>> calls; // by where they come from; kept while none is refused
 std::map<std::string, std::vector<int64_t>> by_name;
 const char* name_refused = "";
-std::atomic<const char*> system_name{nullptr}; // of the calls of the system that are asked about
-std::function<int()> system_asked;
-std::atomic<int> system_calls{0};
 } // namespace
 
 namespace test {
@@ -31,13 +21,6 @@ void refuse_call(int64_t n, c2d_status status) {
   calls.clear(), by_name.clear();
 }
 std::vector<int64_t> calls_of(const std::string& name) { return by_name[name]; }
-
-System::System(const char* name, std::function<int()> asked) {
-  system_calls = 0, system_asked = std::move(asked), system_name = name;
-}
-System::System(const char* name, int n, int code) : System(name, [n, code] { return system_calls == n ? code : 0; }) {}
-System::~System() { system_name = nullptr; }
-int System::calls() const { return system_calls; }
 
 std::vector<int64_t> calls_to_refuse() {
   std::vector<int64_t> out;
@@ -101,53 +84,6 @@ WRAPPED(c2d_close, (Solver s), (s))
 WRAPPED(c2d_walk_deck, (c2d_read_line a, void* b, c2d_body_limits* c, int32_t d, c2d_card_fn e, void* f, c2d_report g, void* h),
         (a, b, c, d, e, f, g, h))
 WRAPPED(c2d_scan_deck, (c2d_read_line a, void* b, c2d_limits* c, c2d_error* d), (a, b, c, d))
-
-// Calls of the system: nothing but the name that is asked about costs more than a look at it. What tells its failure by what it
-// returns, as pthread_create does, returns the code.
-namespace {
-bool is_asked_about(const char* name, int& code) {
-  const char* const asked = system_name;
-  if (asked == nullptr || std::strcmp(asked, name) != 0) return false;
-  ++system_calls;
-  code = system_asked();
-  return code != 0;
-}
-template <class Result> Result failed(const char* name, int code) {
-  const bool is_code = std::strcmp(name, "pthread_create") == 0;
-  if (!is_code && code != test::kNothing) errno = code;
-  if constexpr (std::is_pointer_v<Result>)
-    return nullptr;
-  else
-    return static_cast<Result>(is_code ? code : code == test::kNothing ? 0 : -1);
-}
-} // namespace
-
-#undef WRAPPED
-#define WRAPPED(name, result, parameters, arguments)                                                                           \
-  extern "C" result __real_##name parameters;                                                                                  \
-  extern "C" result __wrap_##name parameters;                                                                                  \
-  extern "C" result __wrap_##name parameters {                                                                                 \
-    int code = 0;                                                                                                              \
-    return is_asked_about(#name, code) ? failed<result>(#name, code) : __real_##name arguments;                                \
-  }
-
-WRAPPED(open, int, (const char* a, int b, unsigned c), (a, b, c))
-WRAPPED(read, ssize_t, (int a, void* b, size_t c), (a, b, c))
-WRAPPED(pread, ssize_t, (int a, void* b, size_t c, off_t d), (a, b, c, d))
-WRAPPED(write, ssize_t, (int a, const void* b, size_t c), (a, b, c))
-WRAPPED(fsync, int, (int a), (a))
-WRAPPED(flock, int, (int a, int b), (a, b))
-WRAPPED(fstat, int, (int a, struct stat* b), (a, b))
-WRAPPED(ftruncate, int, (int a, off_t b), (a, b))
-WRAPPED(access, int, (const char* a, int b), (a, b))
-WRAPPED(realpath, char*, (const char* a, char* b), (a, b))
-WRAPPED(rename, int, (const char* a, const char* b), (a, b))
-WRAPPED(unlink, int, (const char* a), (a))
-WRAPPED(opendir, DIR*, (const char* a), (a))
-WRAPPED(sysconf, long, (int a), (a))
-WRAPPED(malloc, void*, (size_t a), (a))
-WRAPPED(calloc, void*, (size_t a, size_t b), (a, b))
-WRAPPED(pthread_create, int, (pthread_t * a, const pthread_attr_t* b, void* (*c)(void*), void* d), (a, b, c, d))
 
 #else
 

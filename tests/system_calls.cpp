@@ -82,9 +82,26 @@ WRAPPED(fflush, int, EOF, (FILE * a), (a))
 WRAPPED(fread, size_t, 0, (void* a, size_t b, size_t c, FILE* d), (a, b, c, d))
 WRAPPED(fwrite, size_t, 0, (const void* a, size_t b, size_t c, FILE* d), (a, b, c, d))
 WRAPPED(remove, int, -1, (const char* a), (a))
+// The program's, whose files are small.
+WRAPPED(open, int, -1, (const char* a, int b, mode_t c), (a, b, c))
+WRAPPED(fstat, int, -1, (int a, struct stat* b), (a, b))
+WRAPPED(ftruncate, int, -1, (int a, off_t b), (a, b))
+WRAPPED(access, int, -1, (const char* a, int b), (a, b))
+WRAPPED(realpath, char*, nullptr, (const char* a, char* b), (a, b))
+WRAPPED(rename, int, -1, (const char* a, const char* b), (a, b))
+WRAPPED(unlink, int, -1, (const char* a), (a))
+WRAPPED(opendir, DIR*, nullptr, (const char* a), (a))
+WRAPPED(sysconf, long, -1, (int a), (a))
+WRAPPED(calloc, void*, nullptr, (size_t a, size_t b), (a, b))
 
 // Some do more, or tell a failure otherwise.
 extern "C" {
+ssize_t __real_read(int file, void* to, size_t bytes);
+ssize_t __wrap_read(int file, void* to, size_t bytes);
+ssize_t __real_write(int file, const void* from, size_t bytes);
+ssize_t __wrap_write(int file, const void* from, size_t bytes);
+ssize_t __real_pread(int file, void* to, size_t bytes, off_t at);
+ssize_t __wrap_pread(int file, void* to, size_t bytes, off_t at);
 ssize_t __real_pread64(int file, void* to, size_t bytes, off_t at);
 ssize_t __wrap_pread64(int file, void* to, size_t bytes, off_t at);
 ssize_t __real_pwrite64(int file, const void* from, size_t bytes, off_t at);
@@ -108,6 +125,15 @@ template <class Move> ssize_t move(const char* name, size_t bytes, Move real) {
   return fate == 0 ? 0 : -1;
 }
 } // namespace
+extern "C" ssize_t __wrap_read(int file, void* to, size_t bytes) {
+  return move("read", bytes, [=](size_t now) { return __real_read(file, to, now); });
+}
+extern "C" ssize_t __wrap_write(int file, const void* from, size_t bytes) {
+  return move("write", bytes, [=](size_t now) { return __real_write(file, from, now); });
+}
+extern "C" ssize_t __wrap_pread(int file, void* to, size_t bytes, off_t at) {
+  return move("pread", bytes, [=](size_t now) { return __real_pread(file, to, now, at); });
+}
 extern "C" ssize_t __wrap_pread64(int file, void* to, size_t bytes, off_t at) {
   return move("pread64", bytes, [=](size_t now) { return __real_pread64(file, to, now, at); });
 }

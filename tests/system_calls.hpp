@@ -1,7 +1,8 @@
-// Calls of the system by the ports that fail: what stands between, the linker puts there (Makefile).
+// Calls of the system that fail: what stands between, the linker puts there (Makefile).
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <functional>
 
 namespace test {
@@ -24,5 +25,27 @@ public:
   SystemCalls& operator=(const SystemCalls&) = delete;
 };
 bool can_judge_calls(); // can it be done here at all?
+
+// Those of one name alone: an errno is what one fails with, kNothing that it moves no bytes, kDone that it is done.
+constexpr int kNothing = 0;
+class System {
+public:
+  System(const char* name, std::function<int()> fate)
+      : name_(name), fate_(std::move(fate)), all_([this](const SystemCall& call) {
+          if (std::strcmp(call.name, name_) != 0) return static_cast<int>(kDone);
+          ++calls_;
+          return fate_();
+        }) {}
+  // The n-th, from 1, fails.
+  System(const char* name, int n, int code)
+      : System(name, [this, n, code] { return calls_ == n ? code : static_cast<int>(kDone); }) {}
+  int calls() const { return calls_; } // so far
+
+private:
+  const char* name_;
+  std::function<int()> fate_;
+  int calls_ = 0;
+  SystemCalls all_;
+};
 
 } // namespace test

@@ -3,6 +3,7 @@
 #include "paths.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
+#include "system_calls.hpp"
 
 #include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
@@ -470,9 +471,9 @@ template <class Job> int told_to_stop(const char* call, int n, int signal, bool 
     try {
       const app::Muted muted;
       const System system(call, [=, count = 0]() mutable {
-        if (++count != n) return 0;
+        if (++count != n) return int(kDone);
         ::raise(signal);
-        return interrupts ? EINTR : 0;
+        return interrupts ? EINTR : int(kDone);
       });
       status = job();
       if (system.calls() < n) status = 99;

@@ -3,6 +3,7 @@
 #include "paths.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
+#include "system_calls.hpp"
 
 #include "program/check.hpp"
 #include "program/deck_file.hpp"
@@ -94,13 +95,13 @@ TEST_CASE("system: outputs are held where there are locks, and go elsewhere wher
     const System held("flock", [&folder, first = true]() mutable {
       if (first) fs::remove(folder / folder.names().at(0));
       first = false;
-      return 0;
+      return int(kDone);
     });
     CHECK(written(name) == "");
     CHECK(folder.names().size() == 1);
   }
   { // one that is there, and cannot even be opened
-    const System open("open", [n = 0]() mutable { return ++n == 1 ? EEXIST : n == 2 ? EACCES : 0; });
+    const System open("open", [n = 0]() mutable { return ++n == 1 ? EEXIST : n == 2 ? EACCES : int(kDone); });
     CHECK(written(name) == "");
   }
   for (const char* call : {"access", "realpath"}) { // of one that is there
@@ -212,7 +213,7 @@ TEST_CASE("system: every output's safety, one call after the other") {
   };
   int calls = 0;
   {
-    const System counted("fsync", [] { return 0; });
+    const System counted("fsync", [] { return int(kDone); });
     REQUIRE(run(words(folder / "whole")).exit == 0);
     calls = counted.calls();
   }
