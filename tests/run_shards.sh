@@ -4,7 +4,7 @@
 # that do not run (the rest of the line after | says why), C2D_TESTS_FILES patterns of files, with commas, whose tests alone run.
 program=$1
 workers=$2
-pieces=$((workers * 4))
+pieces=$((workers * 12))
 not=
 [ -z "${C2D_TESTS_NOT:-}" ] || not=$(sed -n '/^#/d; s/ *|.*//p' $C2D_TESTS_NOT | paste -s -d , -)
 chosen() { "$program" -tce="$not" -sf="${C2D_TESTS_FILES:-}" "$@"; }
