@@ -16,4 +16,5 @@ $(BUILD)/tests/run_threads: $(THREADS_TESTED:%=$(BUILD)/tests/%.o) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 sanitize-threads:
 	+@$(MAKE) -s BUILD=$(BUILD)/threads CXXFLAGS='-O1 -g1 -fsanitize=thread' LDFLAGS=-fsanitize=thread $(BUILD)/threads/tests/run_threads
-	@$(BUILD)/threads/tests/run_threads -tc='threads:*,tasks:*,ahead:*,port/posix:*,two solvers:*,cancel:*' | tail -1
+	@$(BUILD)/threads/tests/run_threads -tc='threads:*,tasks:*,ahead:*,port/posix:*,two solvers:*,cancel:*' \
+	  -tce='cancel: at every chance*' | tail -1 # (which is one thread's)

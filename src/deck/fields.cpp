@@ -3,6 +3,7 @@
 
 #include "deck/number.hpp"
 #include "memory/characters.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 namespace {
@@ -113,6 +114,7 @@ bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
 int32_t words_left(const Cards& cards) { return cards.words.count - cards.taken; }
 
 int32_t take_word(Cards& cards, int32_t column, int32_t width) {
+  if (C2D_NEVER(cards.taken >= kMaximumWords)) return kMaximumWords; // no card has so many fields
   Word& place = cards.place[cards.taken];
   place.column = static_cast<int16_t>(column);
   place.column_end = static_cast<int16_t>(column + width - 1);
