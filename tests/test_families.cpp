@@ -143,6 +143,90 @@ TEST_CASE("families: in plane stress nothing of a deck changes but that, and wha
   }
 }
 
+TEST_CASE("families: decks of many coefficients, adhesion beside ties, rigid bodies that are free, points that are held") {
+  families::ProblemModel model;
+  std::string error;
+  REQUIRE(families::make_model("shrink", {"n=4", "bond=free"}, model, error));
+  model.friction = {0, 0.1, 0.2, HUGE_VAL, 0.4, 0.5, 0.6};
+  const std::string many = families::write_deck(model);
+  CHECK(contains(many, "\n7 0 0.1 0.2 "));
+  CHECK(contains(many, " 0.4\n 0.5 0.6\n"));
+  CHECK(contains(many, "\n*FRICTION\n1 0 0.1 0.2 INF 0.4 0.5 0.6\n")); // and nothing for the tie
+  CHECK(contains(many, "*TIE 2"));
+  model.bodies[2].rigid = {families::RigidModel::kLoaded, {0, 0}, "", {{1, 2, 3}}};
+  CHECK(contains(families::write_deck(model), "\n*RIGID LOAD 3 0 0\n1 1 2 3\n"));
+  // Held at the point where the outline begins and ends, at one beside it, and at one whose side is held already.
+  families::Outline held({0, 0});
+  held.hold_x(0.25).hold_y(0.5);
+  held.line({2, 0}, {0, 1, 2}).hold_y(0.125);
+  held.line({2, 1}, {0, 1}, families::clamped(3, 4)).hold_x(7);
+  held.line({0, 1}, {0, 1}, families::roller_x(9));
+  held.line({0, 0}, {0, 1});
+  families::ProblemModel one;
+  families::BodyModel body;
+  body.youngs_modulus = 1;
+  body.regions = {held};
+  one.bodies = {body};
+  const std::string deck = families::write_deck(one);
+  CHECK(contains(deck, "\n1 1 1100 0 0 0.25 0.5\n")); // the element that begins there holds it
+  CHECK(contains(deck, "\n5 2 0000 0 0 0.25 0.5\n")); // to the one that ends there it is known
+  CHECK(contains(deck, "\n3 1 1100 0 0 3 4\n"));
+  CHECK_FALSE(contains(deck, " 7 ")); // that side has said what it does
+  // Zones on outlines that are not the first, at the end of one, and at an outline's end: the node is its first.
+  families::Outline outer({-3, -3}), hole({1, 0}), disc({1, 0});
+  outer.line({3, -3}, {0, 1}).line({3, 3}, {0, 1}).line({-3, 3}, {0, 1}).line({-3, -3}, {0, 1});
+  hole.arc({0, 0}, 1, 360, 180, {0, 1, 2, 3}).arc({0, 0}, 1, 180, 0, {0, 1, 2, 3});
+  disc.arc({0, 0}, 1, 0, 180, {0, 1, 2, 3}).arc({0, 0}, 1, 180, 360, {0, 1, 2, 3});
+  families::ProblemModel ring;
+  families::BodyModel plate, inner;
+  plate.youngs_modulus = inner.youngs_modulus = 1;
+  plate.regions = {outer, hole}, inner.regions = {disc};
+  ring.bodies = {plate, inner};
+  families::ContactZone zone{{0, 0, 1}, {1, 1}};
+  zone.without_first = true;
+  ring.zones = {zone, {{0, 1, 1}, {1, 0}}};
+  const std::string zones = families::write_deck(ring);
+  CHECK(contains(zones, "\n1 2 3 3\n5 7 6 4\n6 8 6 4\n"));
+  CHECK(contains(zones, "\n1 2 4 3\n8 10 3 1\n8 5 4 1\n"));
+  // A straight side of two elements between arcs: its middle point has a card of its own.
+  families::Outline slot({1, 0});
+  slot.arc({0, 0}, 1, 0, 180, {0, 1, 2}).line({-1, -4}, {0, 1, 2}).arc({0, -4}, 1, 180, 360, {0, 1, 2}).line({1, 0}, {0, 1, 2});
+  families::ProblemModel slotted;
+  body.regions = {slot};
+  slotted.bodies = {body};
+  CHECK(contains(families::write_deck(slotted), "\n4 -1 -2\n"));
+}
+
+TEST_CASE("families: cracks that close in part, deep edge cracks, slip nearly everywhere, beams in plane stress") {
+  std::string deck, error;
+  REQUIRE(families::make_deck("crack", {"tension=0.1", "bending=1", "n=20"}, deck, error));
+  std::string open;
+  REQUIRE(families::make_deck("crack", {"tension=1", "n=20"}, open, error));
+  CHECK(lines_of(deck).size() > lines_of(open).size()); // small elements where the faces close
+  REQUIRE(families::make_deck("crack", {"shape=edge", "W=1.5", "n=20"}, deck, error));
+  CHECK(contains(deck, "Tension: K1 = "));
+  CHECK_FALSE(contains(deck, "Bending: K1 = ")); // the formula ends at 0.6
+  REQUIRE(families::make_deck("crack", {"shape=edge", "W=2", "n=20"}, deck, error));
+  CHECK(contains(deck, "Bending: K1 = "));
+  REQUIRE(families::make_deck("mindlin", {"Q=0.95", "n=6"}, deck, error));
+  REQUIRE(families::make_deck("cylinder_friction", {"n=5"}, deck, error));
+  CHECK_FALSE(families::make_deck("cylinder_friction", {"n=5", "sizes=jump"}, deck, error));
+  CHECK(contains(error, "n is below 6: too few elements for several sizes"));
+  std::string stress;
+  REQUIRE(families::make_deck("cantilever", {"nu=0"}, deck, error));
+  REQUIRE(families::make_deck("cantilever", {"nu=0", "plane=stress"}, stress, error));
+  CHECK(contains(stress, "plane stress; output"));
+  const auto displacement = [](const std::string& text) {
+    const size_t at = text.find("in plane strain: ");
+    REQUIRE(at != std::string::npos);
+    return std::strtod(text.c_str() + at + 17, nullptr);
+  };
+  CHECK(displacement(stress) == displacement(deck)); // without contraction both are one
+  REQUIRE(families::make_deck("cantilever", {"nu=0.5", "plane=strain"}, deck, error));
+  REQUIRE(families::make_deck("cantilever", {"nu=0.5", "plane=stress"}, stress, error));
+  CHECK(displacement(deck) / displacement(stress) == doctest::Approx(0.75));
+}
+
 TEST_CASE("families: what moves the flanks of mindlin is said as it is") {
   const std::string by_load = make("mindlin").out, by_hand = make("mindlin move=0.03").out;
   CHECK(contains(by_load, ", which makes Q about "));

@@ -474,6 +474,30 @@ TEST_CASE("convert: numbers that the fixed form can and cannot hold") {
   CHECK(test::contains(wide.err, "deck:32:1: error: the number 123456 does not fit into the 5 columns"));
 }
 
+TEST_CASE("convert: comments of every kind, beside cards and keywords, and fields that are blank") {
+  List people = free_squares();
+  people.insert(people.begin() + 15, {"!", "! a\tb\x7f\x01", "!       9 boards", "! x"});
+  people.insert(people.end(), {"*CASES 2", "! of what", "!", "CASE 2", "condition 1 3 1 0 1 0 0"});
+  const test::Result fixed = convert(joined(people));
+  REQUIRE_MESSAGE(fixed.status == 0, fixed.err);
+  CHECK_MESSAGE(test::contains(fixed.out, "\nC\nC a b??\nC 9 boards\nC x\n"), fixed.out);
+  CHECK(test::contains(fixed.out, "\n! of what\n!\n CASE 2\n")); // a C would make a comment of it
+  CHECK(is_same_model(read(fixed.out).model, read(joined(people)).model));
+  const test::Result free = convert(fixed.out);
+  REQUIRE(free.status == 0);
+  CHECK(test::contains(free.out, "\n!\n! a b??\n"));
+  CHECK(is_same_model(read(free.out).model, read(joined(people)).model));
+  // What is left blank stays so in its own form.
+  const test::Result same = convert(joined(squares()), "--to fixed");
+  REQUIRE(same.status == 0);
+  CHECK(is_same_model(read(same.out).model, read(joined(squares())).model));
+  // A heading of any length.
+  people[3] = std::string(3000, 'h');
+  const test::Result heading = convert(joined(people));
+  CHECK(heading.status == 0);
+  CHECK(test::contains(heading.out, people[3].substr(0, 72)));
+}
+
 TEST_CASE("convert: coefficients are dealt out anew") {
   List deck = free_squares();
   deck[13] = "9 .1\n.2 .3 .4 .5 .6\n.7 .8 .9";

@@ -6,6 +6,7 @@
 #include "system_calls.hpp"
 
 #include "program/check.hpp"
+#include "program/convert.hpp"
 #include "program/deck_file.hpp"
 #include "program/job.hpp"
 #include "program/messages.hpp"
@@ -20,7 +21,10 @@
 #include "program/voice.hpp"
 #include "program/workspace.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <doctest/doctest.h>
@@ -66,7 +70,7 @@ std::string written(const std::string& name, size_t bytes = 3) {
 } // namespace
 
 TEST_CASE("system: outputs are held where there are locks, and go elsewhere where another run takes their names") {
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   const Folder folder;
   const std::string name = folder / "a.csv";
   const auto clear = [&folder] {
@@ -157,7 +161,7 @@ TEST_CASE("system: files, folders and names of them") {
   write_file(folder / "file", "");
   std::string text;
   CHECK(app::read_sealed(folder / "file/job", "kind", text, error) == app::Sealed::kAbsent);
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   {
     const System interrupted("opendir", 1, EINTR);
     CHECK(list_folder(folder.path(), names) == 0);
@@ -206,7 +210,7 @@ TEST_CASE("system: names of files that are one, or only look so") {
 }
 
 TEST_CASE("system: every output's safety, one call after the other") {
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   const Folder folder;
   const auto words = [&](const std::string& out) {
     return std::vector<std::string>{"run", sample(), "-q", "--no-progress", "--csv", out + ".csv", "--figures", out};
@@ -255,7 +259,7 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
   REQUIRE(shrunk.open(1, 1, 64) == 0);
   CHECK(contains(shrunk.file_of(1), "/tape1.c2d"));
   CHECK(shrunk.remove_tapes(error));
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   const System none("calloc", [] { return ENOMEM; });
   app::StoreChoice store;
   REQUIRE(store.choose("memory", 0, false, error));
@@ -265,7 +269,7 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
 }
 
 TEST_CASE("system: memory that is free, and a workspace or threads that cannot be had") {
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   {
     const System closed("open", 1, ENOENT);
     CHECK(app::free_memory() > 0);
@@ -311,7 +315,7 @@ TEST_CASE("system: answers of a run, and rows of many, that cannot be written") 
   CHECK(solved.reason == (folder / "none/r") + ": cannot be written: No such file or directory");
   words[1] = folder / "no deck";
   CHECK(run(words).exit == 2); // why it failed goes before
-  if (!can_refuse_calls()) return;
+  if (!can_refuse_calls() || !can_judge_calls()) return;
   std::string error;
   const std::string rows = folder / "rows";
   REQUIRE(app::append_row(rows, "a\n", "1\n", error));
@@ -415,4 +419,154 @@ TEST_CASE("system: the program's smaller words, each by its exit status and what
   // Kept, and gone on with, without a word.
   CHECK(told("run deck -q --no-progress --store file:kept --keep --csv c").err == "");
   for (const char* words : {"resume kept -q --no-progress", "resume kept --no-progress"}) CHECK(told(words).status == 0);
+}
+
+TEST_CASE("system: points over bodies beside lines of symmetry, points without end, and many of them") {
+  const Folder folder;
+  const auto sketch = [&](const std::string& text) {
+    write_file(folder / "s.c2s", text + "tolerance off\n");
+    fs::remove(folder / "v.vtk");
+    const Ran ran = run({"run", folder / "s.c2s", "-q", "--no-progress", "--vtk", folder / "v.vtk"});
+    REQUIRE_MESSAGE(ran.exit == 0, ran.reason);
+    std::vector<double> xy; // of all points of the file
+    std::istringstream in(read_file(folder / "v.vtk"));
+    for (std::string word; in >> word;)
+      if (word == "POINTS") {
+        int count = 0;
+        in >> count >> word;
+        for (double v = 0; count-- > 0;)
+          for (int c = 0; c < 3 && in >> v; ++c)
+            if (c < 2) xy.push_back(v);
+      }
+    REQUIRE(xy.size() > 100);
+    return xy;
+  };
+  const auto range = [](const std::vector<double>& xy, size_t axis) {
+    double low = HUGE_VAL, high = -HUGE_VAL, least = HUGE_VAL;
+    for (size_t i = axis; i < xy.size(); i += 2)
+      low = std::min(low, xy[i]), high = std::max(high, xy[i]), least = std::min(least, std::fabs(xy[i]));
+    return std::array<double, 3>{low, high, least};
+  };
+  const std::string body = "body b E 1000 nu 0.3\n", both = "symmetry x 0\nsymmetry y 0\n";
+  // It meets x = 0 and is seen whole there; beyond y = 0 is its image.
+  const std::vector<double> corner =
+      sketch(both + body +
+             "from 0 1\narc c to 0 3 centre 0 2\nfix b.c\nbody d E 1 nu 0\nfrom 6 0\narc c to 4 0 centre 5 0\nfix d.c\n");
+  CHECK(range(corner, 0)[0] == doctest::Approx(-range(corner, 0)[1]));
+  CHECK(range(corner, 1)[0] == doctest::Approx(-3));
+  CHECK(range(corner, 1)[1] == doctest::Approx(3));
+  CHECK(range(corner, 0)[1] == doctest::Approx(6)); // and the other way round of the other
+  // On the other side of a line that it does not meet.
+  const std::vector<double> beside =
+      sketch("symmetry x 0\n" + body +
+             "from -2 0\nline s to -1 0\nline e to -1 1\nline n to -2 1\nline w close\nfix b.s\ntraction b.n y 1\n" +
+             "body d E 1 nu 0\nfrom 0 -4\narc c to 0 -6 centre 0 -5\nfix d.c\n");
+  CHECK(range(beside, 0)[0] == doctest::Approx(-2));
+  CHECK(range(beside, 0)[1] == doctest::Approx(2));
+  // A grid of more points than can be, and one of more than the library is asked for at once.
+  std::string deck = read_file(sample());
+  write_file(folder / "endless", deck + "*POINTS\nGRID 1 0 0 1 1 4000 4000\n");
+  const Ran endless = run({"run", folder / "endless", "-q", "--no-progress", "--interior", folder / "i"});
+  CHECK(endless.exit == 2);
+  CHECK_MESSAGE(contains(endless.reason, "more than 10000000 points under *POINTS"), endless.reason);
+  std::string many;
+  for (int i = 0; i < 5000; ++i) many += "1,90," + std::to_string(i) + "\n"; // far outside, in no other body
+  write_file(folder / "points", many);
+  CHECK(run({"run", sample(), "-q", "--no-progress", "--points", folder / "points", "--interior", folder / "i"}).exit == 0);
+  CHECK(lines_of(read_file(folder / "i")).size() == 5001);
+  if (!can_refuse_calls() || !can_judge_calls()) return;
+  write_file(folder / "points", "1,0.1,-0.1\n1,90,0\n2,90,0\n");
+  for (const char* output : {"--interior", "--stresses", "--ranges"}) {
+    const std::vector<std::string> words = {"run",      sample(),          "-q",   "--no-progress",
+                                            "--points", folder / "points", output, folder / "o"};
+    refuse_call(0);
+    REQUIRE(run(words).exit == 0);
+    for (const int64_t n : calls_of("c2d_interior")) {
+      CAPTURE(output);
+      CAPTURE(n);
+      fs::remove(folder / "o");
+      refuse_call(n);
+      CHECK(run(words).exit != 0);
+      CHECK_FALSE(fs::exists(folder / "o"));
+    }
+  }
+  refuse_call(0);
+}
+
+TEST_CASE("system: a deck is not written in its other form if that cannot be read again") {
+  if (!can_refuse_calls() || !can_judge_calls()) return;
+  const Folder folder;
+  const app::Muted muted;
+  const app::Options options = options_of({"convert", sample(), "-o", folder / "d"});
+  refuse_call(0);
+  REQUIRE(app::convert_deck(options) == 0);
+  const int64_t last = calls_of("c2d_walk_deck").back();
+  fs::remove(folder / "d");
+  refuse_call(last);
+  app::forget_reason();
+  CHECK(app::convert_deck(options) == 3);
+  CHECK(contains(app::reason_told(), "the deck in its new form would not read as before"));
+  CHECK_FALSE(fs::exists(folder / "d"));
+  refuse_call(0);
+  REQUIRE(app::check_decks(options_of({"check", "-q", sample()})) == 0);
+  for (const int64_t n : calls_of("c2d_get_summary")) {
+    refuse_call(n);
+    CHECK(app::check_decks(options_of({"check", "-q", sample()})) == 3);
+  }
+  refuse_call(0);
+}
+
+TEST_CASE("system: estimates that have no memory, or whose calls fail, are not stated, and the run goes on") {
+  if (!can_refuse_calls() || !can_judge_calls()) return;
+  const Folder folder;
+  const std::vector<std::string> words = {"run", sample(), "-q", "--no-progress", "--csv", folder / "c", "--estimate"};
+  refuse_call(0);
+  REQUIRE(run(words).exit == 0);
+  const std::string whole = read_file(folder / "c");
+  std::vector<int64_t> calls;
+  for (const char* name : {"c2d_get_summary", "c2d_get", "c2d_get_region", "c2d_get_friction"}) {
+    const std::vector<int64_t> all = calls_of(name);
+    for (size_t i = 0; i < all.size(); i += 1 + all.size() / 20) calls.push_back(all[i]);
+  }
+  for (const int64_t n : calls) {
+    CAPTURE(n);
+    fs::remove(folder / "c");
+    refuse_call(n);
+    const Ran ran = run(words);
+    CHECK((ran.exit == 0 ? read_file(folder / "c") == whole : !fs::exists(folder / "c")));
+    CHECK((ran.exit == 0) == ran.reason.empty());
+  }
+  refuse_call(0);
+  for (int n = 1; n <= 4; ++n) {
+    const System none("calloc", n, ENOMEM);
+    CHECK(run(words).exit == 0);
+    CHECK(read_file(folder / "c") == whole);
+  }
+  // The first mesh of a sketch, for which the memory that is given does not do.
+  write_file(folder / "s.c2s",
+             "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\nfix b.s\ntraction b.n y 1\n"
+             "want stress b 0.5 0.5 50 %\nlimit seconds 1000\n");
+  const std::vector<std::string> sketch = {"run", folder / "s.c2s", "-q", "--no-progress", "--csv", folder / "c"};
+  std::vector<std::string> small = sketch;
+  small.insert(small.end(), {"--memory", "1K"});
+  const Ran failed = run(small);
+  CHECK(failed.exit == 4);
+  CHECK(contains(failed.reason, "is too small"));
+  refuse_call(0);
+  REQUIRE(run(sketch).exit == 0);
+  for (const char* name : {"c2d_get_summary", "c2d_get", "c2d_interior", "c2d_indicators"}) {
+    refuse_call(0);
+    REQUIRE(run(sketch).exit == 0);
+    const std::vector<int64_t> all = calls_of(name);
+    for (size_t i = 0; i < all.size(); i += 1 + all.size() / 20) {
+      CAPTURE(name);
+      CAPTURE(i);
+      fs::remove(folder / "c");
+      refuse_call(all[i]);
+      const Ran ran = run(sketch);
+      CHECK((ran.exit == 0) == fs::exists(folder / "c"));
+      CHECK((ran.exit == 0) == ran.reason.empty());
+    }
+  }
+  refuse_call(0);
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <regex>
 
@@ -342,4 +343,48 @@ TEST_CASE("resume in the path: what the steps have left, as a text and back") {
     return app::read_path_record(text, model, other);
   };
   CHECK((fits(2, 1, 2, 1) && !fits(3, 1, 2, 1) && !fits(2, 2, 2, 1) && !fits(2, 1, 3, 1) && !fits(2, 1, 2, 2)));
+  // Each of its lists has the size of the model, or is empty.
+  model.pairs = 2, model.zones = 1, model.bodies = 2, model.load_cases = 1;
+  c2d_step step = C2D_INIT(c2d_step);
+  const std::vector<double> table(2 * C2D_PAIR_FIELDS, 0.5);
+  const double load = 1;
+  step.kind = C2D_STEP_RECORDED, step.coefficient = 1, step.step = 1, step.pairs = 2, step.table = table.data();
+  step.loads = &load, step.cases = 1, step.load = 1, step.stride = C2D_PAIR_FIELDS;
+  const auto spoilt = [&](const std::function<void(app::PathRecord&)>& spoil) {
+    app::PathRecord one, other;
+    REQUIRE(app::read_path_record(text, model, one));
+    spoil(one);
+    return !app::read_path_record(app::text_of(one), model, other);
+  };
+  CHECK_FALSE(spoilt([](app::PathRecord&) {}));
+  CHECK_FALSE(spoilt([](app::PathRecord& p) { p.coefficients[0].steps[0].corners[0].joint = "nobody knows"; }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].steps[0].loads.clear(); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].steps[0].work_by_case.clear(); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].steps[0].zones.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].steps[0].bodies.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].table.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].slip.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].slip_at_turn.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].loads.resize(3); }));
+  CHECK(spoilt([](app::PathRecord& p) { p.coefficients[0].table.resize(3), p.coefficients[1].table.resize(4); }));
+  // Likewise of the states that pictures show: of a model with one pair or two load cases more.
+  const auto drawn = [&](int32_t pairs, int32_t cases, int32_t steps, bool back_and_forth) {
+    app::PathRecord one, other;
+    one.history.begin(steps);
+    const std::vector<double> large(static_cast<size_t>(pairs) * C2D_PAIR_FIELDS, 0.5);
+    for (int32_t k = 1; k <= steps; ++k) {
+      const std::vector<double> loads(static_cast<size_t>(cases), back_and_forth && k % 2 == 0 ? 0.25 : 0.1 * k);
+      step.step = k, step.pairs = pairs, step.table = large.data(), step.loads = loads.data(), step.cases = cases;
+      step.work_by_case = loads.data();
+      step.load = loads[0];
+      one.history.note(step);
+    }
+    return app::read_path_record(app::text_of(one), model, other);
+  };
+  for (const bool back : {false, true})
+    for (const int32_t steps : {1, 2, 8}) {
+      CHECK(drawn(2, 1, steps, back));
+      CHECK_FALSE(drawn(3, 1, steps, back));
+      CHECK_FALSE(drawn(2, 3, steps, back));
+    }
 }
