@@ -58,6 +58,7 @@ bool is_let_through(const char* name, void* place) {
 
 using Solver = c2d_solver*;
 WRAPPED(c2d_get, (Solver s, int32_t a, int32_t b, int32_t c, int32_t d, double* e, int64_t f), (s, a, b, c, d, e, f))
+WRAPPED(c2d_get_zone, (Solver s, int32_t a, c2d_zone* b), (s, a, b))
 WRAPPED(c2d_get_region, (Solver s, int32_t a, int32_t b, int32_t* c, int32_t* d), (s, a, b, c, d))
 WRAPPED(c2d_get_summary, (Solver s, c2d_summary* a), (s, a))
 WRAPPED(c2d_get_friction, (Solver s, int32_t a, int32_t b, double* c), (s, a, b, c))

@@ -29,19 +29,20 @@ void every_call_refused(const std::string& deck, bool estimates = false) {
   CAPTURE(deck);
   const Folder folder;
   const std::string out = folder / "out";
-  std::vector<std::string> words = {"run",           deck, "--no-progress", "--out", out, "--vtk", folder / "v.vtk", "--trace",
-                                    folder / "t.csv"};
+  std::vector<std::string> words = {
+      "run",           deck, "--no-progress", "--out", out, "--vtk", folder / "v.vtk", "--trace", folder / "t.csv", "--ranges",
+      folder / "r.csv"};
   if (estimates) words = {"run", deck, "--no-progress", "--csv", out, "--estimate"};
   const app::Options options = options_of(words);
   const app::Muted muted;
   refuse_call(0);
   REQUIRE(app::run_deck(options) == 0);
   const size_t outputs = folder.names().size();
-  CHECK(outputs == (estimates ? 1 : 3));
+  CHECK(outputs == (estimates ? 1 : 4));
   const std::vector<int64_t> calls = calls_to_refuse();
   CHECK(calls.size() > 60);
   for (const int64_t n : calls) {
-    for (const char* gone : {"out", "v.vtk", "t.csv"}) fs::remove_all(folder / gone);
+    for (const char* gone : {"out", "v.vtk", "t.csv", "r.csv"}) fs::remove_all(folder / gone);
     refuse_call(n);
     const int exit = app::run_deck(options);
     const std::string call = call_refused();
@@ -71,6 +72,8 @@ TEST_CASE("refused calls: none of a run's is taken for done") {
   every_call_refused(paths::data() + "/decks/sample.dat");
   every_call_refused(made(folder, "crack n=10 ratio=2 order=1"));
   every_call_refused(made(folder, "stack n=1"));
+  every_call_refused(
+      made(folder, "hertz n=2 L=5 ratio=1.6", "*CASES 2\ncase 2\nload 1 1 -1 0 -0.001\n*BODY FORCE 1 2 0 0 1e-6 0 0\n"));
   every_call_refused(made(folder, "hertz n=2 L=5 ratio=1.6",
                           "*NAME BODY 1 block\n*NAME ZONE 1 face\n*CURVE ARC 2 11 16 0 100 100\n*BODY FORCE 1 1 0 -0.001\n"
                           "*POINTS\nGRID 1 0 -2 1 -1 3 3\n"),

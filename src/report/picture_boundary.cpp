@@ -47,16 +47,17 @@ struct Curves {
   Point where;          // and where it is
 };
 
-bool collect(const Scene& scene, size_t b, Curves& out) {
+c2d_status collect(const Scene& scene, size_t b, Curves& out) {
   const Summary& summary = scene.summary;
   const BodyScene& body = scene.bodies[b];
   const int32_t number = static_cast<int32_t>(b) + 1, field = C2D_END_HOOP;
   std::vector<std::vector<double>> hoop;
-  if (get_ends(scene.solver, summary, number, &field, 1, hoop) != C2D_OK) return false;
+  c2d_status status = get_ends(scene.solver, summary, number, &field, 1, hoop);
   out.stress.include(0.0);
-  for (int32_t r = 1; r <= summary.body[b].regions; ++r) {
+  for (int32_t r = 1; r <= summary.body[b].regions && status == C2D_OK; ++r) {
     int32_t first = 0, last = 0;
-    if (c2d_get_region(scene.solver, number, r, &first, &last) != C2D_OK) return false;
+    status = c2d_get_region(scene.solver, number, r, &first, &last);
+    if (status != C2D_OK) return status;
     const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);
     const size_t to = static_cast<size_t>(last * summary.function_nodes);
     out.pieces.push_back(follow(scene, body, hoop[0], from, to));
@@ -70,12 +71,13 @@ bool collect(const Scene& scene, size_t b, Curves& out) {
     out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
                            kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
-  return true;
+  return status;
 }
 
-void draw_one(const Scene& scene, size_t b, Pictures& out) {
+c2d_status draw_one(const Scene& scene, size_t b, Pictures& out) {
   Curves curves;
-  if (!collect(scene, b, curves)) return;
+  const c2d_status status = collect(scene, b, curves);
+  if (status != C2D_OK) return status;
   const double left = 76.0, right = kPictureWidth - 16.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, curves.entries) + 12.0;
   Picture picture{"boundary", "Stress along the boundary", "", ""};
@@ -101,15 +103,18 @@ void draw_one(const Scene& scene, size_t b, Pictures& out) {
                     figure(curves.where.x) + ", " + figure(curves.where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
+  return C2D_OK;
 }
 
 } // namespace
 
-void draw_boundary_stress(const Scene& scene, Pictures& out) {
-  if (!scene.pairs.empty() || scene.bodies.empty()) return;
+c2d_status draw_boundary_stress(const Scene& scene, Pictures& out) {
+  c2d_status status = C2D_OK;
+  if (!scene.pairs.empty()) return status;
   const size_t count = scene.bodies.size() > 2 ? scene.bodies.size() : 1; // of two only the first, as ever
-  for (size_t b = 0; b < std::min(count, kMostCharts); ++b)
-    if (!scene.bodies[b].rigid) draw_one(scene, b, out);
+  for (size_t b = 0; b < std::min(count, kMostCharts) && status == C2D_OK; ++b)
+    if (!scene.bodies[b].rigid) status = draw_one(scene, b, out);
+  return status;
 }
 
 } // namespace app

@@ -88,8 +88,7 @@ std::string caption(const Scene& scene, size_t c) {
 
 void draw_energy(const Scene& scene, Pictures& out) {
   const std::vector<CoefficientHistory>& all = scene.history->coefficients();
-  size_t count = 0;
-  while (count < std::min(all.size(), kMostCharts) && !all[count].energy.empty()) ++count;
+  const size_t count = std::min(all.size(), kMostCharts);
   if (count == 0) return;
   const Axes axes = make_axes(scene, count);
   const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;

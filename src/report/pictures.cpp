@@ -85,8 +85,8 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out) {
   c2d_status status = C2D_OK;
   if (scene.solved) {
     draw_deformed(scene, out);
-    draw_boundary_stress(scene, out);
-    status = draw_stress(scene, out);
+    status = draw_boundary_stress(scene, out);
+    if (status == C2D_OK) status = draw_stress(scene, out);
   }
   draw_path(scene, out);
   draw_energy(scene, out);

@@ -34,7 +34,7 @@ void draw_gap(const Scene& scene, Pictures& out);
 // The deformed shape over the undeformed one.
 void draw_deformed(const Scene& scene, Pictures& out);
 // Stress along the boundaries of bodies without contact: hoop stress over arc length.
-void draw_boundary_stress(const Scene& scene, Pictures& out);
+c2d_status draw_boundary_stress(const Scene& scene, Pictures& out);
 // Changes of status, peak pressure and pairs in contact against the load.
 void draw_path(const Scene& scene, Pictures& out);
 // Loads and supports against contact forces of each body.
