@@ -234,10 +234,10 @@ TEST_CASE("frames: nodes shifted along the surface do not face each other") {
 }
 
 TEST_CASE("frames: symmetry conditions that are none") {
-  auto axis = [](const char* below, const char* above, double ux) {
+  auto axis = [](const char* below, const char* above, double ux, bool above_alone = false) {
     ModelData d = blocks();
-    d.condition(1, 11, 1, below, ux); // body 1, node 11 (0, 0), on its left side
-    d.condition(2, 12, 2, above, ux); // body 2, node 1 (0, 0.5)
+    d.condition(1, 11, 1, below, above_alone ? 0 : ux); // body 1, node 11 (0, 0), on its left side
+    d.condition(2, 12, 2, above, ux);                   // body 2, node 1 (0, 0.5)
     return d;
   };
   ModelData good = axis("1001", "1001", 0);
@@ -254,6 +254,12 @@ TEST_CASE("frames: symmetry conditions that are none") {
   check_fault(both, "displacements are prescribed in both directions", 5);
   ModelData moved = axis("1001", "1001", 0.1);
   check_fault(moved, "a nonzero ux is prescribed", 5);
+  moved = axis("1001", "1001", 0.1, true);
+  check_fault(moved, "a nonzero ux is prescribed", 5);
+  ModelData free = axis("0001", "1001", 0); // no traction across is unknown: the contact has no part in that
+  CHECK_FALSE(free.complete());
+  REQUIRE(free.find("node 11 of body 1 has no unknown left in x") != nullptr);
+  CHECK(free.find("beside those of contact pair") == nullptr);
   ModelData normal = axis("0110", "0110", 0);
   check_fault(normal, "uy is prescribed nearly along the normal", 5);
   ModelData extra = blocks(); // unknown traction beside the contact, displacement free
