@@ -1,5 +1,5 @@
-// Models at the edges of what is possible: where curves end on lines of symmetry, zones at the ends of open regions, a body that
-// meets itself at a node, and what each is told.
+// Models at the edges of what is possible: where curves end on lines of symmetry, zones at the ends of open regions, a body
+// that meets itself at a node, and what each is told.
 #include "model_fixture.hpp"
 #include "solved_bodies.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "memory/hostile.hpp"
+
 namespace c2d {
 
 namespace {
@@ -287,12 +289,12 @@ bool is_unbalanced(ForceCone& a, Friction law) {
   a.law = law;
   a.count = a.based = 0;
   const int32_t steps = 200 + 20 * a.motions;
-  for (int32_t step = 0; step < steps; ++step) {
+  for (int32_t step = 0; !C2D_NEVER(step == steps); ++step) { // (less is left after each)
     Chosen ray;
     find_rest(a);
     if (length(a.rest, a.motions) <= 1e-9 * length(a.load, a.motions)) return false;
     if (!best_ray(a, &ray)) return true;
-    if (a.count == a.motions) return false; // so many rays span all there is
+    if (C2D_NEVER(a.count == a.motions)) return false; // so many rays span all there is: nothing would be left
     a.chosen[a.count] = ray;
     a.factor[a.count++] = 0.0;
     if (!settle_factors(a)) return false; // as good as balanced

@@ -102,8 +102,7 @@ int32_t element_beside_pair(const Model& m, const Pair& pair) {
   ZonePlace at{};
   if (fabs(pair.eta) != 1.0) return -1;
   find_contact_element(m, z.body[0], pair.element, &at);
-  const int32_t beside = place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1);
-  return beside < 0 ? -1 : zone_element(m, z, 0, beside);
+  return zone_element(m, z, 0, place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1)); // (all of its element is faced)
 }
 
 } // namespace c2d
