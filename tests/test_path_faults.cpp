@@ -1,0 +1,138 @@
+// A path whose store fails, whose host cancels, or that stops: at any of its operations, while overlaps are closed, when
+// changes are shown, and when results are asked for. Two squares, the upper one pressed and pushed, by 0.01 too deep or not.
+#include "memory/config.hpp"
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+
+using namespace runs;
+
+namespace {
+
+Deck squares(bool overlap, const std::string& friction, const std::string& push) {
+  const auto at = [&](double y) { return std::to_string(overlap ? y - 0.01 : y); };
+  Deck deck;
+  deck.lines = {"*FREE",   "1",       "SQUARES", "0 2", "2 1 2", "1 2 4 4", "1 2 4 4", "1 4",  "1 4",
+                "1e3 0.3", "1e3 0.3", friction,  "0 0", "1 0 0", "2 1 0",   "3 1 1",   "4 0 1"};
+  deck.lines.insert(deck.lines.end(), {"0 0", "1 0 " + at(1), "2 1 " + at(1), "3 1 " + at(2), "4 0 " + at(2)});
+  deck.lines.insert(deck.lines.end(),
+                    {"2", "1 1 1100 0 0 0 0", "1 2 1100 0 0 0 0", "0", "2", "3 1 0011 " + push + " -1 0 0",
+                     "3 2 0011 " + push + " -1 0 0", "0", "1 2 2 1", "3 3 1 1", "3 4 2 1", "2 1", "2 1", "1 50", "2 1"});
+  if (overlap) deck.lines.push_back("*INTERFERENCE 2");
+  return deck;
+}
+
+// In the least memory, so that most numbers are read when they are needed.
+struct Run : RamStore {
+  c2d_port port = C2D_INIT(c2d_port);
+  int64_t left = -1, asked = 0; // until the read that fails, or the host cancels; < 0: never
+  bool cancels = false;
+  std::unique_ptr<Machine> machine;
+  c2d_solver* s = nullptr;
+
+  explicit Run(const Deck& deck, bool every_change) {
+    const host::Limits limits = deck.limits();
+    REQUIRE(limits.bodies == 2);
+    uint64_t least = 0;
+    REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
+    serve(port);
+    before = [this](const Operation& operation, size_t) { return !cancels && operation.kind == 'r' && is_now() ? 77 : 0; };
+    port.cancel = [](void* context) {
+      Run& run = static_cast<Run&>(self(context));
+      return run.cancels && run.is_now() ? 1 : 0;
+    };
+    machine = std::make_unique<Machine>(limits, least, &port);
+    s = machine->solver;
+    c2d_options options = C2D_INIT(c2d_options);
+    options.every_change = every_change;
+    REQUIRE(c2d_set_options(s, &options) == C2D_OK);
+    REQUIRE_MESSAGE(read_deck(s, deck) == C2D_OK, error_of(s).text);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  bool is_now() {
+    ++asked;
+    return left-- == 0;
+  }
+  void go_wrong(bool by_cancel, int64_t after) { cancels = by_cancel, left = after, asked = 0; }
+};
+
+} // namespace
+
+TEST_CASE("path faults: wherever a read fails or the host cancels on the way, also where overlaps are closed, that is told") {
+  for (const bool overlap : {false, true})
+    for (const bool every_change : {false, true})
+      for (const bool cancel : {false, true}) {
+        CAPTURE(overlap);
+        CAPTURE(every_change);
+        CAPTURE(cancel);
+        const Deck deck = squares(overlap, "2 0.3 0.6", "0.4");
+        const auto run = [&](int64_t after, int64_t* asked) {
+          Run r(deck, every_change);
+          REQUIRE(c2d_prepare(r.s) == C2D_OK);
+          r.go_wrong(cancel, after);
+          const c2d_status status = c2d_run(r.s, Numbers::take, std::make_unique<Numbers>().get());
+          *asked = r.asked;
+          return status;
+        };
+        int64_t all = 0, unused = 0;
+        REQUIRE(run(-1, &all) == C2D_OK);
+        REQUIRE(all > 3);
+        for (int64_t n = 0; n < all; ++n) CHECK(run(n, &unused) == (cancel ? C2D_ERR_CANCELLED : C2D_ERR_STORE_READ));
+      }
+}
+
+TEST_CASE("path faults: results that are asked for where their table is not yet made, and the store fails") {
+  const double mu = 0.3, load = 1;
+  c2d_outcome outcome = C2D_REACHED;
+  const auto fails = [&](auto call) {
+    Run r(squares(false, "1 0.3", "0.1"), false);
+    REQUIRE(c2d_prepare(r.s) == C2D_OK);
+    REQUIRE(c2d_begin(r.s, &mu, 1) == C2D_OK);
+    REQUIRE(c2d_advance(r.s, &load, 1, &outcome) == C2D_OK);
+    r.go_wrong(false, 0);
+    CHECK(call(r.s) == C2D_ERR_STORE_READ);
+    CHECK(c2d_get_state(r.s) == C2D_STATE_BROKEN);
+  };
+  double pressure[2];
+  c2d_body_state state = C2D_INIT(c2d_body_state);
+  fails([&](c2d_solver* s) { return c2d_get(s, C2D_TN, 0, 1, 2, pressure, 1); });
+  fails([&](c2d_solver* s) { return c2d_get_body_state(s, 1, &state); });
+}
+
+// The first coefficient does not hold the upper square: its path stops. What was saved there goes on with the second.
+TEST_CASE("path faults: a run that was saved where a path stopped goes on with the next coefficient, the same bits") {
+  if (c2d::kSmallCode) return; // (it does not save there)
+  const Deck deck = squares(false, "2 0.05 0.6", "0.1");
+  Numbers whole;
+  Run first(deck, false);
+  REQUIRE(c2d_prepare(first.s) == C2D_OK);
+  struct Show {
+    Run& run;
+    Numbers& numbers;
+    std::vector<Bytes> tape[C2D_TAPES];
+    size_t before = 0; // numbers told when the state was saved
+  } show{first, whole, {}, 0};
+  const auto step = [](void* context, const c2d_step* now) -> int32_t {
+    Show& to = *static_cast<Show*>(context);
+    Numbers::take(&to.numbers, now);
+    if (now->kind != C2D_STEP_STOPPED) return 0;
+    CHECK(now->outcome == C2D_GROSS_SLIDING);
+    CHECK(c2d_save(to.run.s) == C2D_OK);
+    for (int32_t t = 0; t < C2D_TAPES; ++t) to.tape[t] = to.run.tape[t];
+    to.before = to.numbers.steps.size();
+    return 0;
+  };
+  REQUIRE(c2d_run(first.s, step, &show) == C2D_OK);
+  REQUIRE(show.before > 0);
+  REQUIRE(whole.steps.size() > show.before);
+  Run second(deck, false);
+  for (int32_t t = 0; t < C2D_TAPES; ++t) second.tape[t] = show.tape[t];
+  REQUIRE_MESSAGE(c2d_restore(second.s) == C2D_OK, error_of(second.s).text);
+  Numbers rest;
+  REQUIRE(c2d_run(second.s, Numbers::take, &rest) == C2D_OK);
+  CHECK(Numbers::same(rest.steps,
+                      std::vector<double>(whole.steps.begin() + static_cast<int64_t>(show.before), whole.steps.end())));
+}
