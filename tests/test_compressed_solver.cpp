@@ -139,10 +139,13 @@ TEST_CASE("compressed solver: decks of every kind as by the dense elimination" *
        {"make_hole", "make_ring", "make_bearing", "make_bimaterial", "make_coating", "make_cylinder_friction", "make_crack",
         "make_rollers", "make_cantilever", "make_stack", "three_bodies", "thick_ring", "roller"})
     files.push_back(std::string("examples/") + name + ".dat");
-  for (const std::string& file : files) {
+  files.push_back(files[8] + " by the thesis"); // its quadrature
+  for (std::string file : files) {
     CAPTURE(file);
-    const Deck deck = deck_at(file);
     c2d_options options = C2D_INIT(c2d_options);
+    const size_t thesis = file.find(" by the thesis");
+    if (thesis != std::string::npos) options.quadrature = C2D_QUADRATURE_THESIS, file.resize(thesis);
+    const Deck deck = deck_at(file);
     options.symmetry = file.find("half_cylinder") != std::string::npos ? C2D_SYMMETRY_IMAGES : C2D_SYMMETRY_DECK;
     const Answer dense = answer_of(deck, options);
     options.elimination = C2D_ELIMINATION_COMPRESSED;
@@ -465,6 +468,50 @@ TEST_CASE("compressed solver: what is left of the equations is told" * doctest::
   CHECK(summary.compression_error > 1e-9);
   CHECK(summary.compression_residual < 1e-4);
   CHECK(std::string(c2d_message(C2D_WARN_COMPRESSED)).find("compress") != std::string::npos);
+  m.add(many::rectangle(0, 1, 1, kIsDouble ? 1 + 1e-5 : 1.01, {100, 1, 100, 1})); // another one is not told again
+  m.set(2, 4, many::end_of(many::kHeld));
+  m.set(2, 2, many::end_of(many::kPulled, 0, 1));
+  const c2d_limits both = many::limits_of(m, list);
+  Own two(both, enough_for(both));
+  REQUIRE(many::feed(two.solver(), m) == C2D_OK);
+  REQUIRE(c2d_set_options(two.solver(), &options) == C2D_OK);
+  REQUIRE(c2d_prepare(two.solver()) == C2D_OK);
+  REQUIRE(c2d_run(two.solver(), nullptr, nullptr) == C2D_OK);
+  CHECK(std::count_if(two.told.begin(), two.told.end(), [](const c2d_error& e) { return e.status == C2D_WARN_COMPRESSED; }) ==
+        1);
+}
+
+// A strip that a punch draws, whose body has no equations of its own; and one that nothing draws.
+TEST_CASE("compressed solver: beside a punch, and without loads" * doctest::skip(c2d::kSmallCode)) {
+  for (const bool drawn : {true, false}) {
+    CAPTURE(drawn);
+    many::Model m;
+    m.add(many::rectangle(0, 0, 4, 1, {40, 10, 40, 10}));
+    m.set(1, 4, many::end_of(many::kHeld));
+    if (drawn) m.move(1, 2).load[0] = 3;
+    std::vector<c2d_body_limits> list;
+    const c2d_limits limits = many::limits_of(m, list);
+    host::Summary summary[2];
+    for (const bool compresses : {false, true}) {
+      const c2d_options options = compresses ? compressed() : c2d_options(C2D_INIT(c2d_options));
+      uint64_t blocks[C2D_TAPES] = {}, each[C2D_TAPES] = {};
+      for (int32_t t = 0; t < C2D_TAPES; ++t)
+        REQUIRE(c2d_tape_need(&limits, &options, enough_for(limits), t, &blocks[t], &each[t], nullptr) == C2D_OK);
+      Own own(limits, enough_for(limits));
+      REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+      REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+      REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+      REQUIRE(c2d_run(own.solver(), nullptr, nullptr) == C2D_OK);
+      for (const RamStore::Operation& o : own.store.done)
+        if (o.kind == 'o') CHECK((o.block <= blocks[o.tape] && o.bytes <= each[o.tape]));
+      summary[compresses] = summary_of(own.solver());
+    }
+    CHECK(summary[1].compressed_bodies == 1);
+    CHECK((summary[0].work > 0) == drawn);
+    CHECK(summary[1].work == doctest::Approx(summary[0].work).epsilon(kIsDouble ? 1e-9 : 5e-3));
+    CHECK(summary[1].compression_error < (kIsDouble ? 1e-9 : 1e-2));
+    if (!drawn) CHECK(summary[1].compression_error == 0.0);
+  }
 }
 
 // A state that is taken up brings plans, which place what is read: each number of them is held to what it can be.
@@ -554,4 +601,6 @@ TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallC
             .status == 0);
   CHECK(run("run '" + deck + "' -q --elimination compressed --csv '" + (folder / "b.csv") + "'").status == 0);
   CHECK(test::read_file(folder / "a.csv") == test::read_file(folder / "b.csv"));
+  CHECK(run("run '" + deck + "' -q --elimination compressed --threads 2 --csv '" + (folder / "c.csv") + "'").status == 0);
+  CHECK(test::read_file(folder / "c.csv") == test::read_file(folder / "b.csv"));
 }
