@@ -4,8 +4,10 @@
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"
+#include "memory/sizes.hpp"
 #include "memory/text.hpp"
 #include "memory/wide_integer.hpp"
+#include "solver/phases.hpp"
 #include "store/block.hpp"
 #include "store/tapes.hpp"
 
@@ -287,4 +289,61 @@ TEST_CASE("inner edges: columns are cut for many workers into pieces that are ne
       if (parts > 1) CHECK(chunk <= kWidth);
       CHECK(pieces <= columns);
     }
+}
+
+// Two bodies of so many elements, with linear functions, and a zone of so many pairs.
+static c2d_limits limits_for(int32_t elements, int32_t pairs, std::vector<c2d_body_limits>& list) {
+  list.assign(2, c2d_body_limits{elements, elements, 1, 0});
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2, limits.body = list.data(), limits.function_nodes = 2;
+  limits.zones = 1, limits.pairs = limits.contact_elements = pairs;
+  limits.coefficients = limits.paths = 1;
+  return limits;
+}
+
+TEST_CASE("inner edges: where what stands beside an elimination takes all the memory, its panels have one column") {
+  std::vector<c2d_body_limits> list;
+  Sizes sizes;
+  REQUIRE(derive_sizes(limits_for(30, 8, list), sizes) == C2D_OK);
+  const PhaseSizes s = phase_sizes(sizes);
+  for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, uint64_t{1000}}) {
+    const EliminationPlan plan = plan_by(PlanRule{bytes, 0}, s, 0);
+    CHECK(plan.panel_columns == 1);
+    CHECK(plan.block_columns == 1);
+  }
+}
+
+TEST_CASE("inner edges: plans of any model within its limits keep to the memory there is") {
+  std::mt19937 random(3);
+  const auto below = [&](int32_t n) { return static_cast<int32_t>(random() % static_cast<uint32_t>(n)); };
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<c2d_body_limits> list, own_list;
+    const int32_t elements = 10 + below(below(2) == 0 ? 60 : 600), pairs = 2 + below(elements / 2);
+    Sizes limits, own;
+    REQUIRE(derive_sizes(limits_for(elements, pairs, list), limits) == C2D_OK);
+    REQUIRE(derive_sizes(limits_for(4 + below(elements - 4), 1 + below(pairs), own_list), own) == C2D_OK);
+    uint64_t least = 0, in_core = 0;
+    REQUIRE(phase_need(limits, &least, &in_core) == C2D_OK);
+    const uint64_t bytes = least + static_cast<uint64_t>(std::ldexp(static_cast<double>(in_core - least), -below(12)));
+    EliminationPlan plan[2];
+    const PhaseSizes s = phase_sizes(own);
+    plan_phases(limits, s, bytes, plan);
+    CAPTURE(elements);
+    CHECK(phases_use(s, plan, false) <= bytes);
+  }
+}
+
+TEST_CASE("inner edges: memory beyond what an address counts is told, whatever it is for") {
+  std::vector<c2d_body_limits> list;
+  int beyond = 0;
+  for (double pairs = 1e5; pairs < 2.1e9; pairs *= 1.1) {
+    Sizes sizes;
+    if (derive_sizes(limits_for(2000, static_cast<int32_t>(pairs), list), sizes) != C2D_OK) continue;
+    uint64_t least = 0, in_core = 0;
+    const c2d_status status = phase_need(sizes, &least, &in_core);
+    CHECK((status == C2D_OK || status == C2D_ERR_OVERFLOW));
+    beyond += status == C2D_ERR_OVERFLOW;
+    if (status == C2D_OK) CHECK(static_cast<double>(in_core) > 4 * pairs * pairs * sizeof(Real));
+  }
+  CHECK(beyond > 0);
 }

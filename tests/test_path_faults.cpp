@@ -11,16 +11,17 @@ using namespace runs;
 
 namespace {
 
-Deck squares(bool overlap, const std::string& friction, const std::string& push) {
-  const auto at = [&](double y) { return std::to_string(overlap ? y - 0.01 : y); };
+// `deep`: how far they overlap; less than 0: what they are apart.
+Deck squares(double deep, const std::string& friction, const std::string& push, const std::string& press = "-1") {
+  const auto at = [&](double y) { return std::to_string(y - deep); };
   Deck deck;
   deck.lines = {"*FREE",   "1",       "SQUARES", "0 2", "2 1 2", "1 2 4 4", "1 2 4 4", "1 4",  "1 4",
                 "1e3 0.3", "1e3 0.3", friction,  "0 0", "1 0 0", "2 1 0",   "3 1 1",   "4 0 1"};
   deck.lines.insert(deck.lines.end(), {"0 0", "1 0 " + at(1), "2 1 " + at(1), "3 1 " + at(2), "4 0 " + at(2)});
-  deck.lines.insert(deck.lines.end(),
-                    {"2", "1 1 1100 0 0 0 0", "1 2 1100 0 0 0 0", "0", "2", "3 1 0011 " + push + " -1 0 0",
-                     "3 2 0011 " + push + " -1 0 0", "0", "1 2 2 1", "3 3 1 1", "3 4 2 1", "2 1", "2 1", "1 50", "2 1"});
-  if (overlap) deck.lines.push_back("*INTERFERENCE 2");
+  deck.lines.insert(deck.lines.end(), {"2", "1 1 1100 0 0 0 0", "1 2 1100 0 0 0 0", "0", "2",
+                                       "3 1 0011 " + push + " " + press + " 0 0", "3 2 0011 " + push + " " + press + " 0 0",
+                                       "0", "1 2 2 1", "3 3 1 1", "3 4 2 1", "2 1", "2 1", "1 50", "2 1"});
+  if (deep > 0) deck.lines.push_back("*INTERFERENCE 2");
   return deck;
 }
 
@@ -62,13 +63,13 @@ struct Run : RamStore {
 } // namespace
 
 TEST_CASE("path faults: wherever a read fails or the host cancels on the way, also where overlaps are closed, that is told") {
-  for (const bool overlap : {false, true})
+  for (const double deep : {0.0, 0.01, -0.1})
     for (const bool every_change : {false, true})
       for (const bool cancel : {false, true}) {
-        CAPTURE(overlap);
+        CAPTURE(deep);
         CAPTURE(every_change);
         CAPTURE(cancel);
-        const Deck deck = squares(overlap, "2 0.3 0.6", "0.4");
+        const Deck deck = squares(deep, "2 0.3 0.6", "0.4", deep < 0 && every_change ? "0" : "-1");
         const auto run = [&](int64_t after, int64_t* asked) {
           Run r(deck, every_change);
           REQUIRE(c2d_prepare(r.s) == C2D_OK);
@@ -79,7 +80,7 @@ TEST_CASE("path faults: wherever a read fails or the host cancels on the way, al
         };
         int64_t all = 0, unused = 0;
         REQUIRE(run(-1, &all) == C2D_OK);
-        REQUIRE(all > 3);
+        REQUIRE(all > 2);
         for (int64_t n = 0; n < all; ++n) CHECK(run(n, &unused) == (cancel ? C2D_ERR_CANCELLED : C2D_ERR_STORE_READ));
       }
 }
@@ -88,7 +89,7 @@ TEST_CASE("path faults: results that are asked for where their table is not yet 
   const double mu = 0.3, load = 1;
   c2d_outcome outcome = C2D_REACHED;
   const auto fails = [&](auto call) {
-    Run r(squares(false, "1 0.3", "0.1"), false);
+    Run r(squares(0, "1 0.3", "0.1"), false);
     REQUIRE(c2d_prepare(r.s) == C2D_OK);
     REQUIRE(c2d_begin(r.s, &mu, 1) == C2D_OK);
     REQUIRE(c2d_advance(r.s, &load, 1, &outcome) == C2D_OK);
@@ -102,10 +103,48 @@ TEST_CASE("path faults: results that are asked for where their table is not yet 
   fails([&](c2d_solver* s) { return c2d_get_body_state(s, 1, &state); });
 }
 
+TEST_CASE(
+    "path faults: whoever asks for stresses inside or indicators may cancel, and the numbers of a surface are in their range") {
+  const double mu = 0.3, load = 1;
+  c2d_outcome outcome = C2D_REACHED;
+  Run r(squares(0, "1 0.3", "0.1"), false);
+  REQUIRE(c2d_prepare(r.s) == C2D_OK);
+  REQUIRE(c2d_begin(r.s, &mu, 1) == C2D_OK);
+  REQUIRE(c2d_advance(r.s, &load, 1, &outcome) == C2D_OK);
+  std::vector<double> out(4 * C2D_OFF_FIELDS + 4 * C2D_POINT_FIELDS);
+  const double xy[] = {0.3, 0.4, 0.5, 0.6};
+  for (const bool inside : {false, true}) {
+    CAPTURE(inside);
+    const auto ask = [&] {
+      return inside ? c2d_interior(r.s, 1, 2, xy, 2, out.data(), C2D_POINT_FIELDS)
+                    : c2d_indicators(r.s, 1, 1, 4, out.data(), C2D_OFF_FIELDS);
+    };
+    r.go_wrong(true, -1);
+    REQUIRE(ask() == C2D_OK);
+    const int64_t all = r.asked;
+    REQUIRE(all > 0);
+    for (int64_t n = 0; n < all; ++n) {
+      r.go_wrong(true, n);
+      CHECK(ask() == C2D_ERR_CANCELLED);
+    }
+  }
+  CHECK(c2d_get(r.s, C2D_SURFACE_X, 1, 1, 4, out.data(), 1) == C2D_OK);
+  CHECK(c2d_get(r.s, C2D_SURFACE_X, 1, 1, 5, out.data(), 1) == C2D_ERR_ARGUMENT);
+}
+
+TEST_CASE("path faults: a preparation that is cancelled, and whose tapes cannot be closed then") {
+  Run r(squares(0, "1 0.3", "0.1"), false);
+  const auto read = r.before;
+  r.before = [&](const RamStore::Operation& operation, size_t n) { return operation.kind == 'c' ? 5 : read(operation, n); };
+  r.go_wrong(true, 2);
+  CHECK(c2d_prepare(r.s) == C2D_ERR_STORE_CLOSE);
+  CHECK(error_of(r.s).host_code == 5);
+}
+
 // The first coefficient does not hold the upper square: its path stops. What was saved there goes on with the second.
 TEST_CASE("path faults: a run that was saved where a path stopped goes on with the next coefficient, the same bits") {
   if (c2d::kSmallCode) return; // (it does not save there)
-  const Deck deck = squares(false, "2 0.05 0.6", "0.1");
+  const Deck deck = squares(0, "2 0.05 0.6", "0.1");
   Numbers whole;
   Run first(deck, false);
   REQUIRE(c2d_prepare(first.s) == C2D_OK);

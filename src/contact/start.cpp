@@ -4,6 +4,7 @@
 #include "contact/force_cone.hpp"
 #include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
+#include "memory/hostile.hpp"
 #include "model/free_zones.hpp"
 #include "model/pair_frame.hpp"
 
@@ -276,9 +277,11 @@ c2d_status slide_to_rest(Follower& f, c2d_outcome* outcome) {
     if (f.model->body[b].contact > 0) status = read_motions(cone, b, column);
   if (status != C2D_OK || !cone.load) return status;
   const int64_t steps = 100 + int64_t{20} * (f.t->pairs + cone.motions);
-  for (int64_t step = 0; step < steps; ++step) {
+  for (int64_t step = 0; !C2D_NEVER(step == steps); ++step) { // (each ends at a touch, or at none)
     cone.scales = decision_scales(f);
-    if (!is_unbalanced(cone, Friction::own) || !is_unbalanced(cone, Friction::none)) return hold_touching(f, outcome);
+    if (!is_unbalanced(cone, Friction::own)) return hold_touching(f, outcome);
+    const bool moves = is_unbalanced(cone, Friction::none);
+    if (C2D_NEVER(!moves)) return hold_touching(f, outcome); // with friction there is no less
     f.moving = body_in_motion(cone);
     if (move_to_touch(f, cone)) continue;
     is_unbalanced(cone, Friction::own); // nothing stops them without friction: they roll and tip against it
