@@ -242,3 +242,176 @@ TEST_CASE("model edges: a kink of the side whose nodes make the pairs of a free 
     CHECK_MESSAGE(kinks == 1, r.messages());
   }
 }
+
+// ---- exact states ----------------------------------------------------------------------------------------------------
+// Under an even stress the displacements are linear, which straight elements hold exactly, whatever the shape.
+
+namespace {
+
+constexpr double kSxx = 5, kSyy = -2, kE = 1000, kNu = 0.3;
+double even_ux(double x) { return ((1 - kNu * kNu) * kSxx - kNu * (1 + kNu) * kSyy) * x / kE; }
+double even_uy(double y) { return ((1 - kNu * kNu) * kSyy - kNu * (1 + kNu) * kSxx) * y / kE; }
+
+// Its tractions on all elements of body 1, but displacements on side `held`, if there is one.
+void load_evenly(Model& m, int32_t held) {
+  Body& b = m.body(1);
+  for (size_t side = 1; side <= b.sides.size(); ++side) {
+    double x[2], y[2];
+    m.place(1, b.sides[side - 1].first, 1, x[0], y[0]);
+    m.place(1, b.sides[side - 1].first, 2, x[1], y[1]);
+    const double size = std::hypot(x[1] - x[0], y[1] - y[0]), nx = (y[1] - y[0]) / size, ny = (x[0] - x[1]) / size;
+    m.set(1, static_cast<int32_t>(side), [&](double at_x, double at_y) {
+      return static_cast<int32_t>(side) == held ? end_of(kHeld, 0, 0, even_ux(at_x), even_uy(at_y))
+                                                : end_of(kPulled, kSxx * nx, kSyy * ny);
+    });
+  }
+}
+double worst_of(const Result& r) {
+  double worst = 0;
+  for (const EndResult& end : r.boundary.at(0))
+    worst = std::max({worst, std::fabs(end.ux - even_ux(end.x)), std::fabs(end.uy - even_uy(end.y))});
+  return worst;
+}
+// One more open region through these points, straight from one to the next.
+void add_open(Body& body, const std::vector<Corner>& corners) {
+  const int32_t first = body.elements() + 1;
+  int32_t last = first - 1;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    body.xy.insert(body.xy.end(), {corners[i].x, corners[i].y});
+    if (i > 0) ++last, body.sides.push_back({last, last});
+  }
+  body.regions.push_back({first, last});
+  ++body.open_regions;
+}
+
+} // namespace
+
+TEST_CASE("model edges: holes whose centroid is near their edge, or outside them, leave an even stress even") {
+  for (double thick : {0.25, 0.35, 0.45, 0.5, 0.55, 0.6, 0.7, 0.9}) { // of the limbs of a chevron
+    CAPTURE(thick);
+    Model m;
+    m.add(rectangle(-3, -2, 3, 4, {6, 6, 6, 6}));
+    add_polygon(m.body(1), {{-1.5, 0, 3}, {-1.5, thick, 3}, {0, 1 + thick, 3}, {1.5, thick, 3}, {1.5, 0, 3}, {0, 1, 3}});
+    Model with;
+    with.add(m.body(1));
+    load_evenly(with, 1);
+    CHECK(worst_of(solved(with)) < 1e-9);
+  }
+}
+
+TEST_CASE("model edges: bites on two lines of symmetry, at their crossing and beside it, of one element and of more") {
+  for (int which = 0; which < 3; ++which) {
+    CAPTURE(which);
+    Model m;
+    m.symmetry = 3;
+    if (which == 0) { // across both lines
+      Body b = open_polygon({{3, 0, 3}, {3, 4, 3}, {0, 4, 0}}, kE, kNu);
+      add_open(b, {{0, 0.7, 1}, {0.7, 0, 1}});
+      m.add(b);
+    } else if (which == 1) { // in one of them
+      Body b = open_polygon({{3, 0, 3}, {3, 4, 3}, {0, 4, 0}}, kE, kNu);
+      add_open(b, {{0, 2.5, 1}, {0.4, 2.2, 1}, {0.4, 1.8, 1}, {0, 1.5, 1}});
+      m.add(b);
+    } else {
+      Body b = open_polygon({{3, 0, 3}, {3, 4, 3}, {0, 4, 0}}, kE, kNu);
+      add_open(b, {{0.4, 0, 1}, {0.5, 0.5, 1}, {1, 0.5, 1}, {1.2, 0, 1}});
+      m.add(b);
+    }
+    load_evenly(m, 0);
+    const Result r = solve(m);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    CHECK(worst_of(r) < 1e-9);
+  }
+}
+
+// Blocks side by side on a line of symmetry y = 0: rollers at one end, an even pressure at the other.
+TEST_CASE("model edges: free zones across a line of symmetry carry an even pressure") {
+  Model m;
+  m.symmetry = 2;
+  m.friction = 0.2;
+  m.add(open_polygon({{0, 0, 3}, {0, 2, 2}, {-1, 2, 2}, {-1, 0, 0}}));
+  m.add(open_polygon({{1, 0, 2}, {1, 2, 2}, {0, 2, 4}, {0, 0, 0}}));
+  m.set(1, 3, end_of("1001"));
+  m.set(2, 1, end_of(kPulled, -1, 0));
+  m.join(C2D_ZONE_FREE, 1, 1, 2, 3);
+  const Result r = solved(m);
+  for (const Row& row : r.last().rows) CHECK(row[C2D_TN] == doctest::Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("model edges: a punch holds the whole of an open curve as displacements of zero do") {
+  const auto ring = [](bool punch) {
+    Model m;
+    m.symmetry = 3;
+    Body b = open_polygon({{3, 0, 3}, {3, 3, 3}, {0, 3, 0}}, kE, kNu);
+    add_open(b, {{0, 1, 1}, {0.7, 0.7, 1}, {1, 0, 1}});
+    m.add(b);
+    m.set(1, 1, end_of(kPulled, 3, 1));
+    if (punch) {
+      Platen& p = m.move(1, 3);
+      p.side.last += 1;
+      for (int32_t& free : p.is_free) free = 0;
+    } else {
+      m.set(1, 3, end_of(kHeld)), m.set(1, 4, end_of(kHeld));
+    }
+    const Result r = solve(m);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    return r;
+  };
+  const Result one = ring(true), other = ring(false);
+  for (size_t i = 0; i < one.boundary[0].size(); ++i) {
+    CHECK(std::fabs(one.boundary[0][i].ux - other.boundary[0][i].ux) < 1e-10);
+    CHECK(std::fabs(one.boundary[0][i].uy - other.boundary[0][i].uy) < 1e-10);
+  }
+}
+
+TEST_CASE("model edges: a load case that moves a rigid body along x alone is none without loads") {
+  Model m = pair_of_blocks(C2D_ZONE_MATCHING, 2);
+  m.cases = 2;
+  m.body(2).rigid = 1;
+  m.body(2).motion[0] = 0.001;
+  m.set(2, 3, end_of(kPulled));
+  m.set_second(1, 2, end_of(kPulled, 0.1));
+  const Result r = solve(m);
+  CHECK_MESSAGE(!r.told_of("loads nothing"), r.messages());
+  m.body(2).motion[0] = 0;
+  CHECK(solve(m).told_of("load case 1 loads nothing"));
+}
+
+// Quadratic functions have a least pressure within elements; where nothing is pressed there is none to tell.
+TEST_CASE(
+    "model edges: quadratic functions without contact, with a body that nothing holds, and with one that is pulled away") {
+  Model alone;
+  alone.function_nodes = 3;
+  alone.add(rectangle(0, 0, 2, 1, {2, 1, 2, 1}));
+  alone.set(1, 1, end_of(kHeld));
+  CHECK(solved(alone).summary.tension_ratio == 0.0);
+  for (int which = 0; which < 2; ++which) {
+    Model m;
+    m.function_nodes = 3;
+    m.friction = 0.3;
+    m.add(rectangle(0, -1, 2, 0, {1, 1, 2, 1}));
+    m.add(rectangle(0, 0.1, 2, 1, {2, 1, 1, 1}));
+    m.set(1, 1, end_of(kHeld));
+    m.set(2, 3, end_of(kPulled, 0, 1));
+    m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+    if (which == 1) m.add(rectangle(5, 5, 6, 6, {1, 1, 1, 1})); // held by nothing, touched by nothing
+    const Result r = solve(m);
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_FREE_MOTION);
+    CHECK(r.summary.tension_ratio == 0.0);
+  }
+}
+
+TEST_CASE("model edges: of ties that are apart the widest is told, wherever it is") {
+  for (const double tilt : {0.2, -0.2}) {
+    CAPTURE(tilt);
+    Model m;
+    m.add(rectangle(0, -1, 2, 0, {1, 1, 2, 1}));
+    m.add(polygon({{0, 0.3 - tilt / 2, 2}, {2, 0.3 + tilt / 2, 1}, {2, 2, 1}, {0, 2, 1}}));
+    m.set(1, 1, end_of(kHeld));
+    m.join(C2D_ZONE_MATCHING + C2D_ZONE_TIED, 1, 3, 2, 1);
+    const Result r = solve(m);
+    CHECK(r.status == C2D_ERR_INPUT);
+    CHECK_MESSAGE(r.told_of("0.3995"), r.messages());
+  }
+}

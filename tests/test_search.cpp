@@ -333,7 +333,7 @@ struct Rare {
 const Rare kRare[] = {
     {kFree, 5, {84, 249, 2501, 2967, 3801, 4211, 5665, 9845}},
     {kFree, 3, {8498}},
-    {kRests, 5, {5, 9, 15, 18, 21, 234, 242, 797, 808, 2413, 2688, 2967}},
+    {kRests, 5, {5, 9, 15, 18, 21, 234, 242, 797, 808, 2413, 2688, 2967, 4130, 5047, 8328, 10196, 18850, 24095, 28516}},
     {kSome, 5, {9, 18, 30, 169}},
     {kMany, 5, {18, 25, 26, 43}},
 };
@@ -436,5 +436,22 @@ TEST_CASE("search: where one of many pairs has no status, that is said, or the s
       const c2d_status status = run(pairs > 40 ? 5 : -1, n, &unused, &unused).status;
       CHECK(status == C2D_ERR_STORE_READ);
     }
+  }
+}
+
+// Pairs that nothing holds, but for one that sticks: so many motions are more than bodies at rest may have.
+TEST_CASE("search: bodies rest along twelve motions, not along thirteen") {
+  for (const int open : {12, 13}) {
+    CAPTURE(open);
+    const size_t m = sized(open + 1);
+    Matrix k(m, std::vector<double>(m));
+    k[0][0] = 1.0;
+    Hand h(k, {std::vector<double>(m)}, std::vector<int>(m, 0), 0.0);
+    h.tableau().load = h.follower().load, h.tableau().direction = h.follower().direction;
+    h.tableau().model = h.follower().model;
+    h.tableau().free_motions = open;
+    h.tableau().may_rest = 1;
+    for (int i = 1; i <= open; ++i) h.pair(i).status = C2D_OPEN;
+    CHECK(h.build() == (open == 12 ? C2D_OK : C2D_ERR_SINGULAR));
   }
 }

@@ -413,7 +413,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 // A number, and no absurd one.
 bool may_lie_inside(const Points& points, int32_t i) {
   const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
-  return isfinite(at[0]) && isfinite(at[1]) && fabs(at[0]) < bound && fabs(at[1]) < bound;
+  return fabs(at[0]) < bound && fabs(at[1]) < bound;
 }
 
 // Results while nothing is solved yet.
