@@ -381,10 +381,10 @@ TEST_CASE("resume in the path: what the steps have left, as a text and back") {
     }
     return app::read_path_record(app::text_of(one), model, other);
   };
-  for (const bool back : {false, true})
+  for (const bool turns : {false, true})
     for (const int32_t steps : {1, 2, 8}) {
-      CHECK(drawn(2, 1, steps, back));
-      CHECK_FALSE(drawn(3, 1, steps, back));
-      CHECK_FALSE(drawn(2, 3, steps, back));
+      CHECK(drawn(2, 1, steps, turns));
+      CHECK_FALSE(drawn(3, 1, steps, turns));
+      CHECK_FALSE(drawn(2, 3, steps, turns));
     }
 }
