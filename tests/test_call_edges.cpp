@@ -257,6 +257,9 @@ TEST_CASE("call edges: ranges of elements at the ends of the integers are too lo
       z.side2.first_element = z.side1.first_element, z.side2.last_element = z.side1.last_element;
       CHECK(c2d_add_zone(q.s, &z) != C2D_OK);
       CHECK_FALSE(q.why().empty());
+      z = q.zone();
+      z.kind = kind, z.side1.elements = z.side2.elements = up ? -3 : INT32_MIN; // so many are none
+      CHECK(c2d_add_zone(q.s, &z) != C2D_OK);
     }
 }
 

@@ -415,3 +415,19 @@ TEST_CASE("model edges: of ties that are apart the widest is told, wherever it i
     CHECK_MESSAGE(r.told_of("0.3995"), r.messages());
   }
 }
+
+// Nothing holds the upper block: half of it goes straight up, along the line of symmetry.
+TEST_CASE("model edges: half a block that is pulled away goes along its line of symmetry") {
+  for (const double push : {1.0, -1.0}) {
+    CAPTURE(push);
+    Model m = half_blocks(half_upper());
+    m.set(2, 3, end_of(kPulled, 0, push));
+    const Result r = solve(m);
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == (push > 0 ? C2D_FREE_MOTION : C2D_REACHED));
+    if (push < 0) continue;
+    CHECK(r.summary.outcome_body == 2);
+    CHECK(std::fabs(r.summary.free_motion[0]) < 1e-12);
+    CHECK(r.summary.free_motion[1] > 0);
+  }
+}

@@ -129,11 +129,33 @@ TEST_CASE("strangers: statuses of pairs and plans of eliminations, too") {
         for (const int32_t value : {-1, 0, 1 << 20, INT32_MAX})
           refused("plan", state.store, variant,
                   static_cast<size_t>(at[c2d::kPlans]) + body * sizeof(c2d::EliminationPlan) + member, value);
+    for (size_t body = 0; body < 2; ++body) // lower factors that the options keep not
+      refused("plan", state.store, variant,
+              static_cast<size_t>(at[c2d::kPlans]) + body * sizeof(c2d::EliminationPlan) +
+                  offsetof(c2d::EliminationPlan, keep_lower),
+              int32_t{1});
     for (size_t body = 0; body < 2; ++body)
       for (const size_t member : {offsetof(c2d::EliminationPlan, keep_lower), offsetof(c2d::EliminationPlan, block_rows)})
         for (const int32_t value : {-1, 1 << 20, INT32_MAX})
           refused("plan", state.store, variant,
                   static_cast<size_t>(at[c2d::kPlans]) + body * sizeof(c2d::EliminationPlan) + member, value);
+  }
+}
+
+TEST_CASE("strangers: pieces that are whole but not those the record adds up, and a record in the other's place") {
+  for (const bool in_piece : {true, false}) {
+    CAPTURE(in_piece);
+    Store store = saved(kPlain, true).store;
+    Opened opened(store);
+    Image image(store, opened);
+    if (in_piece)
+      *image.at(image.bytes / 2) ^= 1;
+    else
+      ++opened.data(C2D_TAPE_CONTROL, 2)->at(kHeader); // the number of the save, which chooses the slot
+    opened.seal();
+    const Restored found = restore(store, kPlain);
+    CHECK(found.status == (in_piece ? C2D_ERR_STORE_STALE : C2D_ERR_STORE_SWAPPED));
+    CHECK(found.state == C2D_STATE_MODEL); // nothing has been taken up
   }
 }
 
