@@ -1,6 +1,5 @@
 #include "model/surface.hpp"
 
-#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 
@@ -70,13 +69,13 @@ bool go_on(const Model& m, int b, Walk& walk) {
     const double* end = m.xy[b] + 2 * geometry_node(m, b, walk.element, walk.way > 0 ? body_of(m, b).element_nodes - 1 : 0);
     const int32_t lines = lines_through(*m.head, end[0], end[1]);
     if (lines != 0 && (next < 0 || is_axis_element(m, b, next))) {
-      if (C2D_NEVER(lines == 3)) return false; // no boundary is at the crossing of both
+      if (lines == 3) return false; // (refused afterwards)
       walk.sign[lines - 1] = -walk.sign[lines - 1];
       walk.way = -walk.way;
       return true;
     }
   }
-  if (C2D_NEVER(next < 0)) return false; // open regions end on lines
+  if (next < 0) return false; // (the same: an open region that ends on no line)
   const Curve* const own = curve_of(m, b, walk.element);
   walk.element = next;
   return !is_zero_length(m, b, next) && curve_of(m, b, next) == own;
