@@ -304,7 +304,8 @@ TEST_CASE("fortran77: points of a set at odd addresses, asked for beyond its end
       for (int32_t i = 0; i < 18; ++i) put_real(places.at(), -7.0, i);
       c2xpts_(sample.work, I{1}, I{first}, I{count}, places.at(), I{2}, &total, &error);
     };
-    for (const auto& [first, count] : {std::pair<int32_t, int32_t>{9, 2}, {INT32_MAX, 2}, {1, -1}, {0, 1}}) {
+    for (const auto& range : {std::pair<int32_t, int32_t>{9, 2}, {INT32_MAX, 2}, {1, -1}, {0, 1}}) {
+      const int32_t first = range.first, count = range.second;
       CAPTURE(first);
       ask(first, count);
       CHECK(error == C2D_ERR_ARGUMENT);

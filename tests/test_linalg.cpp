@@ -424,7 +424,8 @@ TEST_CASE("row and column operations replace y and z as they say") {
 }
 
 TEST_CASE("many vectors are made orthonormal, with what made them so") {
-  for (const auto& [n, count] : {std::pair<int32_t, int32_t>{90, 1}, {90, 16}, {90, 17}, {90, 45}, {90, 64}, {30, 20}}) {
+  for (const auto& size : {std::pair<int32_t, int32_t>{90, 1}, {90, 16}, {90, 17}, {90, 45}, {90, 64}, {30, 20}}) {
+    const int32_t n = size.first, count = size.second;
     CAPTURE(n);
     CAPTURE(count);
     std::mt19937 generator(7);

@@ -98,8 +98,10 @@ TEST_CASE("port/posix: every call of the system fails once, in every way") {
     if (name == "pread64" || name == "pwrite64") fates.insert(fates.end(), {0, kHalf});
     return fates;
   };
-  for (const auto& [number, name] : names)
-    for (const int fate : fates_of(name)) {
+  for (const auto& entry : names)
+    for (const int fate : fates_of(entry.second)) {
+      const auto& name = entry.second;
+      const auto number = entry.first;
       CAPTURE(name);
       CAPTURE(number);
       CAPTURE(fate);
@@ -259,8 +261,10 @@ TEST_CASE("port/stdio: every call of the C library fails once, and most do not s
           }) == 0);
   CHECK(folder.names().empty());
   CHECK(names.size() > 12);
-  for (const auto& [number, name] : names)
+  for (const auto& entry : names)
     for (const int fate : {EIO, 0}) {
+      const auto& name = entry.second;
+      const auto number = entry.first;
       CAPTURE(name);
       CAPTURE(number);
       const int64_t wanted = number;

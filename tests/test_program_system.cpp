@@ -251,7 +251,7 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
     CHECK(store.folder().compare(0, 15, "/tmp/contact2d-") == 0);
     CHECK(store.remove_tapes(error));
   }
-  REQUIRE(kept.empty() ? ::unsetenv("TMPDIR") == 0 : ::setenv("TMPDIR", kept.c_str(), 1) == 0);
+  REQUIRE((kept.empty() ? ::unsetenv("TMPDIR") == 0 : ::setenv("TMPDIR", kept.c_str(), 1) == 0));
   app::StoreChoice shrunk; // for a run with less to spare what the one before it has in memory counts
   REQUIRE(shrunk.choose("", 1000, false, error));
   REQUIRE(shrunk.open(0, 10, 64) == 0);
@@ -342,12 +342,13 @@ TEST_CASE("system: answers of a run, and rows of many, that cannot be written") 
   CHECK_FALSE(app::append_row(folder / "short", "a,b,c\n", "1\n", error));
   CHECK(error == (folder / "short") + ": has other columns, expected a,b,c");
   // The rows of a sweep, kept beside its results.
-  for (const auto& [call, code] :
+  for (const auto& [name, code] :
        {std::pair("flock", EIO), std::pair("read", EIO), std::pair("ftruncate", EIO), std::pair("write", ENOSPC)}) {
+    const std::string call = name;
     CAPTURE(call);
     fs::remove(folder / "j");
     app::Journal journal;
-    const System system(call, 1, code);
+    const System system(name, 1, code);
     CHECK(journal.open(folder / "j", 1, false, error) == 3);
     CHECK(contains(error, (folder / "j") + ": "));
   }

@@ -81,6 +81,7 @@ template <class Visit> void visit_near_columns(const Compression& t, const Depth
     if (!is_near(t, own, node, t.w.reach[node])) continue;
     for (int32_t j = m.node_column[b][node]; j < m.node_column[b][node + 1]; ++j) visit(j, node);
     const PairSide at = pair_of_node(m, b, node);
+    if (at.pair < 0) continue;
     const int32_t first = t.plan.columns + dof_on(m, m.pair[at.pair], at.side);
     for (int32_t k = 0; k <= m.pair[at.pair].tangential; ++k) {
       visit(first + k, node);
@@ -264,9 +265,9 @@ void add_sums(Compression& t, const ChosenColumns& columns, const Circle& circle
   for (int i = 0; i < 3; ++i) add_sample(sum, out + i, 3, false);
   for (int32_t k = 0; k < t.plan.holes; ++k) {
     const Hole& hole = t.w.hole[k];
-    double nearest = HUGE_VAL;
-    for (int32_t p = 0; p < hole.points; ++p) nearest = fmin(nearest, distance(t, circle, hole.at[p]));
-    if (nearest >= proxy_radius(circle)) continue;
+    bool near = false;
+    for (int32_t p = 0; p < hole.points; ++p) near = near || distance(t, circle, hole.at[p]) < proxy_radius(circle);
+    if (!near) continue;
     fill_hole_row(t.system, hole, columns, out, 1);
     add_sample(sum, out, 1, true);
   }

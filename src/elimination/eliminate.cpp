@@ -476,7 +476,8 @@ c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Rea
         continue;
       }
       const int32_t i = chunk.first + j; // forward substitution: U^T is lower triangular
-      f[i] = (f[i] - dot(i, column, f)) / column[i];
+      const Real diagonal = column[i];
+      f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
     }
   }
 }

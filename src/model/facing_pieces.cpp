@@ -1,6 +1,7 @@
 // Pieces of elements of side 1 and what they face, one after the other.
 #include "model/facing.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 
 #include <math.h>
@@ -24,16 +25,20 @@ using namespace facing;
 
 namespace {
 
-// (The zone has those elements alone that face side 0 with all of these points.)
-void face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
+bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
   const int f = m.head->function_nodes;
-  if (f == 1) return void(face_point(m, z, at2, out));
-  int l = 0; // a pair's node: its point has been found
-  while (at2.eta != node_eta(f, l)) ++l;
-  const Pair& pair = m.pair[pair_of_end(m, z.body[1], at2.element, l).pair];
-  ZonePlace faced{};
-  find_contact_element(m, z.body[0], pair.element, &faced);
-  out = FacePoint{pair.element, faced.place, pair.eta};
+  for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
+    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, z.body[1], at2.element, l).pair : -1;
+    if (pair < 0) continue;
+    ZonePlace faced;
+    out.element = m.pair[pair].element;
+    out.eta = m.pair[pair].eta;
+    const bool in_zone = find_contact_element(m, z.body[0], out.element, &faced);
+    if (C2D_NEVER(!in_zone)) return false; // what a pair's node faces is
+    out.place = faced.place;
+    return true;
+  }
+  return face_point(m, z, at2, out);
 }
 
 // The next node or end of side 0 behind `now` within its element, in the order of the zone.
@@ -62,7 +67,7 @@ double next_cut(const Model& m, const Zone& z, double eta) {
 PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
   PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), place2, 1, {}, {}, 0, 0};
   own_cut(m, z, 0, &walk.eta2);
-  face_own_cut(m, z, FacePoint{walk.element2, place2, walk.eta2}, walk.now);
+  if (!face_own_cut(m, z, FacePoint{walk.element2, place2, walk.eta2}, walk.now)) walk.stop = INT32_MAX - 1;
   walk.target = walk.now;
   walk.target_eta2 = walk.eta2;
   return walk;
@@ -73,8 +78,8 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   const Zone& z = *w.z;
   const int32_t count = zone_elements(z, 0);
   if (w.eta2 == w.target_eta2) { // on to the next node of its own
-    if (!own_cut(m, z, w.stop, &w.target_eta2)) return false;
-    face_own_cut(m, z, FacePoint{w.element2, w.place2, w.target_eta2}, w.target);
+    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, FacePoint{w.element2, w.place2, w.target_eta2}, w.target))
+      return false;
     ++w.stop;
   }
   if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of side 0

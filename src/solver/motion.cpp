@@ -217,8 +217,10 @@ void find_outcome_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   for (double& number : s->outcome_motion) number = 0.0;
   if (s->outcome_body == 0) s->outcome_body = body_pushed_most(session) + 1;
-  const Body& body = session.model.body[s->outcome_body - 1]; // one that has free motions
+  if (s->outcome_body < 1) return;
+  const Body& body = session.model.body[s->outcome_body - 1];
   const Motions motions{body, s->outcome_body - 1, body.free_motions};
+  if (motions.count < 1) return;
   double choice[3] = {1.0, 0.0, 0.0};
   if (s->blocked) find_unheld_motion(session, motions, choice);
   const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));
