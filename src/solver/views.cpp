@@ -46,6 +46,7 @@ double* zone_friction(c2d_solver* s, int32_t i) {
   return array_of<double>(s, kFriction) + s->sizes.coefficients + i * s->sizes.zones;
 }
 double coefficient_of_zone(c2d_solver* s, int32_t zone, int32_t i) {
+  if (s->model.coefficients == 0) return 0.0;
   const double own = zone < s->model.zones ? zone_friction(s, i)[zone] : -1.0;
   return own < 0.0 ? array_of<double>(s, kFriction)[i] : own;
 }
