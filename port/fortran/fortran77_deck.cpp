@@ -142,8 +142,10 @@ void tell_tape(Call& call, const c2d_limits& limits, int32_t tape, Out nblock, O
   c2d_error why = blank_error();
   call.status = c2d_tape_need(&limits, &call.host->options, call.host->bytes - kHostSlack, tape, &blocks, &bytes, &why);
   if (call.status != C2D_OK) return call.tell(why);
-  put_integer(nblock, at_most(blocks));
-  put_integer(nwords, words_of(bytes)); // a block has room in WORK
+  if (blocks > INT32_MAX || bytes / 8 >= INT32_MAX) call.status = C2D_ERR_OVERFLOW;
+  if (call.status != C2D_OK) return;
+  put_integer(nblock, static_cast<int32_t>(blocks));
+  put_integer(nwords, words_of(bytes));
 }
 
 // For the solver that is there, and for those to come.

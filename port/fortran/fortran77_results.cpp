@@ -160,7 +160,8 @@ void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr) {
     c2d_summary summary = C2D_INIT(c2d_summary);
     c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};
     call.status = c2d_get_summary(call.solver, &summary);
-    for (int32_t b = 0; b < summary.bodies && b < 2; ++b) c2d_get_body_result(call.solver, b + 1, &body[b]);
+    for (int32_t b = 0; b < summary.bodies && b < 2 && call.status == C2D_OK; ++b)
+      call.status = c2d_get_body_result(call.solver, b + 1, &body[b]);
     if (call.status == C2D_OK) put_summary(summary, body, isum, integer_at(ni), rsum, integer_at(nr));
   }
   call.leave(ierr);

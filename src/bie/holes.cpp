@@ -70,7 +70,7 @@ Outline outline_of(const Model& m, int b, const Hole& run) {
     }
     element = element_after(m, b, element);
   }
-  for (int i = 0; i < 2; ++i) out.centroid[i] = at[i] + moment[i] / out.area;
+  for (int i = 0; i < 2 && out.area != 0.0; ++i) out.centroid[i] = at[i] + moment[i] / out.area;
   // Images complete a run that begins or ends on a line: their common centroid lies on it.
   if (out.first[0] == out.last[0] && out.first[1] == out.last[1]) return out;
   for (int i = 0; i < 2; ++i) {
@@ -133,7 +133,7 @@ double touching_circle(const Model& m, int b, const Hole& run, const double a[2]
 
 // Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the centroid. A
 // hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and both count.
-void find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
+bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   double best = -1.0, centre[2][2] = {};
   run.points = 0;
   int32_t element = run.first;
@@ -144,10 +144,10 @@ void find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
       const double from[2] = {c.x[i], c.y[i]}, to[2] = {c.x[i + 1], c.y[i + 1]};
       if (from[0] == to[0] && from[1] == to[1]) continue;
       double p[2];
-      const double radius = touching_circle(m, b, run, from, to, p); // (a hole is closed: something is ahead)
+      const double radius = touching_circle(m, b, run, from, to, p);
       const double away = hypot(p[0] - outline.centroid[0], p[1] - outline.centroid[1]) / outline.length;
       const double merit = radius * (1.0 - away * away);
-      if (merit < best * (1.0 - 1e-6)) continue;
+      if (!(radius > 0.0) || merit < best * (1.0 - 1e-6)) continue;
       const bool better = merit > best * (1.0 + 1e-6);
       if (better) run.points = 0;
       if (better) best = merit;
@@ -159,16 +159,18 @@ void find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   }
   for (int32_t k = 0; k < run.points; ++k)
     for (int i = 0; i < 2; ++i) run.at[k][i] = centre[k][i] / m.head->length_unit;
+  return run.points > 0;
 }
 
 // The centroid of the area, if it lies well inside. No rotation, reflection or numbering changes what is found.
-void find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
+bool find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
   constexpr double kWell = 0.31; // of the radius that a circle of this area and length has
   const double radius = -2.0 * outline.area / outline.length, unit = m.head->length_unit;
   run.length = 2.0 * radius / unit;
   if (!is_well_inside(m, b, run, outline.centroid, kWell * radius)) return find_widest(m, b, outline, run);
   run.points = 1;
   for (int i = 0; i < 2; ++i) run.at[0][i] = outline.centroid[i] / unit;
+  return true;
 }
 
 // The next run of a region, whatever it encloses; false at the region's end.
@@ -198,9 +200,7 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
       continue;
     }
     const Outline outline = outline_of(m, b, out);
-    if (!(outline.area < 0.0)) continue;
-    find_inside(m, b, outline, out);
-    return true;
+    if (outline.area < 0.0 && find_inside(m, b, outline, out)) return true;
   }
   return false;
 }

@@ -234,7 +234,7 @@ namespace {
   const Point p = point_of(m, z.body[0], at), q = point_of(m, z.body[1], faced);
   // Both advance equally across the line along n that joins them.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
-  out.ratio = advance1 / advance2; // (they face each other)
+  out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);
   for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, z.body[1], faced.element, k).pair : -1;
   for (int k = 0; k < nf; ++k) C2D_ASSERT(out.pair[k] >= 0); // as above
@@ -250,7 +250,7 @@ bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredE
   const Zone& z = m.zone[place.zone];
   const FacePoint at{element, place.place, node_eta(nf, l)};
   FacePoint faced;
-  facing_point(m, z, at, faced);
+  if (!facing_point(m, z, at, faced)) return false;
   weigh_end(m, z, at, faced, out);
   return true;
 }

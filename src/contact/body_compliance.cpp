@@ -76,6 +76,7 @@ void exchange(Real* x, int64_t i, int64_t j) {
 c2d_status factor_held(BodyEquations& e) {
   const Reduction& r = e.r;
   const int32_t n = e.n, held = e.held();
+  if (held < 0) return C2D_ERR_SINGULAR;
   const c2d_status status = read_matrix(r.tape, e.b, BodyMatrix::displacement, r.first, n);
   if (status != C2D_OK) return status;
   rigid_columns(e);

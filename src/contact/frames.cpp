@@ -425,6 +425,7 @@ void number_contact(const Model& m) {
   }
   for (int32_t i = 0; i < m.head->zones; ++i) {
     Zone& z = m.zone[i];
+    if (z.pairs == 0) continue;
     const int32_t first = m.pair[z.first_pair].dof;
     int32_t dof = first;
     for (int32_t k = 0; k < z.pairs; ++k) {

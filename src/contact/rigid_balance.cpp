@@ -97,7 +97,7 @@ c2d_status remove_together(const Reduction& r, Real* t, int64_t ld) {
 c2d_status join_motions(const Reduction& r) {
   const int32_t m = contact_unknowns(r.tape), count = free_motions(r.tape);
   Real *resultants = r.first, *motions = r.second, *mix = r.second + static_cast<int64_t>(count) * m;
-  c2d_status status = C2D_OK; // (no more motions than unknowns, or nothing would hold some: solver/support.cpp)
+  c2d_status status = count <= m ? c2d_status{C2D_OK} : c2d_status{C2D_ERR_SINGULAR};
   for (int32_t j = 0; j < count && status == C2D_OK; ++j) {
     status = read_on_pairs(r, BodyMatrix::resultants, body_motion(r.model, j), resultants + static_cast<int64_t>(j) * m);
     if (status == C2D_OK)

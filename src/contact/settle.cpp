@@ -60,13 +60,13 @@ bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathS
 }
 bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
-  if (i == f.bound.pair) return true; // (it is not unloaded: the event was one of slip)
+  if (i == f.bound.pair && f.bound.status == C2D_SLIP) return true;
   return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
 }
 
 // Of friction at its bound.
 int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
-  if (i == f.bound.pair) return f.bound.sign; // (as above)
+  if (i == f.bound.pair && f.bound.status == C2D_SLIP && f.bound.sign != 0) return f.bound.sign;
   return now.q > 0.0 ? 1 : -1;
 }
 

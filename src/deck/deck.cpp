@@ -77,7 +77,7 @@ bool accept(Deck& deck, c2d_status status) {
   ++deck.cards.faults;
   if (deck.sink->refused != nullptr) deck.sink->refused(deck.sink->context);
   if (status != C2D_ERR_ARGUMENT && status != C2D_ERR_INPUT) {
-    deck.cards.status = status;
+    if (deck.cards.status == C2D_OK) deck.cards.status = status;
     deck.cards.ended = true;
   }
   if (deck.cards.faults > kMaximumFaults) deck.cards.ended = true;
@@ -127,8 +127,8 @@ constexpr int32_t kElementNodesBase = 8; // above any number of nodes of an elem
 }
 
 void keep_body_card(Deck& deck, int b, int32_t element_nodes) {
-  constexpr int32_t kLines = INT32_MAX / kElementNodesBase; // (of longer decks the remainder is told)
-  deck.body[b].reserved = deck.cards.line % kLines * kElementNodesBase + element_nodes;
+  const int32_t last = INT32_MAX / kElementNodesBase - 1, line = deck.cards.line;
+  deck.body[b].reserved = (line < last ? line : last) * kElementNodesBase + element_nodes;
 }
 
 int32_t body_line(const Deck& deck, int b) { return deck.body[b].reserved / kElementNodesBase; }

@@ -430,7 +430,7 @@ c2d_status reduce_depth(Compression& t, const Depth& d, bool leaf, uint64_t& at,
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < d.cells && status == C2D_OK; ++i) {
     status = reduce_cell(t, d, i, leaf, at);
-    if (status == C2D_OK) status = watch.step(watch.context, 0);
+    if (status == C2D_OK && watch.step != nullptr) status = watch.step(watch.context, 0);
   }
   return status == C2D_OK ? finish_block(t.lower) : status;
 }

@@ -51,7 +51,7 @@ uint64_t lay_out_back(const CompressedPlan& plan, char* base, BackWork* out) {
   w.buffer = take(kBlockHeaderBytes + plan.block_bytes);
   carver.align();
   if (out) *out = w;
-  return carver.used; // (far less than the area of the elimination)
+  return carver.fits ? carver.used : UINT64_MAX;
 }
 
 // A cell's record, as write_record wrote it; and the numbers of M and h, which stand unaligned.

@@ -58,7 +58,7 @@ uint64_t lay_out_check(const CompressedPlan& plan, char* base, CheckWork* out) {
   take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
   carver.align();
   if (out) *out = w;
-  return carver.used; // (as compressed_back_bytes)
+  return carver.fits ? carver.used : UINT64_MAX;
 }
 
 struct Check {

@@ -103,14 +103,16 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   dense.take(room, elimination_bytes(plan.border));
   w.dense = room;
   dense.carver.align();
-  if (!bump.carver.fits) return UINT64_MAX;
+  if (!bump.carver.fits || !dense.carver.fits) return UINT64_MAX;
   if (out) *out = w;
   return bump.carver.used > dense.carver.used ? bump.carver.used : dense.carver.used;
 }
 
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
-bool is_tree_node(const Model& m, int b, int32_t node) { return m.node_column[b][node + 1] - m.node_column[b][node] == 2; }
+bool is_tree_node(const Model& m, int b, int32_t node) {
+  return m.node_column[b][node + 1] - m.node_column[b][node] == 2 && pair_of_node(m, b, node).pair < 0;
+}
 
 namespace {
 
@@ -208,7 +210,7 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
   // Blocks are no longer than those of the records, so that bounds of their number are none of much larger ones.
   const uint64_t column = static_cast<uint64_t>(narrow.rows) * sizeof(Real);
   cut.block_rows = 0;
-  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(plan.block_bytes / column));
+  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(column > 0 ? plan.block_bytes / column : 1));
   while (elimination_bytes(cut) > room) --cut.block_columns;
   return C2D_OK;
 }

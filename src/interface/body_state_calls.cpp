@@ -60,7 +60,7 @@ extern "C" c2d_status c2d_get_body_state(c2d_solver* s, int32_t body, c2d_body_s
   Session session;
   open_session(s, session);
   status = fill_body_state(session, body - 1, ours);
-  if (status != C2D_OK) return fail_store(s, status); // (inside, the table is there)
+  if (status != C2D_OK) return is_store_error(status) && !inside ? fail_store(s, status) : status;
   copy_out(&ours, sizeof ours, out);
   return C2D_OK;
 }

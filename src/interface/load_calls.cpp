@@ -21,8 +21,10 @@ c2d_status append_path(c2d_solver* s, int32_t increments, const double* load, in
 
 } // namespace
 
-// (Its line has been set: the model is being built.)
-c2d_status add_load_card(c2d_solver* s, int32_t increments, double load) { return append_path(s, increments, &load, 1); }
+c2d_status add_load_card(c2d_solver* s, int32_t increments, double load) {
+  const c2d_status status = enter_building(s);
+  return status == C2D_OK ? append_path(s, increments, &load, 1) : status;
+}
 
 } // namespace c2d
 

@@ -76,10 +76,9 @@ void facing::mark_unfaced_ends(const Model& m, int32_t zone) {
   const Zone& z = m.zone[zone];
   const int b = z.body[0], f = m.head->function_nodes;
   for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
-    ZonePlace found{};
+    ZonePlace found;
     const int32_t element = zone_element(m, z, 0, place);
-    find_contact_element(m, b, element, &found);
-    if (found.zone != zone) continue;
+    if (!find_contact_element(m, b, element, &found) || found.zone != zone || found.side != 0) continue;
     for (int l = 0; l < f; ++l) {
       FacePoint faced;
       uint8_t& code = m.end_code[b][element * f + l];

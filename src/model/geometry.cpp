@@ -74,7 +74,7 @@ int closing_way(const Model& m, int b, int32_t region, double x[3], double y[3])
   const ModelHeader& head = *m.head;
   int count = 0;
   x[count] = end[0], y[count++] = end[1];
-  if ((lines_through(head, end[0], end[1]) & lines_through(head, start[0], start[1])) == 0)
+  if ((lines_through(head, end[0], end[1]) & lines_through(head, start[0], start[1])) == 0 && head.symmetry == 3)
     x[count] = head.line_at[0], y[count++] = head.line_at[1];
   x[count] = start[0], y[count++] = start[1];
   return count;
@@ -189,7 +189,7 @@ double distance_to_element(const Model& m, int b, int32_t element, double x, dou
   double nearest = -1;
   for (int i = 0; i < c.count; ++i) {
     const double ex = c.x[i + 1] - c.x[i], ey = c.y[i + 1] - c.y[i], size = ex * ex + ey * ey;
-    double place = ((x - c.x[i]) * ex + (y - c.y[i]) * ey) / size;
+    double place = size > 0 ? ((x - c.x[i]) * ex + (y - c.y[i]) * ey) / size : 0;
     place = place < 0 ? 0 : place > 1 ? 1 : place;
     const double dx = x - c.x[i] - place * ex, dy = y - c.y[i] - place * ey;
     const double distance = sqrt(dx * dx + dy * dy);

@@ -124,9 +124,9 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const int b = z.body[side];
   int32_t count = 0, first = 0, other = 0;
   for (int32_t k = 0; k < zone_elements(z, side); ++k) {
-    ZonePlace found{};
+    ZonePlace found;
     const int32_t element = zone_element(m, z, side, k);
-    find_contact_element(m, b, element, &found);
+    if (!find_contact_element(m, b, element, &found)) continue;
     if (found.zone == zone && found.side == side) continue; // the earlier one is found
     if (count++ > 0) continue;
     first = element;

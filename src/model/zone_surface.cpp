@@ -99,10 +99,10 @@ void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const
 
 int32_t element_beside_pair(const Model& m, const Pair& pair) {
   const Zone& z = m.zone[pair.zone];
-  ZonePlace at{};
-  if (fabs(pair.eta) != 1.0) return -1;
-  find_contact_element(m, z.body[0], pair.element, &at);
-  return zone_element(m, z, 0, place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1)); // (all of its element is faced)
+  ZonePlace at;
+  if (fabs(pair.eta) != 1.0 || !find_contact_element(m, z.body[0], pair.element, &at)) return -1;
+  const int32_t beside = place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1);
+  return beside < 0 ? -1 : zone_element(m, z, 0, beside);
 }
 
 } // namespace c2d

@@ -14,7 +14,7 @@ namespace {
 void append_line(std::string& out, const char* name, const std::string& value) {
   out += name;
   const size_t length = std::char_traits<char>::length(name);
-  out.append(28 - length, ' ');
+  out.append(length < 28 ? 28 - length : 1, ' ');
   out += value;
   out += '\n';
 }

@@ -211,8 +211,10 @@ c2d_error fault_at(const DeckFile& deck, const Item& item, const std::string& te
   fault.severity = C2D_FAULT;
   fault.line = item.line;
   const size_t found = deck.card(static_cast<size_t>(item.line)).find(item.text);
-  fault.column = static_cast<int32_t>(found) + 1;
-  fault.column_end = static_cast<int32_t>(found + item.text.size());
+  if (found != std::string_view::npos) {
+    fault.column = static_cast<int32_t>(found) + 1;
+    fault.column_end = static_cast<int32_t>(found + item.text.size());
+  }
   text.copy(fault.text, sizeof fault.text - 1);
   return fault;
 }
@@ -241,7 +243,7 @@ int convert_deck(const Options& options) {
                                           &items, Messages::log_cards, &messages);
   if (status != C2D_OK) return exit_code(status);
 
-  const bool is_free = items.at(0).kind == C2D_CARD_FREE; // (a deck without cards is none)
+  const bool is_free = !items.empty() && items[0].kind == C2D_CARD_FREE;
   const bool to_free = options.convert_to.empty() ? !is_free : options.convert_to == "free";
   std::string error, text;
   size_t at = 0;

@@ -24,8 +24,7 @@ void catch_interrupts() {
   const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
   for (const int number : numbers) {
     struct sigaction old = {};
-    sigaction(number, nullptr, &old);
-    if (old.sa_handler == SIG_IGN) continue; // nohup, background jobs
+    if (sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue; // nohup, background jobs
     sigaction(number, &action, nullptr);
   }
   std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a full file is a failed write, reported as such

@@ -53,8 +53,9 @@ int run_command(const app::Options& options) {
   case app::Command::kResume: return resume(options);
   case app::Command::kCompletion: return print(app::completion_text(options.topic).c_str());
   case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
-  default: return print(app::help_text(options.topic).c_str());
+  case app::Command::kHelp: break;
   }
+  return print(app::help_text(options.topic).c_str());
 }
 
 // Those of --params, before those of --set.

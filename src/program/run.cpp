@@ -36,8 +36,7 @@ std::string local_time() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   char text[32] = "";
-  ::localtime_r(&now, &parts);
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts);
+  if (::localtime_r(&now, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts);
   return text;
 }
 
@@ -264,14 +263,14 @@ c2d_port Run::make_port() {
 
 int Run::library_failed(c2d_status status) {
   line_.clear();
-  if (status == C2D_ERR_CALLBACK) return file_failed(); // one of ours, which has said why
+  if (status == C2D_ERR_CALLBACK && !error_.empty()) return file_failed();
   if (restored_ && (status == C2D_ERR_STORE_READ || (status >= C2D_ERR_STORE_FORMAT && status <= C2D_ERR_STORE_STALE))) {
     fresh_start_ = "the tapes in " + options_.folder + " are damaged";
     return kExitFiles;
   }
   if (!fresh_start_.empty()) return kExitFiles;
   c2d_error last = C2D_INIT(c2d_error);
-  c2d_last_error(session_.solver, &last);
+  if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
   const int exit = session_.failed(status);
   if (status < C2D_ERR_STORE_OPEN || status > C2D_ERR_STORE_STALE) return exit;
   const std::string file = store_.file_of(last.tape);

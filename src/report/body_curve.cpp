@@ -66,7 +66,7 @@ void BodyCurve::take_elements(const c2d_body_result& body, const std::vector<dou
       for (int32_t k = 0; k <= order; ++k) {
         const bool round = !r.open && e == r.last && k == order;
         const size_t at = static_cast<size_t>(round ? begin : (e - 1) * order + open_before + k);
-        curve.x[k] = x[at], curve.y[k] = y[at];
+        if (at < x.size()) curve.x[k] = x[at], curve.y[k] = y[at];
       }
       elements_.push_back(curve);
     }
@@ -100,9 +100,9 @@ int32_t BodyCurve::node(int32_t e, int32_t local) const {
 }
 
 const BodyCurve::Region& BodyCurve::region_of(int32_t e) const {
-  size_t r = regions_.size() - 1; // one begins behind the other
-  while (r > 0 && e < regions_[r].first) --r;
-  return regions_[r];
+  for (const Region& r : regions_)
+    if (e >= r.first && e <= r.last) return r;
+  return regions_.front();
 }
 
 int32_t BodyCurve::next(int32_t e, bool up) const {
@@ -127,7 +127,7 @@ void BodyCurve::mark_corners(int32_t nodes) {
   for (int32_t e = 1; e <= elements() && function_nodes_ > 1; ++e) // a constant function's node is in the middle
     for (const bool at_end : {false, true}) {
       const size_t i = static_cast<size_t>(node(e, at_end ? function_nodes_ : 1));
-      if (is_corner(e, at_end)) corner_[i] = 1;
+      if (i < corner_.size() && is_corner(e, at_end)) corner_[i] = 1;
     }
 }
 

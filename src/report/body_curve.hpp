@@ -46,7 +46,7 @@ public:
   bool is_corner(int32_t e, bool at_end) const;
   // Is the functional node at a corner?
   bool is_corner_node(int32_t node) const {
-    return static_cast<size_t>(node) < corner_.size() && corner_[static_cast<size_t>(node)] != 0;
+    return node > 0 && static_cast<size_t>(node) < corner_.size() && corner_[static_cast<size_t>(node)] != 0;
   }
 
 private:

@@ -120,8 +120,12 @@ bool BodyFaces::is_at_line(const Spot& p, int axis) const {
 
 double BodyFaces::angle_at_image(int32_t element, bool up) const {
   const Spot end = at(element, up), own = direction(element, up);
-  const Spot image = is_at_line(end, 0) ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // mirrored, and the other way round
-  return kPi - (up ? turn(own, image) : turn(image, own));
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!is_at_line(end, axis)) continue;
+    const Spot image = axis == 0 ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // mirrored, and the other way round
+    return kPi - (up ? turn(own, image) : turn(image, own));
+  }
+  return 0;
 }
 
 double BodyFaces::turn_after(int32_t element) const {
@@ -172,8 +176,11 @@ void BodyFaces::enter_zone(const c2d_side& side, int32_t zone) {
   StretchEnd ends[2];
   find_ends(side, true, ends);
   int32_t e = side.first_element;
-  zone_[index(e)] = zone;
-  while (e != side.last_element) zone_[index(e = next(e, ends[1].up))] = zone;
+  for (size_t k = 0; k < zone_.size() && e != 0; ++k) {
+    zone_[index(e)] = zone;
+    if (e == side.last_element) break;
+    e = next(e, ends[1].up);
+  }
 }
 
 } // namespace app

@@ -39,10 +39,10 @@ public:
   double length(int32_t element) const { return distance(at(element, false), at(element, true)); }
   // The element that follows on the closed curve, upwards or downwards.
   int32_t next(int32_t element, bool up) const {
-    size_t i = regions_.size() - 1; // one begins behind the other
-    while (i > 0 && element < regions_[i][0]) --i;
-    const std::array<int32_t, 2>& r = regions_[i];
-    return up ? (element == r[1] ? r[0] : element + 1) : (element == r[0] ? r[1] : element - 1);
+    for (const std::array<int32_t, 2>& r : regions_)
+      if (element >= r[0] && element <= r[1])
+        return up ? (element == r[1] ? r[0] : element + 1) : (element == r[0] ? r[1] : element - 1);
+    return element;
   }
 
 private:

@@ -83,7 +83,8 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   edge.at_corner = line.corner[static_cast<size_t>(last)] != 0;
   if (edge.at_corner) return edge;
   int32_t open = 0; // how many pairs until the line ends, or the next stretch begins
-  while (view.at(open + 1) >= 0 && !touches(state.status[static_cast<size_t>(view.at(open + 1))])) ++open;
+  const int32_t most = static_cast<int32_t>(line.size());
+  while (open < most && view.at(open + 1) >= 0 && !touches(state.status[static_cast<size_t>(view.at(open + 1))])) ++open;
   const bool more = view.at(open + 1) >= 0;
   const int32_t use = std::min(more ? (open + 1) / 2 : open, kSamples); // up to the middle between two stretches
   std::vector<Sample> samples;
@@ -143,9 +144,12 @@ double held_slip(const LineState& state, const View& view, int32_t stuck, double
 
 int32_t run_of(const LineState& state, const View& view, int32_t first, int step, int32_t status) {
   int32_t run = 0;
-  for (int32_t at = view.at(first); at >= 0 && state.status[static_cast<size_t>(at)] == status;
-       at = view.at(first + step * run))
+  const int32_t most = static_cast<int32_t>(state.line.size());
+  while (run < most) {
+    const int32_t at = view.at(first + step * run);
+    if (at < 0 || state.status[static_cast<size_t>(at)] != status) break;
     ++run;
+  }
   return run;
 }
 

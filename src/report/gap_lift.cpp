@@ -22,9 +22,10 @@ Point normal_at(const BodyScene& body, Point p) {
 } // namespace
 
 GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
+  if (scene.record->coefficients.empty()) return;
   const std::vector<double>& table = scene.record->coefficients.back().table;
   std::vector<Source> pairs(scene.pairs.size());
-  for (size_t p = 0; p < scene.pairs.size(); ++p) {
+  for (size_t p = 0; p < scene.pairs.size() && (p + 1) * C2D_PAIR_FIELDS <= table.size(); ++p) {
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     const double gap = row[C2D_GAP] - (row[C2D_UN2] - row[C2D_UN1]);
     const ZoneScene& zone = scene.zones[static_cast<size_t>(scene.pairs[p].zone) - 1];
@@ -38,13 +39,13 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
 // From body 1 on, each body against those that stand already.
 void GapLift::place(const Scene& scene, const std::vector<Source>& pairs) {
   std::vector<char> stands(scene.bodies.size(), 0);
-  stands[0] = 1;
+  if (!stands.empty()) stands[0] = 1;
   for (bool more = true; more;) {
     more = false;
     const std::vector<char> before = stands;
     for (const ZoneScene& zone : scene.zones) {
       const size_t one = static_cast<size_t>(zone.body[0]) - 1, two = static_cast<size_t>(zone.body[1]) - 1;
-      if (before[one] == before[two]) continue;
+      if (one == two || before[one] == before[two]) continue;
       const size_t moved = before[one] ? two : one, held = before[one] ? one : two;
       const double sign = before[one] ? 1.0 : -1.0;
       const size_t every = zone.pairs / kMostSources + 1;
@@ -65,6 +66,7 @@ Point GapLift::at(size_t body, Point p) const {
   Point out;
   for (const Source& s : of_[body]) {
     const double dx = p.x - s.at.x, dy = p.y - s.at.y, square = dx * dx + dy * dy;
+    if (square == 0.0) return s.by;
     const double weight = 1.0 / square / square;
     if (!std::isfinite(weight)) return s.by;
     sum += weight, out.x += weight * s.by.x, out.y += weight * s.by.y;

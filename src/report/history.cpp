@@ -58,7 +58,7 @@ std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, i
 }
 
 void History::note(const c2d_step& step) {
-  const size_t index = static_cast<size_t>(step.coefficient) - 1;
+  const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
   if (coefficients_.size() <= index) coefficients_.resize(index + 1);
   CoefficientHistory& c = coefficients_[index];
   c.mu = step.mu;
@@ -80,7 +80,7 @@ void History::note(const c2d_step& step) {
   for (size_t p = 0; p < pairs; ++p) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     const int status = static_cast<int>(row[C2D_STATUS]);
-    if (status < 3) ++now.count[status];
+    if (status >= 0 && status < 3) ++now.count[status];
     if (p == 0 || row[C2D_TN] > now.peak) now.peak = row[C2D_TN];
     if (keep_status) now.status[p] = static_cast<char>(status);
   }

@@ -196,7 +196,8 @@ void append_corner(std::string& out, const CornerState& corner) {
     o.word("why", corner.why.c_str());
   } else {
     o.number("K_error", corner.K_error);
-    if (std::isfinite(corner.K2)) o.number("K2", corner.K2), o.number("K2_error", corner.K2_error);
+    if (std::isfinite(corner.K2)) o.number("K2", corner.K2);
+    if (std::isfinite(corner.K2)) o.number("K2_error", corner.K2_error);
   }
   out += '}';
 }
@@ -338,7 +339,7 @@ void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
     Object zone(out, "{", ", ");
     zone.integer("zone", static_cast<int64_t>(i) + 1);
     append_name(zone, s.zone_name, i);
-    if (s.names_bodies()) {
+    if (s.names_bodies() && i < s.zone.size()) {
       zone.integer("body1", s.zone[i].side1.body);
       zone.integer("body2", s.zone[i].side2.body);
     }

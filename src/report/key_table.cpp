@@ -54,7 +54,8 @@ KeyTable key_table(const CoefficientRecord& c, int32_t zone, int digits) {
   KeyTable out;
   const size_t first = c.steps.size() > kMostKeyRows ? c.steps.size() - kMostKeyRows : 0;
   for (size_t i = first; i < c.steps.size(); ++i)
-    if (!is_repeated(c, i)) out.rows.push_back(row_of(c.steps[i], zone, digits));
+    if (!c.steps[i].quantities.empty() && !is_repeated(c, i)) out.rows.push_back(row_of(c.steps[i], zone, digits));
+  if (out.rows.empty()) return out;
   out.heading = {"step"};
   for (size_t k = 1; k <= c.steps.back().loads.size(); ++k) out.heading.push_back(k == 1 ? "load" : "load" + std::to_string(k));
   for (const char* name : {"peak pressure", "at x", "at y", "at s", "force x", "force y", "moment", "shift", "slip range",

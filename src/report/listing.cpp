@@ -11,7 +11,7 @@ namespace {
 
 void append_vector(std::string& out, const std::string& name, size_t width, const double (&v)[3]) {
   const size_t used = characters_in(name);
-  out.append(width - used, ' ') += name;
+  out.append(used < width ? width - used : 0, ' ') += name;
   for (const double x : v) append_scientific(out, x, 16, 7);
   out += '\n';
 }
@@ -38,6 +38,7 @@ void append_balance(std::string& out, const Summary& s) {
 void append_energy(std::string& out, const RunRecord& record) {
   append_section(out, "Energy");
   for (const CoefficientRecord& c : record.coefficients) {
+    if (c.steps.empty()) continue;
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n\n    step         work      elastic   dissipated       defect   load factors\n";
     for (const StepRecord& step : c.steps) {
@@ -74,7 +75,7 @@ void append_cracks(std::string& out, const CoefficientRecord& c) {
 void append_stress_intensity(std::string& out, const RunRecord& record) {
   bool first = true;
   for (const CoefficientRecord& c : record.coefficients) {
-    if (c.steps.front().cracks.empty()) continue;
+    if (c.steps.empty() || c.steps.front().cracks.empty()) continue;
     if (first) append_section(out, "Stress intensity at tips of cracks");
     first = false;
     append_cracks(out, c);

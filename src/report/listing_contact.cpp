@@ -70,7 +70,7 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   int32_t count[3] = {0, 0, 0};
   for (int32_t p = 0; p < step.pairs; ++p) {
     const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
-    if (status < 3) ++count[status];
+    if (status >= 0 && status < 3) ++count[status];
   }
   if (first) {
     append_section(out, "Increments");
@@ -93,7 +93,7 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   for (int32_t p = 0; p < step.pairs; ++p) {
     const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
     if (p > 0 && p % 100 == 0) out.append(1, '\n').append(58 + 15 * others, ' ');
-    out += status < 3 ? kMark[status] : '?';
+    out += status >= 0 && status < 3 ? kMark[status] : '?';
   }
   out += '\n';
   if (step.kind == C2D_STEP_CHANGE) append_answers(out, step);

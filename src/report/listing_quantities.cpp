@@ -52,6 +52,7 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
   if (s.pairs == 0) return;
   append_section(out, "Contact in numbers");
   for (const CoefficientRecord& c : record.coefficients) {
+    if (c.steps.empty()) continue;
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n";
     append_loads(out, c.loads);

@@ -70,7 +70,7 @@ private:
   Point node(int32_t e, int32_t k) const {
     const bool wraps = !is_open_ && e == last_ && k == geometry_ - 1;
     const int32_t number = wraps ? (first_ - 1) * (geometry_ - 1) + shift_ : (e - 1) * (geometry_ - 1) + k + shift_;
-    return nodes_[static_cast<size_t>(number)];
+    return static_cast<size_t>(number) < nodes_.size() ? nodes_[static_cast<size_t>(number)] : Point{};
   }
   Point at(int32_t e, double eta) const {
     Point sum;

@@ -106,18 +106,20 @@ std::string unit_of(Measure what, const Scene& scene) {
 
 // What sums up the contact, and how far off it may be.
 void append_numbers(std::string& out, const Scene& scene) {
-  if (scene.zones.empty()) return;
+  if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   const std::string none = "&#8211;";
   out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table>\n";
   bool stated = false;
   for (const CoefficientRecord& c : scene.record->coefficients)
-    for (const Quantity& q : c.steps.back().quantities) stated = stated || std::isfinite(q.error);
+    for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
+      stated = stated || std::isfinite(c.steps.back().quantities[k].error);
   std::vector<std::string> heading{"&#956;", "zone", "quantity", "value"};
   if (stated) heading.emplace_back("stated error");
   for (const char* name : {"x", "y"}) heading.push_back(with_unit(name, scene.length_unit));
   append_row(out, heading, "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i) {
     const CoefficientRecord& c = scene.record->coefficients[i];
+    if (c.steps.empty()) continue;
     for (const Quantity& q : c.steps.back().quantities) {
       const size_t z = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
       const std::string zone = q.zone > 0 ? zone_label(scene, z).substr(5) : "all",
@@ -138,7 +140,7 @@ void append_steps(std::string& out, const Scene& scene) {
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
     for (size_t z = 0; z < scene.zones.size(); ++z) {
       const KeyTable table = key_table(scene.record->coefficients[i], static_cast<int32_t>(z) + 1, 5);
-      if (++shown > kMostCharts) continue;
+      if (table.rows.empty() || ++shown > kMostCharts) continue;
       out += "<details>\n<summary>Step by step, " + chart_title(scene, friction_of(scene, i, z), z) +
              "</summary>\n<div class=\"wide\"><table>\n";
       append_row(out, table.heading, "th");
@@ -240,7 +242,8 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
          escape_xml(deck_name) + "</p>\n";
   append_outcome(out, scene);
   append_key_numbers(out, scene);
-  if (scene.solved) append_numbers(out, scene), append_steps(out, scene);
+  if (scene.solved) append_numbers(out, scene);
+  if (scene.solved) append_steps(out, scene);
   append_warnings(out, scene);
   for (const Picture& picture : pictures) append_picture(out, picture);
   if (scene.solved) append_balance(out, scene);

@@ -26,7 +26,7 @@ std::string contact_text(const Scene& scene) {
   std::string out;
   c2d_zone_state state = C2D_INIT(c2d_zone_state);
   for (size_t z = 0; z < std::min(scene.zones.size(), kMostCharts); ++z) {
-    c2d_get_zone_state(scene.solver, static_cast<int32_t>(z) + 1, &state);
+    if (c2d_get_zone_state(scene.solver, static_cast<int32_t>(z) + 1, &state) != C2D_OK) break;
     out += (z == 0 ? "; the contact carries " : ", ") +
            figure(std::hypot(state.force[0], state.force[1]), scene.force_unit, 6) + " in " + zone_label(scene, z) + " (" +
            bodies_of(scene, scene.zones[z]) + ")";

@@ -110,7 +110,7 @@ c2d_status draw_one(const Scene& scene, size_t b, Pictures& out) {
 
 c2d_status draw_boundary_stress(const Scene& scene, Pictures& out) {
   c2d_status status = C2D_OK;
-  if (!scene.pairs.empty()) return status;
+  if (!scene.pairs.empty() || scene.bodies.empty()) return status;
   const size_t count = scene.bodies.size() > 2 ? scene.bodies.size() : 1; // of two only the first, as ever
   for (size_t b = 0; b < std::min(count, kMostCharts) && status == C2D_OK; ++b)
     if (!scene.bodies[b].rigid) status = draw_one(scene, b, out);

@@ -88,7 +88,8 @@ std::string caption(const Scene& scene, size_t c) {
 
 void draw_energy(const Scene& scene, Pictures& out) {
   const std::vector<CoefficientHistory>& all = scene.history->coefficients();
-  const size_t count = std::min(all.size(), kMostCharts);
+  size_t count = 0;
+  while (count < std::min(all.size(), kMostCharts) && !all[count].energy.empty()) ++count;
   if (count == 0) return;
   const Axes axes = make_axes(scene, count);
   const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;

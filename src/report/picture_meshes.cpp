@@ -126,6 +126,7 @@ void draw_meshes(const Scene& scene, Pictures& out) {
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)
       for (const OutlinePoint& p : curve) whole.include(p.at);
+  if (whole.x.empty) return;
   const bool zoom = Close(scene).find(whole.size(), part);
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0, below = 44.0;
   const bool both = loop.taken > 0; // one mesh alone has its contact beside it

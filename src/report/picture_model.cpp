@@ -304,6 +304,7 @@ void draw_model(const Scene& scene, Pictures& out) {
         const Point p = image.place(on);
         zoom_x.include(p.x), zoom_y.include(p.y);
       }
+  if (x.empty) return;
   const bool zoom = has_contact(scene);
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;
   const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;

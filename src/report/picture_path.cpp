@@ -41,7 +41,7 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
   draw_axes(svg, chart, labels);
   for (size_t c = 0; c < lines; ++c) {
     // Before the first event the contact is what the first point shows; nothing presses at zero load.
-    const bool steady = stairs && all[c].points[0].events == 0;
+    const bool steady = stairs && !all[c].points.empty() && all[c].points[0].events == 0;
     std::vector<Point> points{chart.at(0.0, steady ? value(all[c].points[0]) : 0.0)}, steps;
     const std::vector<double> place = places(all[c], all_rise(scene));
     bool recorded = false;
@@ -88,7 +88,8 @@ void draw_loads(Svg& svg, const Scene& scene, const Box& frame, const Axis& x) {
   draw_heading(svg, frame, scene.cases > 1 ? "Factors of the load cases" : "Load factor");
   for (size_t k = 0; k < std::min(scene.cases, kMostLines); ++k) {
     std::vector<Point> points{chart.at(0.0, 0.0)};
-    for (const StepRecord& step : record.steps) points.push_back(chart.at(step.step, step.loads[k]));
+    for (const StepRecord& step : record.steps)
+      points.push_back(chart.at(step.step, k < step.loads.size() ? step.loads[k] : 0.0));
     svg.polyline(points, kLines[k]);
     for (size_t i = 1; i < points.size(); i += points.size() / 40 + 1)
       svg.mark(kMarks[k], points[i], 5.0, kLines[k].colour, k != 1);
@@ -100,6 +101,7 @@ std::string caption(const Scene& scene) {
   const size_t known = std::min(scene.history->coefficients().size(), scene.record->coefficients.size());
   for (size_t c = 0; c < std::min(known, kMostLines); ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
+    if (h.points.empty()) continue;
     const PathPoint& last = h.points.back();
     if (!out.empty()) out += "; ";
     out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.events) + (last.events == 1 ? " event (" : " events (") +

@@ -26,6 +26,7 @@ std::vector<Band> find_bands(const CoefficientHistory& history, const std::vecto
         out.push_back({from, to, &p.status});
     }
   };
+  if (n == 0) return out;
   if (backwards || n == 1) {
     for (size_t i = 0; i < n; ++i) add(i == 0 ? 0.0 : height[i - 1], height[i], history.points[i]);
     return out;
@@ -51,7 +52,7 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const ZoneFacts f = find_facts(scene, zone, record.table);
-  const size_t events = static_cast<size_t>(history.points.back().events);
+  const size_t events = static_cast<size_t>(history.points.empty() ? 0 : history.points.back().events);
   std::string out = "Which part of the zone was open, stuck or slipped along the load path, with " + std::to_string(events) +
                     (events == 1 ? " event" : " events") + "; at " + place_on_path(scene, coefficient) + ": " +
                     std::to_string(f.sticking) + " of " + std::to_string(zone.pairs) + " pairs stick, " +

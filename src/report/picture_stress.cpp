@@ -77,7 +77,7 @@ c2d_status climb(const Scene& scene, const Window& window, Peak& peak) {
   constexpr size_t kAround = 8;
   const Grid& g = window.grids[peak.body];
   double step = std::max(g.dx, g.dy);
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < 30 && step > 0.0; ++round) {
     std::vector<double> points, values(kAround * C2D_POINT_FIELDS);
     for (size_t k = 0; k < kAround; ++k) {
       const double angle = 2.0 * kPi * (static_cast<double>(k) + 0.5 * (round % 2)) / static_cast<double>(kAround);
@@ -239,7 +239,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   c2d_status status = draw_one(scene, "stress", "Stress inside", x, y, 12.0, out);
   if (status != C2D_OK || scene.pairs.empty()) return status;
   const std::vector<double>& table = scene.record->coefficients.back().table;
-  for (size_t p = 0; p < scene.pairs.size(); ++p)
+  for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
     if (static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
       for (const Image& image : scene.zone_images)
         for (const Point& on : scene.pairs[p].on) zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);

@@ -290,7 +290,9 @@ void draw_edges(const Layers& whole, bool friction, const std::string& suffix, c
 }
 
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
-  const CoefficientHistory& history = scene.history->coefficients()[coefficient];
+  static const CoefficientHistory kNone;
+  const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
+  const CoefficientHistory& history = coefficient < histories.size() ? histories[coefficient] : kNone;
   const Layers l{
       scene,
       scene.zones[zone_index],

@@ -146,6 +146,7 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
       add_edges(state, edges, zone);
       add_slip_range(state, zone);
     }
+    if (z >= states.size()) continue;
     zone.add(Measure::kForceX, states[z].force[0]);
     zone.add(Measure::kForceY, states[z].force[1]);
     zone.add(Measure::kMoment, states[z].moment);

@@ -37,7 +37,7 @@ std::string fault_of_steps(const c2d_summary& model) {
 }
 
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
-  const size_t index = static_cast<size_t>(step.coefficient) - 1;
+  const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
   if (record.coefficients.size() <= index) record.coefficients.resize(index + 1);
   CoefficientRecord& c = record.coefficients[index];
   c.mu = step.mu;
@@ -114,7 +114,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
 }
 
 void keep_corners(CoefficientRecord& c, const c2d_step& step, const std::vector<Corner>& corners) {
-  if (step.kind == C2D_STEP_CHANGE) return;
+  if (step.kind == C2D_STEP_CHANGE || c.steps.empty()) return;
   for (const Corner& corner : corners) {
     if (corner.zone == 0) continue;
     const CornerState now = corner_state(corner, step.table, step.stride);
@@ -195,6 +195,7 @@ c2d_status find_pairs(c2d_solver* solver, const Summary& summary, int32_t body, 
 
 c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends) {
   ends.clear();
+  if (summary.pairs == 0) return C2D_OK;
   std::vector<NodePair> at;
   c2d_status status = find_pairs(solver, summary, body, at);
   if (status != C2D_OK) return status;
@@ -217,7 +218,8 @@ c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t
       for (int32_t local = 1; local <= summary.function_nodes; ++local) {
         const size_t i = static_cast<size_t>((e - 1) * summary.function_nodes + local - 1);
         const size_t node = i < values[0].size() ? static_cast<size_t>(values[0][i]) : 0;
-        if (at[node].pair != 0) ends.push_back({z, e, local, at[node].pair, at[node].side, values[1][i], values[2][i], 0.0});
+        if (node < at.size() && at[node].pair != 0)
+          ends.push_back({z, e, local, at[node].pair, at[node].side, values[1][i], values[2][i], 0.0});
       }
   }
   return C2D_OK;

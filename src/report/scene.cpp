@@ -37,11 +37,9 @@ c2d_status gather_body(Scene& scene, int32_t body) {
   c2d_status status = get_points(solver, C2D_NODE_X, body, s.body[b].points, nodes);
   if (status == C2D_OK) status = get_points(solver, C2D_END_X, body, ends, out.ends);
   if (status == C2D_OK) status = get_integers(solver, C2D_END_NODE, body, ends, out.nodes);
-  if (scene.solved) {
-    if (status == C2D_OK) status = get_points(solver, C2D_END_UX, body, ends, out.displacement);
-    if (status == C2D_OK) status = get_points(solver, C2D_END_TX, body, ends, out.traction);
-    if (status == C2D_OK) status = get_integers(solver, C2D_END_STATUS, body, ends, out.status);
-  }
+  if (status == C2D_OK && scene.solved) status = get_points(solver, C2D_END_UX, body, ends, out.displacement);
+  if (status == C2D_OK && scene.solved) status = get_points(solver, C2D_END_TX, body, ends, out.traction);
+  if (status == C2D_OK && scene.solved) status = get_integers(solver, C2D_END_STATUS, body, ends, out.status);
   if (status != C2D_OK) return status;
   status = trace_outline(solver, s, body, nodes, out);
   if (status != C2D_OK) return status;
@@ -125,13 +123,14 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
 std::string place_on_path(const Scene& scene, size_t coefficient) {
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
-  if (rises(histories[coefficient])) return "load factor " + figure(record.load);
+  if (coefficient >= histories.size() || rises(histories[coefficient])) return "load factor " + figure(record.load);
   return "step " + std::to_string(record.step) + " (load factor" + (histories[coefficient].loads.size() > 1 ? "s " : " ") +
          list_of(histories[coefficient].loads) + ")";
 }
 
 std::string place_at_end(const Scene& scene) {
-  std::string out = place_on_path(scene, scene.record->coefficients.size() - 1);
+  const size_t count = scene.record->coefficients.size();
+  std::string out = count > 0 ? place_on_path(scene, count - 1) : "load factor " + figure(scene.summary.load);
   if (!scene.pairs.empty()) out += ", &#956; = " + figure(scene.summary.mu);
   return out;
 }

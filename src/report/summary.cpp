@@ -24,10 +24,7 @@ namespace {
 std::vector<std::string> get_names(c2d_solver* solver, int32_t kind, size_t count) {
   std::vector<std::string> out(count);
   char name[32] = "";
-  for (size_t i = 0; i < count; ++i) {
-    c2d_get_name(solver, kind, static_cast<int32_t>(i) + 1, name);
-    out[i] = name;
-  }
+  for (size_t i = 0; i < count && c2d_get_name(solver, kind, static_cast<int32_t>(i) + 1, name) == C2D_OK; ++i) out[i] = name;
   return out;
 }
 
@@ -39,10 +36,11 @@ c2d_status get_summary(c2d_solver* solver, Summary& out) {
   out.body.list().assign(static_cast<size_t>(out.bodies), C2D_INIT(c2d_body_result));
   for (int32_t b = 1; b <= out.bodies && status == C2D_OK; ++b)
     status = c2d_get_body_result(solver, b, &out.body.list()[static_cast<size_t>(b) - 1]);
-  out.zone.assign(static_cast<size_t>(out.zones), C2D_INIT(c2d_zone));
+  const bool complete = out.state >= C2D_STATE_MODEL && out.state <= C2D_STATE_RUNNING;
+  out.zone.assign(complete ? static_cast<size_t>(out.zones) : 0, C2D_INIT(c2d_zone));
   for (size_t z = 0; z < out.zone.size() && status == C2D_OK; ++z)
     status = c2d_get_zone(solver, static_cast<int32_t>(z) + 1, &out.zone[z]);
-  out.body_name = get_names(solver, C2D_NAME_BODY, static_cast<size_t>(out.bodies));
+  out.body_name = get_names(solver, C2D_NAME_BODY, complete ? static_cast<size_t>(out.bodies) : 0);
   out.zone_name = get_names(solver, C2D_NAME_ZONE, out.zone.size());
   return status;
 }

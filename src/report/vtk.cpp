@@ -138,7 +138,9 @@ c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& inte
       if (status != C2D_OK) return status;
     }
   if (scene.solved) collect_interior(c, interior);
-  const std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d"; // decks are plain ASCII
+  std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";
+  for (char& character : title)
+    if (static_cast<unsigned char>(character) < 0x20 || static_cast<unsigned char>(character) >= 0x7f) character = '?';
   const std::string points = std::to_string(c.point_count), cells = std::to_string(c.cell_count);
   out +=
       "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + points + " double\n" + c.points;

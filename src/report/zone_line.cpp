@@ -72,7 +72,7 @@ c2d_status Finder::read() {
   for (size_t p = 0; p < zone_.size(); ++p) {
     std::vector<int32_t>& at = pair_at_[static_cast<size_t>(zone_[p]) - 1];
     const size_t node = static_cast<size_t>(node2_[p]);
-    at[node] = static_cast<int32_t>(p);
+    if (node < at.size()) at[node] = static_cast<int32_t>(p);
   }
   return C2D_OK;
 }

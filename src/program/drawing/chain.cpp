@@ -101,6 +101,7 @@ std::vector<Curve> curves_of(const std::vector<Point>& points, bool closed, doub
   std::vector<Curve> out;
   std::vector<Point> p = points;
   const size_t n = p.size();
+  if (n < 2) return out;
   if (Curve arc; is_arc(p, closed, tolerance, arc)) return {arc};
   if (closed) {
     const auto is_corner = [&](size_t i) { return turn(p[(i + n - 1) % n], p[i], p[(i + 1) % n]) > kCorner; };

@@ -49,8 +49,12 @@ Curve smooth(std::vector<Point> points, bool whole) {
 }
 
 sketch::ShapePtr shape_of(const Curve& c) {
-  if (c.kind == Curve::kLine) return sketch::line(c.begin, c.end);
-  if (c.kind == Curve::kSpline) return sketch::spline(c.points, c.whole);
+  switch (c.kind) {
+  case Curve::kLine: return sketch::line(c.begin, c.end);
+  case Curve::kSpline: return sketch::spline(c.points, c.whole);
+  case Curve::kArc:
+  case Curve::kEllipse: break;
+  }
   return sketch::ellipse(c.centre, c.a, c.b, c.tilt, c.from, c.sweep);
 }
 

@@ -30,7 +30,7 @@ Curve with_bulge(Point from, Point to, double bulge) {
   const Point centre = 0.5 * (from + to) + ((1 - bulge * bulge) / (4 * bulge)) * sketch::turned_left(chord);
   const Point arm = from - centre;
   Curve c = circular(centre, sketch::length(arm), degrees(std::atan2(arm.y, arm.x)), degrees(4 * std::atan(bulge)));
-  move_ends(c, from, to);
+  if (!c.whole) move_ends(c, from, to);
   return c;
 }
 

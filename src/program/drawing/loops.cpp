@@ -218,7 +218,7 @@ std::vector<Contour> contours_of(const Graph& graph) {
   }
   std::vector<Contour> out;
   for (auto& entry : contours)
-    if (!entry.second.inside.empty()) out.push_back(std::move(entry.second)); // (all areas cancel: it has a polygon)
+    if (!entry.second.inside.empty() && !entry.second.polygon.empty()) out.push_back(std::move(entry.second));
   return out;
 }
 

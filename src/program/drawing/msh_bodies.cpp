@@ -121,7 +121,7 @@ std::vector<std::vector<Side>> Builder::loops_of(const std::vector<Side>& sides)
   for (size_t first = 0; first < sides.size(); ++first) {
     if (used[first]) continue;
     loops.emplace_back();
-    for (size_t i = first;;) {
+    for (size_t i = first; i < sides.size();) {
       used[i] = true;
       loops.back().push_back(sides[i]);
       const int64_t end = sides[i].nodes.back();
@@ -170,6 +170,7 @@ Loop Builder::loop_of(std::vector<Side> sides) const {
       first = last;
     }
   }
+  if (loop.curves.empty()) throw Fault{0, "a surface has no extent at " + told(mesh_.at(sides.front().nodes.front()))};
   std::vector<Point> polygon;
   for (const Side& side : sides)
     for (size_t i = 0; i + 1 < side.nodes.size(); ++i) polygon.push_back(mesh_.at(side.nodes[i]));
@@ -203,7 +204,7 @@ std::vector<Side> Builder::walk(size_t first, const std::vector<Side>& loose, st
   std::vector<Side> run{loose[first]};
   used[first] = true;
   closed = false;
-  for (int way = 0;; ++way) {
+  for (int way = 0; way < 2; ++way) {
     while (true) {
       const int64_t end = run.back().nodes.back();
       closed = run.size() > 1 && end == run.front().nodes.front();

@@ -173,7 +173,7 @@ Point Nurbs::at(double t) const {
   size_t k = static_cast<size_t>(std::upper_bound(knots.begin() + degree, knots.begin() + static_cast<ptrdiff_t>(n), t) -
                                  knots.begin()) -
              1;
-  while (knots[k + 1] == knots[k]) --k; // t is the last knot; there is a range before it
+  while (k > p && knots[k + 1] == knots[k]) --k; // t is the last knot
   double x[16], y[16], w[16];
   for (size_t i = 0; i <= p; ++i) {
     const size_t j = k - p + i;
@@ -182,8 +182,8 @@ Point Nurbs::at(double t) const {
   }
   for (size_t r = 1; r <= p; ++r)
     for (size_t i = p; i >= r; --i) {
-      const double low = knots[k - p + i], high = knots[k + 1 + i - r]; // on both sides of the range of t
-      const double f = (t - low) / (high - low);
+      const double low = knots[k - p + i], high = knots[k + 1 + i - r];
+      const double f = high > low ? (t - low) / (high - low) : 0;
       x[i] = (1 - f) * x[i - 1] + f * x[i];
       y[i] = (1 - f) * y[i - 1] + f * y[i];
       w[i] = (1 - f) * w[i - 1] + f * w[i];

@@ -13,7 +13,7 @@ namespace {
 std::string fixed(double value, int decimals) {
   char text[400];
   std::string out(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr);
-  out.erase(out.find_last_not_of('0') + 1); // behind the point, of which there is one
+  if (out.find('.') != std::string::npos) out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;
 }
@@ -174,7 +174,7 @@ std::string Writer::write(const std::string& name) {
         doubt_ = std::max(doubt_, c.doubt);
       }
   const double size = size_of(all);
-  decimals_ = size > 1e-6 && size < 1e12 ? 13 - static_cast<int>(std::ceil(std::log10(size))) : -1;
+  decimals_ = size > 1e-6 && size < 1e12 ? std::max(0, 13 - static_cast<int>(std::ceil(std::log10(size)))) : -1;
   give_names();
   check_materials();
   if (std::any_of(all.begin(), all.end(), [](const Curve& c) { return c.kind == Curve::kSpline; }))

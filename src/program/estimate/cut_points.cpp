@@ -26,6 +26,7 @@ double turn(Point a, Point b, Point c) {
 
 Circle circle_through(Point a, Point b, Point c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, cross = 2 * (ux * vy - uy * vx);
+  if (cross == 0) return {a, 0};
   const double u = ux * ux + uy * uy, v = vx * vx + vy * vy;
   const Point from{(vy * u - uy * v) / cross, (ux * v - vx * u) / cross};
   return {{a.x + from.x, a.y + from.y}, std::hypot(from.x, from.y)};
@@ -33,6 +34,7 @@ Circle circle_through(Point a, Point b, Point c) {
 
 Point moved_to(const Circle& circle, Point p) {
   const double from = distance(circle.centre, p);
+  if (from == 0) return p;
   const double part = circle.radius / from;
   return {circle.centre.x + part * (p.x - circle.centre.x), circle.centre.y + part * (p.y - circle.centre.y)};
 }
@@ -57,16 +59,17 @@ struct Row {
   bool take(int32_t first, Point out[4]) const {
     const int32_t count = static_cast<int32_t>(points.size()), chords = static_cast<int32_t>(curve.size());
     int32_t same = 0;
-    for (int32_t i = 0;; ++i) {
+    for (int32_t i = 0; i < 4; ++i) {
       int32_t at = first + i;
-      if (open && at < 0) return false;
+      if (open && (at < 0 || at >= count)) return false;
       at = (at % count + count) % count;
       out[i] = points[CutBody::at(at)];
-      if (i == 3) return true;
+      if (i == 3) break;
       if (at >= chords) return false;
       if (i > 0 && curve[CutBody::at(at)] != same) return false;
       same = curve[CutBody::at(at)];
     }
+    return true;
   }
 };
 

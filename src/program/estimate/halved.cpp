@@ -22,7 +22,7 @@ struct Cards {
 
   static void keep(void* context, const c2d_card* card) {
     Cards& cards = *static_cast<Cards*>(context);
-    const std::string text(card->text, static_cast<size_t>(card->length));
+    const std::string text(card->text == nullptr ? "" : card->text, static_cast<size_t>(card->length));
     if (card->kind == C2D_CARD_HEADING) {
       cards.heading.push_back(text);
       cards.integers.clear();

@@ -100,6 +100,7 @@ Overlaps overlaps_of(const sketch::Mesh& coarse, const sketch::Mesh& fine) {
         first += static_cast<int32_t>(p.size()) - 1, first_fine += static_cast<int32_t>(q.size()) - 1;
       }
   }
+  for (size_t b = coarse.bodies.size(); b > out.size();) out.push_back({});
   return out;
 }
 
@@ -125,8 +126,11 @@ bool Loop::is_within_limits(const sketch::Mesh& mesh) {
     out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
     return false;
   }
-  const app::MeshRound& last = out_.loop.rounds.back(); // a mesh with twice the elements takes about six times as long
-  const double next = last.seconds * std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
+  double next = 0; // a mesh with twice the elements takes about six times as long
+  if (!out_.loop.rounds.empty()) {
+    const app::MeshRound& last = out_.loop.rounds.back();
+    next = last.seconds * std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
+  }
   if (s_.most_seconds > 0 && seconds_ + next > s_.most_seconds) {
     out_.loop.stopped = "the next mesh would take more than the limit of time";
     return false;
@@ -154,7 +158,9 @@ bool Loop::solve_level(Level& level, bool adapted) {
 }
 
 double Loop::tolerance(sketch::Want::Kind kind) const {
-  if (s_.wants.empty()) return kind == sketch::Want::kDissipation ? NAN : s_.tolerance; // of numbers of the contact
+  if (s_.wants.empty())
+    return kind == sketch::Want::kDissipation || kind == sketch::Want::kStress || kind == sketch::Want::kHoop ? NAN
+                                                                                                              : s_.tolerance;
   double least = NAN;
   for (const sketch::Want& want : s_.wants)
     if (want.kind == kind) least = std::fmin(least, want.tolerance.value_or(s_.tolerance));

@@ -158,7 +158,7 @@ c2d_status History::describe() {
       return Side{s.body - 1, (down ? s.last_element : s.first_element) - 1, (down ? s.first_element : s.last_element) - 1};
     };
     out_.zones.push_back({side(zone.side1), side(zone.side2)});
-    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0); // (those of platens are)
+    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
   }
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
   return status;

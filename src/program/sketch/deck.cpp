@@ -221,7 +221,7 @@ void Writer::cases() {
   if (s_.cases.size() < 2) return;
   card("*CASES " + std::to_string(s_.cases.size()));
   for (size_t c = 1; c < s_.cases.size(); ++c) {
-    card("case " + std::to_string(c + 1) + " ! " + s_.cases[c].name);
+    card("case " + std::to_string(c + 1) + (s_.cases[c].name.empty() ? "" : " ! " + s_.cases[c].name));
     for (size_t b = 0; b < s_.bodies.size(); ++b) {
       const std::vector<End>& all = ends_[b];
       for (const End& end : all) {

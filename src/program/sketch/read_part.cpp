@@ -24,6 +24,7 @@ template <class Function> double only_root(const Statement& s, int samples, cons
     if (!(begin * end < 0)) continue;
     while (high - low > 1e-15) {
       const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
       ((f(middle) < 0) == (begin < 0) ? low : high) = middle;
     }
     add((low + high) / 2);
@@ -97,7 +98,7 @@ std::vector<Curve*> Reader::pieces_named(Statement& s, const std::string& name) 
       if (curve.name == name) out.push_back(&curve);
   if (out.empty()) s.fail("body " + quoted(s_.bodies.back().name) + " has no curve " + quoted(name) + " yet");
   for (const Curve* curve : out)
-    if (out.size() > 1 && !curve->drawn) // what is left of one is told by that
+    if (out.size() > 1 && (!curve->drawn || curve->drawn != out[0]->drawn))
       s.fail("several curves are called " + quoted(name) + ", expected one");
   return out;
 }

@@ -22,7 +22,7 @@ bool Statement::accept(const char* word) {
 
 // A word that arithmetic may begin with: a digit, a sign, a bracket, or a parameter.
 bool Statement::begins_number(const Word& word) const {
-  if (word.quoted) return false;
+  if (word.quoted || word.text.empty()) return false;
   const char c = word.text[0];
   if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '(' || c == '{') return true;
   size_t end = 0;
