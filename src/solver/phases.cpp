@@ -51,8 +51,9 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
     s.nodes += body.nodes;
     s.ends += body.ends;
   }
-  s.flexibility =
-      (sizes.bodies > 2 ? 2 : 1) * s.m * s.m; // every contact unknown belongs to two bodies, of two one is solved for
+  // Every contact unknown belongs to two bodies, of two one is solved for. (Beyond 2^31 unknowns no memory is enough, anyway.)
+  const int64_t side = s.m < INT32_MAX ? s.m : INT32_MAX;
+  s.flexibility = (sizes.bodies > 2 ? 2 : 1) * side * side;
   return s;
 }
 
