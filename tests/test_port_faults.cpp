@@ -41,6 +41,7 @@ int32_t live(c2d_posix_store& store, const std::string& folder) {
   std::string first = block('a'), second = block('b'), found(kBytes, ' ');
   if (go(port.open(&store, 0, 4, kBytes)) != 0) return code;
   go(port.write(&store, 0, 1, first.data(), kBytes));
+  if (code != 0) return code; // nothing is begun that would be under way when `second` is gone
   if (go(port.start_write(&store, 0, 2, second.data(), kBytes, &ticket)) == 0) go(port.wait(&store, ticket));
   if (code != 0) return code;
   go(port.sync(&store, 0));
