@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/types.h>
+#include <unistd.h>
 
 namespace {
 std::mutex mutex;
@@ -91,7 +92,6 @@ WRAPPED(realpath, char*, nullptr, (const char* a, char* b), (a, b))
 WRAPPED(rename, int, -1, (const char* a, const char* b), (a, b))
 WRAPPED(unlink, int, -1, (const char* a), (a))
 WRAPPED(opendir, DIR*, nullptr, (const char* a), (a))
-WRAPPED(sysconf, long, -1, (int a), (a))
 WRAPPED(calloc, void*, nullptr, (size_t a, size_t b), (a, b))
 
 // Some do more, or tell a failure otherwise.
@@ -114,6 +114,8 @@ int __real_fstatvfs64(int file, struct statvfs* disk);
 int __wrap_fstatvfs64(int file, struct statvfs* disk);
 int __real_pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*work)(void*), void* argument);
 int __wrap_pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*work)(void*), void* argument);
+long __real_sysconf(int what);
+long __wrap_sysconf(int what);
 }
 
 namespace {
@@ -164,6 +166,14 @@ extern "C" int __wrap_fstatvfs64(int file, struct statvfs* disk) {
   return fate == 0 ? 0 : -1;
 }
 
+extern "C" long __wrap_sysconf(int what) {
+  // The program asks for memory; sanitizers ask for other things when a thread begins.
+  const bool is_ours = what == _SC_AVPHYS_PAGES || what == _SC_PAGESIZE;
+  const int fate = is_ours ? fate_of("sysconf") : test::kDone;
+  if (fate == test::kDone) return __real_sysconf(what);
+  errno = fate;
+  return -1;
+}
 extern "C" int __wrap_pthread_create(pthread_t* thread, const pthread_attr_t* how, void* (*work)(void*), void* argument) {
   const int fate = fate_of("pthread_create");
   return fate == test::kDone ? __real_pthread_create(thread, how, work, argument) : fate == 0 ? EAGAIN : fate;
