@@ -11,7 +11,10 @@ BRANCHES := $(if $(filter x86_64-% i386-% i486-% i586-% i686-%,$(MACHINE)),-fcf-
 # (glibc warns of it without optimisation)
 CHECKED := $(if $(filter -O1 -O2 -O3 -Os,$(CXXFLAGS)),$(if $(findstring _FORTIFY_SOURCE,$(CPPFLAGS) $(CXXFLAGS)),,\
   -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
-HARDENING ?= -fstack-protector-strong $(strip $(if $(BRANCHES),$(call has_flag,$(BRANCHES)))) $(strip $(CHECKED))
+# (:= by hand for ?=, which would ask the compiler each time that it is read)
+ifeq ($(origin HARDENING),undefined)
+HARDENING := -fstack-protector-strong $(strip $(if $(BRANCHES),$(call has_flag,$(BRANCHES)))) $(strip $(CHECKED))
+endif
 endif
 # Arithmetic on numbers that were checked has no text in its frames, and many of them: arrays of characters alone are protected
 # there, which costs nothing (all of them: 3 % of a path).
