@@ -89,7 +89,7 @@ TEST_CASE("quantities: stretches near each other share the open pairs between th
 
 TEST_CASE("quantities: round a closed side") {
   const size_t n = 60;
-  for (const double a : {-7.3, 20.6, 48.2}) { // before, away from and across the place where lengths begin
+  for (const double a : {-7.3, -0.4, 20.6, 42.5, 48.2}) { // before, at, away from and across the place where lengths begin
     ZoneLine line = line_of(steps(n), true, static_cast<double>(n));
     const double b = a + 17.45;
     LineState state = state_of(line, a < 0 ? a + 60 : a, a < 0 ? b + 60 : b);
@@ -114,6 +114,57 @@ TEST_CASE("quantities: round a closed side") {
   }
   const ZoneLine whole = line_of(steps(n), true, 60);
   CHECK(find_contact_edges(state_of(whole, -1000, 1000)).empty()); // all of it touches
+}
+
+TEST_CASE("quantities: round a closed side the peak is where its parabola has it; none of equal pressures, nor of two pairs") {
+  const auto quantities = [](const ZoneLine& line, const std::vector<double>& tn) {
+    std::vector<double> table(line.size() * C2D_PAIR_FIELDS, 0.0);
+    for (size_t i = 0; i < tn.size(); ++i)
+      table[i * C2D_PAIR_FIELDS + C2D_STATUS] = tn[i] > 0 ? C2D_SLIP : C2D_OPEN, table[i * C2D_PAIR_FIELDS + C2D_TN] = tn[i];
+    return quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {}, 0);
+  };
+  const auto peak = [&](const ZoneLine& line, const std::vector<double>& tn) {
+    return Run::all(quantities(line, tn), Measure::kPeakPressure).at(0);
+  };
+  const ZoneLine line = line_of(steps(12), true, 12);
+  for (const double top : {0.3, 5.4, 11.3, 11.8}) {
+    std::vector<double> tn;
+    for (const double s : line.s) tn.push_back(50 - std::pow(std::remainder(s - top, 12.0), 2));
+    CHECK(peak(line, tn).value == doctest::Approx(50));
+    CHECK(peak(line, tn).s == doctest::Approx(top));
+  }
+  CHECK(peak(line, std::vector<double>(12, 5.0)).value == 5);
+  const ZoneLine two = line_of(steps(2, 6), true, 12);
+  CHECK(peak(two, {1, 3}).value == 3);
+  CHECK(peak(two, {1, 3}).s == 6);
+  // One pair alone: its edges lie half way to those beside it. Without states of the zones there are no forces.
+  std::vector<double> one(12, 0.0);
+  one[4] = 1;
+  const std::vector<Quantity> all = quantities(line, one);
+  CHECK(Run::all(all, Measure::kContactEdge).size() == 2);
+  CHECK(Run::all(all, Measure::kForceX).empty());
+  CHECK(std::string(name_of(static_cast<Measure>(99))).empty());
+}
+
+TEST_CASE("quantities: one pair that sticks amid slip, round a closed side; a contact up to a corner that ends its side") {
+  const ZoneLine line = line_of(steps(12), true, 12);
+  LineState state = state_of(line, -1000, 1000);
+  for (size_t i = 0; i < 12; ++i) state.slip[i] = 0.1 * std::pow(std::fabs(std::remainder(line.s[i] - 4, 12.0)), 1.5);
+  state.status[4] = C2D_STICK;
+  const std::vector<double> borders = find_stick_borders(state);
+  REQUIRE(borders.size() == 2);
+  CHECK(borders[0] == doctest::Approx(4));
+  CHECK(borders[1] == doctest::Approx(4));
+  ZoneLine ended = line_of(steps(12));
+  ended.end[1].corner = true, ended.end[1].s = 11.5;
+  std::vector<double> table(12 * C2D_PAIR_FIELDS, 0.0);
+  for (size_t i = 6; i < 12; ++i) table[i * C2D_PAIR_FIELDS + C2D_STATUS] = C2D_STICK, table[i * C2D_PAIR_FIELDS + C2D_TN] = 1;
+  const std::vector<Quantity> all = quantities_of({ended}, table.data(), C2D_PAIR_FIELDS, {}, 0);
+  const std::vector<Quantity> edges = Run::all(all, Measure::kContactEdge);
+  REQUIRE(edges.size() == 2);
+  CHECK(edges[1].value == 11.5);
+  const double force = 6 * ended.weight[0]; // over what lies between the edges
+  CHECK(Run::all(all, Measure::kMeanPressure).at(0).value == doctest::Approx(force / (11.5 - edges[0].value)));
 }
 
 TEST_CASE("quantities: Hertz, wherever the edge lies in its element, linear and quadratic functions") {

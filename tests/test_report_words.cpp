@@ -128,7 +128,11 @@ TEST_CASE("report: axes of what has no extent, no sign, no number") {
   const struct {
     Range range;
     double low, high;
-  } linear[] = {{range_of({nan}), 0, 1}, {range_of({0}), 0, 1}, {range_of({2}), 1, 3}, {range_of({-2}), -3, -1}};
+  } linear[] = {{range_of({nan}), 0, 1},
+                {range_of({0}), 0, 1},
+                {range_of({0, 1e-300}), 0, 1},
+                {range_of({2}), 1, 3},
+                {range_of({-2}), -3, -1}};
   for (const auto& c : linear) {
     const Axis axis = make_axis(c.range, "p", "", 5);
     CHECK(axis.low == doctest::Approx(c.low));
@@ -147,6 +151,7 @@ TEST_CASE("report: axes of what has no extent, no sign, no number") {
   }
   const Axis wide = make_log_axis(range_of({1e-5, 1e7}), "n");
   CHECK(wide.label(0) == "10&#8315;&#8309;");
+  CHECK(wide.label(wide.ticks - 1) == "10&#8311;");
   CHECK(make_log_axis(range_of({2e-5, 5e-5}), "n").label(0) == "2&#183;10&#8315;&#8309;");
   // A view of a single point still has a scale.
   const Chart view = make_view({0, 0, 100, 100}, range_of({1}), range_of({2}), 10, "mm");

@@ -58,8 +58,8 @@ double touching_length(const LineState& state, const std::vector<ContactEdge>& e
   // What no edge bounds: the ends of the side; round a closed side, a stretch that goes on across the place where s begins.
   bool begins = false, ends = false;
   for (const ContactEdge& edge : edges) {
-    begins = begins || (edge.last == 0 && edge.direction < 0);
-    ends = ends || (edge.last == static_cast<int32_t>(line.size()) - 1 && edge.direction > 0);
+    if (edge.last == 0 && edge.direction < 0) begins = true;
+    if (edge.last == static_cast<int32_t>(line.size()) - 1 && edge.direction > 0) ends = true;
   }
   if (line.round) return edges.empty() ? line.length : first && last ? sum + line.length : sum;
   if (first && !begins) sum -= line.end[0].s;
