@@ -261,6 +261,52 @@ TEST_CASE("corners: a notch on a line of symmetry has the intensity of the whole
   REQUIRE(half.state(1, 0) != nullptr);
   CHECK(half.state(1, 0)->K2 == doctest::Approx(0));
   CHECK(std::fabs(half.state(1, 0)->K / whole.state(1, 0)->K - 1) < 1e-6);
+  Model turned; // reflected: its curve begins where that of the other one ends
+  turned.function_nodes = 3, turned.symmetry = 2;
+  turned.add(open_polygon({{-1, 0, n, growth}, {0, 1, k / 2}, {0, 2, k}, {-2, 2, k}, {-2, 0, 0}}));
+  turned.set(1, 3, end_of(kPulled, 0, 1));
+  turned.body(1).ends.back() = end_of("1001");
+  const Found other = found_in(turned);
+  REQUIRE(other.state(-1, 0) != nullptr);
+  CHECK(std::fabs(other.state(-1, 0)->K / whole.state(1, 0)->K - 1) < 1e-6);
+  for (const char* codes : {"1100", "1001"}) { // a face that is held, or along a direction that is none of its own: no notch
+    Model held = plate(false);
+    held.set(1, 4, end_of(codes));
+    for (const app::Corner& c : places(held)) CHECK(std::hypot(c.at[0] - 1, c.at[1]) > 0.1);
+  }
+}
+
+TEST_CASE("corners: where a support along one direction ends beside a free face at 135 degrees") {
+  Model m;
+  m.add(polygon({{0, 0, 4}, {2, 0, 4}, {3, 1, 4}, {3, 3, 4}, {0, 3, 4}}));
+  const struct {
+    const char* codes;
+    double least; // of the wedge of 270 degrees, of which this one is half: even, and odd
+  } supports[] = {{"0110", 0.5444837367824622}, {"1001", 0.9085291898460987}};
+  for (const auto& support : supports) {
+    m.set(1, 1, end_of(support.codes));
+    const std::vector<app::Corner> found = places(m);
+    REQUIRE(found.size() == 1); // none at the right angle
+    CHECK(found[0].kind == CornerKind::kSupport);
+    CHECK(std::hypot(found[0].at[0] - 2, found[0].at[1]) < 1e-12);
+    CHECK(found[0].least == doctest::Approx(support.least));
+  }
+  m.set(1, 1, end_of(kPulled));
+  m.set(1, 2, end_of("0110")); // held across neither of its own directions: no exponent is known
+  CHECK(places(m).empty());
+}
+
+TEST_CASE("corners: a slit of one body whose sides face each other has no corner of a contact") {
+  Model m;
+  m.add(polygon({{0, 0, 4}, {4, 0, 4}, {4, 1.99, 4}, {2, 2, 4}, {4, 2.01, 4}, {4, 4, 4}, {0, 4, 4}}));
+  m.set(1, 1, end_of(kHeld));
+  m.join(C2D_ZONE_MATCHING + C2D_ZONE_SELF, 1, 3, 1, 4);
+  m.zones.back().without[1] = 1; // the node at the tip is that of both faces
+  for (const app::Corner& c : places(m)) CHECK(c.kind == CornerKind::kSupport);
+  m.zones.clear();
+  size_t notches = 0;
+  for (const app::Corner& c : places(m)) notches += c.kind == CornerKind::kNotch;
+  CHECK(notches == 1);
 }
 
 TEST_CASE("corners: a notch's intensities turn with the model, and scale as stress times length to the power 1 - lambda") {

@@ -1,7 +1,11 @@
 // Pictures, tables and words of states made by hand: what a model that is solved shows rarely, or never.
 #include "json.hpp"
+#include "many_bodies.hpp"
 #include "picture_runs.hpp"
+#include "report/contour.hpp"
+#include "report/cracks.hpp"
 #include "report/csv.hpp"
+#include "report/gap_lift.hpp"
 #include "report/json.hpp"
 #include "report/listing.hpp"
 #include "report/model_symbols.hpp"
@@ -313,7 +317,7 @@ TEST_CASE("report: meshes of bodies that touch nowhere, of one mesh alone, of no
         "those of the first mesh. The dashed frame is enlarged.");
   // Zones without a length, and of platens, are no contact to look at.
   for (PairScene& pair : hand.scene.pairs) pair.on[0] = pair.on[1] = {1, 0};
-  for (const size_t taken : {0, 1}) {
+  for (const size_t taken : {size_t{0}, size_t{1}}) {
     hand.record.meshes.taken = taken;
     CHECK_FALSE(contains(draw().svg, "The contact on mesh"));
   }
@@ -494,7 +498,7 @@ TEST_CASE("report: a listing of coefficients without a step, of several cracks, 
   RunRecord record;
   record.coefficients.resize(3);
   record.coefficients[0].mu = 0.125; // no step
-  for (size_t c : {1, 2}) {
+  for (const size_t c : {size_t{1}, size_t{2}}) {
     record.coefficients[c].mu = 0.25 * static_cast<double>(c);
     record.coefficients[c].steps.resize(1);
     record.coefficients[c].steps[0].loads = {1};
@@ -615,4 +619,136 @@ TEST_CASE("report: titles in a VTK file are ASCII") {
   std::string text;
   CHECK(append_vtk(text, scene, Interior()) == C2D_OK);
   CHECK(text.compare(0, 39, "# vtk DataFile Version 3.0\nR??lle ?1\nAS") == 0);
+}
+
+// ---- scenes of models
+
+namespace {
+
+struct Gathered {
+  many::Machine machine;
+  RunRecord record;
+  History history;
+  Scene scene;
+  explicit Gathered(const many::Model& model, const char* length = nullptr, const char* force = nullptr) : machine(model) {
+    REQUIRE_MESSAGE(machine.status == C2D_OK, std::string(machine.told.empty() ? "" : machine.told[0].text));
+    REQUIRE(c2d_set_units(machine.solver, length, force) == C2D_OK);
+    REQUIRE(gather_scene(machine.solver, record, history, scene) == C2D_OK);
+  }
+};
+
+double area_of(const BodyScene& body) {
+  double twice = 0;
+  for (const std::vector<Point>& curve : outline_of(body, 0))
+    for (size_t i = 0; i < curve.size(); ++i) {
+      const Point a = curve[i], b = curve[(i + 1) % curve.size()];
+      twice += a.x * b.y - b.x * a.y;
+    }
+  return twice / 2;
+}
+
+} // namespace
+
+TEST_CASE("report: outlines of a quarter that ends on one line of symmetry alone, with a hole, are drawn with all images") {
+  many::Model model; // 2 < x < 4, 0 < y < 2, a square hole in it; and what ends on the other line
+  model.symmetry = 3;
+  model.add(many::open_polygon({{4, 0, 3}, {4, 2, 3}, {2, 2, 3}, {2, 0, 0}}));
+  many::add_polygon(model.body(1), {{2.5, 0.5, 1}, {2.5, 1.5, 1}, {3.5, 1.5, 1}, {3.5, 0.5, 1}});
+  model.body(1).ends.resize(static_cast<size_t>(2 * model.body(1).elements()));
+  model.set(1, 1, many::end_of("1001"));
+  model.add(many::open_polygon({{0, 3, 2}, {1, 3, 2}, {1, 5, 2}, {0, 5, 0}}));
+  model.set(2, 1, many::end_of("0110"));
+  const Gathered whole(model);
+  const BodyScene& body = whole.scene.bodies[0];
+  CHECK(body.curves.size() == 4 + 2); // the holes, and a body on either side of x = 0
+  CHECK(area_of(body) == doctest::Approx(2 * 8 - 4));
+  for (const Point at : {Point{3.9, -1.9}, Point{-3.9, 1.9}, Point{-2.1, -0.1}}) CHECK(is_inside(outline_of(body, 0), at));
+  for (const Point at : {Point{3, -1}, Point{-3, 1}, Point{0, 0}}) CHECK_FALSE(is_inside(outline_of(body, 0), at));
+  CHECK(whole.scene.bodies[1].curves.size() == 2);
+  CHECK(area_of(whole.scene.bodies[1]) == doctest::Approx(2 * 4));
+  CHECK(whole.scene.images.size() == 4);
+  CHECK(whole.scene.zone_images.size() == 1);
+}
+
+TEST_CASE("report: a contact across a line of symmetry y = 0 is shown with its image") {
+  many::Model model;
+  model.symmetry = 2;
+  model.add(many::open_polygon({{1, 0, 4}, {1, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
+  model.add(many::open_polygon({{2, 0, 2}, {2, 1, 2}, {1, 1, 4}, {1, 0, 0}}));
+  model.set(1, 3, many::end_of("1001"));
+  model.set(2, 1, many::end_of(many::kPulled, -1));
+  model.join(C2D_ZONE_MATCHING, 1, 1, 2, 3);
+  Gathered half(model, "mm", "N");
+  CHECK(half.scene.stress_unit == "N/mm&#178;");
+  REQUIRE(half.scene.zone_images.size() == 2);
+  CHECK(half.scene.zone_images[1].place({1, 0.5}).y == -0.5);
+  CHECK(half.scene.zone_images[1].place({1, 0.5}).x == 1);
+  REQUIRE(half.scene.zones.size() == 1);
+  const ZoneScene& zone = half.scene.zones[0];
+  CHECK((zone.symmetric_origin && zone.has_images));
+  CHECK(zone.samples.size() == 2 * zone.pairs - 1);
+  CHECK(zone.samples.front().s == doctest::Approx(-1));
+  CHECK(std::string(zone.position) == "y");
+  // Without a name for length that of stress cannot be made.
+  const Gathered nameless(model, nullptr, "N");
+  CHECK((nameless.scene.stress_unit.empty() && nameless.scene.length_unit.empty()));
+}
+
+TEST_CASE("report: a rigid body that is turned, and nothing more, is a load") {
+  many::Model model;
+  model.add(many::rectangle(0, 0, 1, 1, {2, 2, 4, 2}));
+  model.add(many::rectangle(0, 1, 1, 2, {4, 2, 2, 2}));
+  model.set(1, 1, many::end_of(many::kHeld));
+  model.body(2).rigid = 1;
+  model.body(2).ends.assign(static_cast<size_t>(2 * model.body(2).elements()), many::End());
+  model.body(2).motion[2] = 1e-3;
+  model.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  const Gathered turned(model);
+  REQUIRE(turned.scene.motions.size() == 1);
+  CHECK((turned.scene.motions[0].rotation == 1e-3 && turned.scene.motions[0].by.x == 0));
+  CHECK(turned.scene.bodies[1].rigid);
+}
+
+// ---- deformed shapes, cracks
+
+TEST_CASE("report: gaps that are magnified are those of the pairs that are known, between two bodies") {
+  Hand hand(4);
+  BodyScene& body = hand.scene.bodies[0];
+  for (double x = 0; x < 4; ++x)
+    body.ends.push_back({x, 0}), body.normals.push_back({0, -1}), body.status.push_back(0), body.displacement.push_back({0, 0});
+  CHECK(GapLift(hand.scene).largest() == 0); // no coefficient
+  hand.step({1}, rows_of(4, {C2D_OPEN, 0, 0, 0.5, 0}), 1);
+  const GapLift lift(hand.scene);
+  CHECK(lift.largest() == 0.5);
+  for (const double x : {0.0, 1e-160, 0.5})
+    CHECK(lift.at(1, {x, 0}).y == doctest::Approx(-0.5)); // at, beside, and between pairs
+  CHECK(lift.at(0, {0, 0}).y == 0);
+  hand.record.coefficients[0].table.clear(); // nothing is known
+  CHECK(GapLift(hand.scene).at(1, {3, 0}).y == 0);
+  hand.scene.zones[0].body[1] = 1; // of one body with itself: it does not move
+  CHECK(GapLift(hand.scene).at(0, {1, 0}).y == 0);
+  hand.scene.bodies.clear();
+  hand.scene.zones.clear(), hand.scene.pairs.clear();
+  CHECK(GapLift(hand.scene).largest() == 0);
+}
+
+TEST_CASE("report: bodies that do not move are drawn as they are, along any direction") {
+  for (const bool steep : {false, true}) {
+    Hand hand(4);
+    hand.step({1}, rows_of(4, {C2D_STICK, 0, 0, 0, 0}), 1);
+    if (steep)
+      for (PairScene& pair : hand.scene.pairs) std::swap(pair.on[0].x, pair.on[0].y), std::swap(pair.on[1].x, pair.on[1].y);
+    const Pictures out = hand.draw(draw_deformed);
+    REQUIRE(out.size() == 1);
+    CHECK(contains(out[0].caption, "true scale: the largest displacement is 0 at (0, 0) of body 1."));
+  }
+}
+
+TEST_CASE("report: the tip of a crack whose faces have no pairs has no intensity") {
+  CrackTip tip;
+  tip.zone = 2;
+  const StressIntensity none = stress_intensity(tip, nullptr, C2D_PAIR_FIELDS);
+  CHECK((std::isnan(none.K1) && std::isnan(none.K2) && none.zone == 2));
+  tip.why = "one of the bodies is rigid", tip.faces = {{0, 1.0}};
+  CHECK(stress_intensity(tip, nullptr, C2D_PAIR_FIELDS).why == "one of the bodies is rigid");
 }

@@ -341,7 +341,7 @@ c2d_status Finder::find(std::vector<Corner>& out) {
   if (status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) find_in_zone(z, out);
   for (int32_t b = 1; b <= s_.bodies; ++b)
-    if (!is_rigid(b) && !s_.is_platen(b)) find_in_body(b, out);
+    if (!is_rigid(b)) find_in_body(b, out); // (platens have no elements)
   for (Corner& c : out) {
     c.size = distance_to_next(c);
     c.linear = s_.function_nodes == 2;
