@@ -459,6 +459,76 @@ TEST_CASE("corners: only real corners of a body are found") {
   CHECK(std::fabs(held[0].least - 0.711172932971) < 1e-9);
 }
 
+TEST_CASE("corners: of a quarter of a hole told by chords those alone that turn unlike their neighbours, images among them") {
+  // From (0, y) by chords to (x, 0); `turns` from chord to chord, the middle of the first and the last way along (1, -1).
+  const auto found = [](const std::vector<double>& turns) {
+    double sum = 0;
+    for (const double turn : turns) sum += turn;
+    std::vector<Corner> at = {{0, 0, 1}};
+    double way = sum / 2 - 45;
+    for (size_t k = 0; k <= turns.size(); ++k) {
+      at.push_back({at[k].x + std::cos(way * kPi / 180), at[k].y + std::sin(way * kPi / 180), 1});
+      if (k < turns.size()) way -= turns[k];
+    }
+    const Corner end = at.back(); // moved so that it is (x, 0)
+    for (Corner& corner : at) corner.y -= end.y;
+    Model m;
+    m.symmetry = 3;
+    m.add(open_polygon({{9, 0, 2}, {9, 9, 2}, {0, 9, 0}}));
+    const Body hole = open_polygon(at);
+    Body& plate = m.body(1);
+    plate.regions.push_back({5, 4 + hole.elements()});
+    plate.open_regions = 2;
+    plate.xy.insert(plate.xy.end(), hole.xy.begin(), hole.xy.end());
+    plate.ends.resize(static_cast<size_t>(2 * plate.elements()));
+    size_t notches = 0;
+    for (const app::Corner& c : places(m)) notches += c.kind == CornerKind::kNotch && std::hypot(c.at[0], c.at[1]) < 8;
+    return notches;
+  };
+  CHECK(found({30, 30}) == 0); // 12 chords round the whole, with ends on the lines
+  CHECK(found({45}) == 0);     // 8
+  CHECK(found({60}) == 1);     // a corner, if it turns that much; the images turn by 30 degrees
+  CHECK(found({22.5, 22.5, 22.5}) == 0);
+  CHECK(found({16, 49, 16}) == 1); // the images turn by 9 degrees
+  CHECK(found({}) == 2);           // a square on its tip
+}
+
+TEST_CASE("corners: states near a corner that tell nothing, and friction that turns") {
+  app::Corner c;
+  c.kind = CornerKind::kContact, c.zone = 1, c.after = 2, c.element = 0.01, c.size = 10;
+  c.shape.sectors = {app::sector_of(kPi, 1000, 0.3, true)};
+  c.shape.faces = {{app::FaceKind::kFree, 0}, {app::FaceKind::kBonded, 0}};
+  c.joint = 1;
+  std::vector<double> table(60 * C2D_PAIR_FIELDS, 0.0);
+  const auto state = [&](size_t pairs, int32_t status, double tn, double tt) {
+    c.samples.clear();
+    for (size_t i = 0; i < pairs; ++i) {
+      const double d = 0.01 * static_cast<double>(i + 1);
+      c.samples.push_back({static_cast<int32_t>(i), d, true, {0, 1}});
+      double* row = &table[i * C2D_PAIR_FIELDS];
+      row[C2D_STATUS] = status, row[C2D_X] = d, row[C2D_NY] = 1, row[C2D_TN] = tn / std::sqrt(d),
+      row[C2D_TT] = tt / std::sqrt(d);
+    }
+    return app::corner_state(c, table.data(), C2D_PAIR_FIELDS);
+  };
+  const CornerState nothing = state(0, C2D_STICK, 1, 0);
+  CHECK((nothing.exponents.empty() && std::string(nothing.joint).empty()));
+  const CornerState two = state(2, C2D_STICK, 1, 0);
+  CHECK((std::string(two.joint) == "stick" && two.why == "too few nodes near it" && std::isnan(two.K)));
+  const CornerState smooth = state(60, C2D_SLIP, 1, 0);
+  REQUIRE(smooth.exponents.size() == 1);
+  CHECK(smooth.exponents[0].real() == doctest::Approx(0.5));
+  CHECK(smooth.K == doctest::Approx(1).epsilon(1e-6));
+  const CornerState none = state(60, C2D_SLIP, 0, 0.3); // of no pressure there is no friction
+  CHECK(none.exponents[0].real() == doctest::Approx(0.5));
+  const CornerState rubbing = state(60, C2D_SLIP, 1, 0.3);
+  CHECK(std::fabs(rubbing.exponents[0].real() - 0.5) > 0.01);
+  CHECK(rubbing.why.empty());
+  for (size_t i = 10; i < 60; ++i) table[i * C2D_PAIR_FIELDS + C2D_TT] *= -1; // from there on it is another state
+  CHECK(app::corner_state(c, table.data(), C2D_PAIR_FIELDS).why == "too few nodes near it");
+  CHECK(std::string(app::name_of(static_cast<CornerKind>(9))).empty());
+}
+
 TEST_CASE("corners: those of ties and contacts are found, whichever side they are on") {
   Model cut; // tied to its like: nothing; to a stiffer one: both ends
   cut.add(rectangle(0, 0, 2, 1, {4, 2, 4, 2}));

@@ -79,3 +79,32 @@ TEST_CASE("refused calls: none of a run's is taken for done") {
                           "*POINTS\nGRID 1 0 -2 1 -1 3 3\n"),
                      true);
 }
+
+TEST_CASE("refused calls: each number of a table, wherever it is asked for") {
+  if (!can_refuse_calls()) return;
+  const Folder folder;
+  const std::string out = folder / "out";
+  const app::Muted muted;
+  const std::string decks[] = {made(folder, "hertz n=2 L=5 ratio=1.6"), paths::root() + "/examples/plate_tension.dat"};
+  for (const std::string& deck : decks)
+    for (const char* table : {"--boundary", "--ranges", "--listing", "--vtk"}) {
+      CAPTURE(deck);
+      CAPTURE(table);
+      const app::Options options = options_of({"run", deck, "--no-progress", table, out});
+      refuse_call(0);
+      REQUIRE(app::run_deck(options) == 0);
+      const std::vector<int64_t> numbers = calls_of("c2d_get");
+      CHECK(numbers.size() > 1);
+      for (const int64_t n : numbers) {
+        CAPTURE(n);
+        fs::remove(out);
+        refuse_call(n);
+        CHECK(app::run_deck(options) != 0);
+        CHECK(std::string(call_refused()) == "c2d_get");
+        CHECK_FALSE(fs::exists(out));
+        CHECK_FALSE(app::reason_told().empty());
+      }
+      fs::remove(out);
+    }
+  refuse_call(0);
+}

@@ -7,11 +7,14 @@
 #include "report/csv.hpp"
 #include "report/gap_lift.hpp"
 #include "report/json.hpp"
+#include "report/key_table.hpp"
 #include "report/listing.hpp"
+#include "report/listing_items.hpp"
 #include "report/model_symbols.hpp"
 #include "report/page.hpp"
 #include "report/pictures.hpp"
 #include "report/stresses.hpp"
+#include "report/trace.hpp"
 #include "report/vtk.hpp"
 
 #include <doctest/doctest.h>
@@ -315,6 +318,9 @@ TEST_CASE("report: meshes of bodies that touch nowhere, of one mesh alone, of no
   CHECK(one.caption ==
         "It ended here: there is no time &amp; no memory. Strokes across the boundary are ends of elements. The results are "
         "those of the first mesh. The dashed frame is enlarged.");
+  MeshCurve& back = hand.record.meshes.rounds[0].curves[0]; // there and back again: a stroke has no direction there
+  back.ends = {{0, 0}, {4, 0}, {0, 0}};
+  CHECK(contains(draw().svg, "The contact on mesh 1"));
   // Zones without a length, and of platens, are no contact to look at.
   for (PairScene& pair : hand.scene.pairs) pair.on[0] = pair.on[1] = {1, 0};
   for (const size_t taken : {size_t{0}, size_t{1}}) {
@@ -613,6 +619,72 @@ TEST_CASE("report: names of bodies are told where a zone joins others than the f
   CHECK(s.names_bodies());
 }
 
+TEST_CASE("report: steps of which no numbers are known have no key table, and no place on the page") {
+  Hand hand(4, 2);
+  Summary& s = hand.scene.summary;
+  s.zone_name = {"", ""}, s.body_name = {"", ""};
+  hand.scene.solved = true;
+  const auto page = [&] {
+    std::string out;
+    append_page(out, hand.scene, {}, "deck");
+    CHECK(contains(out, "<h1>deck</h1>"));
+    return out;
+  };
+  CHECK_FALSE(contains(page(), "id=\"key\"")); // no coefficient
+  CHECK_FALSE(contains(page(), "id=\"numbers\""));
+  hand.step({1}, rows_of(8, {C2D_STICK, 1, 0, 0, 0}), 1);
+  CoefficientRecord& c = hand.record.coefficients[0];
+  CHECK(key_table(c, 1, 5).heading.empty());
+  CHECK((contains(page(), "id=\"key\"") && !contains(page(), "Step by step")));
+  Quantity q;
+  q.what = Measure::kPeakPressure, q.zone = 1, q.value = 3;
+  c.steps[0].quantities = {q};
+  CHECK(key_table(c, 1, 5).rows.size() == 1);
+  CHECK(contains(page(), "<td>peak pressure</td><td>3</td>"));
+  CHECK(contains(page(), "Step by step"));
+  hand.scene.zones[1].pairs = 0; // no row of its own
+  CHECK(times(page(), "<td>s = ") == 1);
+  hand.record.coefficients.resize(2); // and none of a coefficient that never began
+  CHECK(times(page(), "<td>s = ") == 1);
+  c2d_step again = C2D_INIT(c2d_step);
+  CoefficientRecord& empty = hand.record.coefficients[1];
+  keep_corners(empty, again, {Corner()});
+  CHECK(empty.steps.empty());
+}
+
+TEST_CASE("report: names that are longer than their column") {
+  std::string text;
+  append_item(text, "a name that is longer than the column it is to stand in", int64_t{7});
+  CHECK(text == "  a name that is longer than the column it is to stand in  7\n");
+}
+
+TEST_CASE("report: friction that has come to nothing has not turned") {
+  Trace trace;
+  std::string text;
+  const double load = 1;
+  double row[C2D_PAIR_FIELDS] = {};
+  c2d_step step = C2D_INIT(c2d_step);
+  step.kind = C2D_STEP_RECORDED, step.coefficient = 1, step.pairs = 1, step.stride = C2D_PAIR_FIELDS, step.table = row;
+  step.cases = 1, step.loads = &load;
+  row[C2D_STATUS] = C2D_SLIP;
+  for (const double tt : {-1.0, 0.0, 1.0, -1.0}) {
+    row[C2D_TT] = tt;
+    trace.append(text, step);
+  }
+  CHECK(test::lines_of(text).size() == 2); // where it begins, and from 1 to -1
+  CHECK(contains(text, "slip,slip,slip turned\n"));
+}
+
+TEST_CASE("report: a path that ended where a curve of its way was kept has that curve once") {
+  Hand hand(4);
+  hand.history.begin(4); // of which the second is the last
+  for (const int32_t k : {1, 2}) hand.step({0.25 * k}, rows_of(4, {C2D_STICK, 1.0 * k, 0, 0, 0}), k);
+  const CoefficientHistory& history = hand.history.coefficients()[0];
+  CHECK(history.earlier.size() == 2);
+  CHECK(earlier_states(history, 2, hand.record.coefficients[0].table).size() == 1);
+  CHECK(earlier_states(history, 9, hand.record.coefficients[0].table).size() == 2);
+}
+
 TEST_CASE("report: titles in a VTK file are ASCII") {
   Scene scene;
   std::snprintf(scene.summary.title, sizeof scene.summary.title, "%s", "R\xc3\xb6lle \t1");
@@ -707,6 +779,87 @@ TEST_CASE("report: a rigid body that is turned, and nothing more, is a load") {
   REQUIRE(turned.scene.motions.size() == 1);
   CHECK((turned.scene.motions[0].rotation == 1e-3 && turned.scene.motions[0].by.x == 0));
   CHECK(turned.scene.bodies[1].rigid);
+}
+
+TEST_CASE("report: a zone is told from where one of its bodies is held, by the coordinate if that is 0 there") {
+  for (const double at : {0.0, 3.0}) {
+    CAPTURE(at);
+    many::Model model; // side by side, on rollers
+    model.add(many::rectangle(0, at, 1, at + 1, {2, 4, 2, 2}));
+    model.add(many::rectangle(1, at, 2, at + 1, {2, 2, 2, 4}));
+    model.set(1, 1, many::end_of("0110"));
+    model.set(2, 1, many::end_of("0110"));
+    model.set(1, 4, many::end_of("1001"));
+    model.set(2, 2, many::end_of(many::kPulled, -1));
+    model.join(C2D_ZONE_MATCHING, 1, 2, 2, 4);
+    const Gathered own(model);
+    const ZoneScene& zone = own.scene.zones.at(0);
+    CHECK(zone.symmetric_origin);
+    CHECK(own.scene.pairs[zone.origin].on[0].y == at);
+    CHECK(std::string(zone.position) == (at == 0 ? "y" : "s"));
+    CHECK(own.scene.pairs[zone.origin].s == 0);
+  }
+}
+
+TEST_CASE("report: a contact goes on beyond its end where both bodies slide along a line that rests, and is free of friction") {
+  const auto mirrors = [](const many::End& below) {
+    many::Model model; // the contact ends a side above the rollers' line: at y = 0, where `below` holds
+    for (const double x : {0.0, 1.0}) model.add(many::rectangle(x, 0, x + 1, 1, {2, x < 0.5 ? 4 : 2, 2, x < 0.5 ? 2 : 4}));
+    model.join(C2D_ZONE_MATCHING, 1, 2, 2, 4);
+    for (const int32_t body : {1, 2}) model.set(body, 1, below);
+    model.zones[0].without[0] = 1; // the node on the line is in no pair
+    const Gathered own(model);
+    std::vector<ZoneLine> lines;
+    REQUIRE(find_zone_lines(own.machine.solver, own.scene.summary, lines) == C2D_OK);
+    return lines.at(0).end[0].mirror || lines.at(0).end[1].mirror;
+  };
+  CHECK(mirrors(many::end_of("0110")));
+  CHECK_FALSE(mirrors(many::end_of("0110", 0, 0, 0, 0.01))); // it moves
+  CHECK_FALSE(mirrors(many::end_of("0110", 0.5)));           // it rubs
+  CHECK_FALSE(mirrors(many::end_of(many::kHeld)));
+}
+
+TEST_CASE("report: of bodies without contact the first is drawn of two, each of more but those that are rigid") {
+  many::Model model;
+  for (int i = 0; i < 4; ++i) {
+    model.add(many::rectangle(3 * i, 0, 3 * i + 1, 1, {2, 2, 2, 2}));
+    model.set(i + 1, 1, many::end_of(many::kHeld));
+    model.set(i + 1, 3, many::end_of(many::kPulled, 0, 1));
+  }
+  const auto drawn = [&] {
+    Gathered own(model);
+    REQUIRE(own.machine.run().status == C2D_OK);
+    Scene scene;
+    REQUIRE(gather_scene(own.machine.solver, own.record, own.history, scene) == C2D_OK);
+    Pictures out;
+    REQUIRE(draw_boundary_stress(scene, out) == C2D_OK);
+    std::string names;
+    for (const Picture& p : out) names += p.name + " ";
+    return names;
+  };
+  CHECK(drawn() == "boundary_body1 boundary_body2 boundary_body3 boundary_body4 ");
+  model.body(2).rigid = 1;
+  model.body(2).ends.assign(model.body(2).ends.size(), many::End());
+  CHECK(drawn() == "boundary_body1 boundary_body3 boundary_body4 ");
+  model.bodies.resize(1), model.bodies.push_back(model.bodies[0]);
+  for (size_t i = 0; i < model.bodies[1].xy.size(); i += 2) model.bodies[1].xy[i] += 3;
+  CHECK(drawn() == "boundary ");
+  Pictures none;
+  CHECK(draw_boundary_stress(Scene(), none) == C2D_OK);
+  CHECK(none.empty());
+}
+
+TEST_CASE("report: of a model that is not complete nothing but numbers is told") {
+  many::Model model;
+  model.add(many::rectangle(0, 0, 1, 1, {2, 2, 2, 2}));
+  model.add(many::rectangle(0, 1, 1, 2, {2, 2, 2, 2}));
+  model.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  model.body(1).youngs_modulus = -1;
+  const many::Machine machine(model);
+  REQUIRE(machine.status != C2D_OK);
+  Summary s;
+  REQUIRE(get_summary(machine.solver, s) == C2D_OK);
+  CHECK((s.zone.empty() && s.body_name.empty() && s.zone_name.empty()));
 }
 
 // ---- deformed shapes, cracks

@@ -133,15 +133,31 @@ double BodyFaces::turn_after(int32_t element) const {
 }
 double BodyFaces::angle_after(int32_t element) const { return kPi - turn_after(element); }
 
+double BodyFaces::turn_at_image(int32_t element, bool up) const {
+  const double angle = angle_at_image(element, up);
+  return angle != 0 ? kPi - angle : 0;
+}
+double BodyFaces::turn_beyond(int32_t element, bool up) const {
+  const int32_t other = next(element, up);
+  return other != 0 ? turn_after(up ? element : other) : turn_at_image(element, up);
+}
+
+// Chords of an arc turn as those beside them.
+bool BodyFaces::is_of_chords(double turn, double before, double after) const {
+  const auto is_like = [&](double other) { return other * turn > 0 && other / turn < kAlike && turn / other < kAlike; };
+  return per_element_ == 2 && std::fabs(turn) <= kChord && (is_like(before) || is_like(after));
+}
+
 bool BodyFaces::is_corner_after(int32_t element) const {
   const int32_t behind = next(element, true);
   const double turn = turn_after(element);
   if (std::fabs(turn) < kCorner) return false;
   if (curve_[index(element)] != 0 && curve_[index(element)] == curve_[index(behind)]) return false;
-  if (per_element_ > 2 || std::fabs(turn) > kChord) return true;
-  const int32_t before = next(element, false), after = next(behind, true);
-  const auto is_like = [&](double other) { return other * turn > 0 && other / turn < kAlike && turn / other < kAlike; };
-  return !(before != 0 && is_like(turn_after(before))) && !(after != 0 && is_like(turn_after(behind)));
+  return !is_of_chords(turn, turn_beyond(element, false), turn_beyond(behind, true));
+}
+bool BodyFaces::is_corner_at_image(int32_t element, bool up) const {
+  const double turn = turn_at_image(element, up), beside = turn_beyond(element, !up);
+  return std::fabs(turn) >= kCorner && !is_of_chords(turn, beside, beside);
 }
 
 bool BodyFaces::face(int32_t element, Face& out) const {

@@ -40,6 +40,8 @@ public:
   double angle_at_image(int32_t element, bool up) const;
   // A real corner, of more than 15 degrees: none between chords of an arc, nor inside an arc or a spline.
   bool is_corner_after(int32_t element) const;
+  // The same where the image begins.
+  bool is_corner_at_image(int32_t element, bool up) const;
   // What holds on an element; false: something that a Face cannot say, or contact.
   bool face(int32_t element, Face& out) const;
 
@@ -56,6 +58,9 @@ private:
   static size_t index(int32_t element) { return static_cast<size_t>(element) - 1; }
   Spot node(int32_t element, int32_t k) const;
   double turn_after(int32_t element) const;
+  double turn_at_image(int32_t element, bool up) const; // 0: the curve does not end on a line
+  double turn_beyond(int32_t element, bool up) const;   // at that end of an element, whatever follows
+  bool is_of_chords(double turn, double before, double after) const;
   bool lies_on(int32_t element, int axis) const; // a line of symmetry: x = ... is axis 0
   bool is_at_line(const Spot& p, int axis) const;
   c2d_status read_regions(c2d_solver* solver, const Summary& summary, int32_t body);

@@ -7,8 +7,7 @@ namespace app {
 namespace {
 
 const double kPi = std::acos(-1.0);
-const double kCorner = 15 * kPi / 180; // the least turn of one
-const double kSingular = 1 - 5e-3;     // nearer to 1 stress hardly grows over any mesh
+const double kSingular = 1 - 5e-3; // nearer to 1 stress hardly grows over any mesh
 
 // What the other side is like where an end of a zone meets it.
 struct Meeting {
@@ -132,7 +131,8 @@ void Finder::find_at_image(int32_t body, int32_t element, bool up, std::vector<C
   const BodyFaces& f = faces(body);
   const double angle = f.angle_at_image(element, up);
   Face face;
-  if (angle < kPi + kCorner || !f.face(element, face) || face.kind != FaceKind::kFree) return;
+  if (angle <= kPi || !f.is_corner_at_image(element, up)) return;
+  if (!f.face(element, face) || face.kind != FaceKind::kFree) return;
   Corner c;
   c.kind = CornerKind::kNotch;
   c.body[0] = body;

@@ -22,7 +22,7 @@ Cycle find_cycle(const std::vector<StepRecord>& steps) {
     if (goes_back(steps, i)) out.turns.push_back(i);
   if (steps.empty()) return out;
   std::vector<size_t> ends = out.turns;
-  if (ends.empty() || ends.back() + 1 < steps.size()) ends.push_back(steps.size() - 1);
+  ends.push_back(steps.size() - 1); // (a turn has a step behind it)
   for (size_t i = ends.size(); i-- > 2;) {
     double apart = 0, size = 0;
     for (size_t k = 0; k < steps[ends[i]].loads.size(); ++k) {

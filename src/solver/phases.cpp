@@ -312,7 +312,7 @@ c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) 
   if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
   *in_core = use_of(s, all, true);
   const uint64_t scratch = scratch_bytes(s);
-  if (*in_core > UINT64_MAX - scratch) return C2D_ERR_OVERFLOW;
+  if (*in_core >= UINT64_MAX - scratch) return C2D_ERR_OVERFLOW; // (without scratch, too: of what does not fit the sum is that)
   *in_core += round_up(scratch);
   return C2D_OK;
 }
