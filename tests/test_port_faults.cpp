@@ -82,7 +82,8 @@ TEST_CASE("port/posix: every call of the system fails once, in every way") {
   };
   std::map<int64_t, std::string> names;
   REQUIRE(judged_life([&](const SystemCall& call) {
-            if (std::strcmp(call.name, "calloc") != 0) names[call.number] = call.name; // that one is of counters (make coverage)
+            if (std::strcmp(call.name, "calloc") != 0)
+              names[call.number] = call.name; // that one is of counters (make coverage)
             return kDone;
           }) == 0);
   CHECK(names.size() > 40);
@@ -257,7 +258,8 @@ TEST_CASE("port/stdio: every call of the C library fails once, and most do not s
   };
   std::map<int64_t, std::string> names;
   REQUIRE(live_in_stdio([&](const SystemCall& call) {
-            if (std::strcmp(call.name, "calloc") != 0) names[call.number] = call.name; // that one is of counters (make coverage)
+            if (std::strcmp(call.name, "calloc") != 0)
+              names[call.number] = call.name; // that one is of counters (make coverage)
             return kDone;
           }) == 0);
   CHECK(folder.names().empty());
