@@ -363,3 +363,43 @@ TEST_CASE("traps: no run raises invalid, zero-divide or overflow, or turns the r
   CHECK(runs_made >= 70);
 #endif
 }
+
+TEST_CASE("cancel: at every chance while indicators and points inside are asked for, which come out the same afterwards") {
+  for (const char* name : {"hertz_lin_l", "ring3"}) {
+    CAPTURE(std::string(name));
+    const Deck deck = deck_named(name);
+    const host::Limits limits = deck.limits();
+    Host host;
+    Machine machine(limits, size_of(limits, true), &host.port);
+    Numbers numbers;
+    REQUIRE(run_all(machine.solver, deck, numbers) == C2D_OK);
+    const auto ask = [&](std::vector<double>& out) {
+      out.clear();
+      for (int32_t body = 1; body <= summary_of(machine.solver).bodies; ++body) {
+        c2d_body_result own = C2D_INIT(c2d_body_result);
+        REQUIRE(c2d_get_body_result(machine.solver, body, &own) == C2D_OK);
+        const size_t at = out.size(), points = at + static_cast<size_t>(own.elements) * C2D_OFF_FIELDS;
+        out.resize(points + 40 * C2D_POINT_FIELDS);
+        c2d_status status = c2d_indicators(machine.solver, body, 1, own.elements, out.data() + at, C2D_OFF_FIELDS);
+        double xy[2 * 40];
+        for (int i = 0; i < 40; ++i) xy[2 * i] = 0.3 + 0.01 * i, xy[2 * i + 1] = body == 1 ? 0.4 : -0.4;
+        if (status == C2D_OK) status = c2d_interior(machine.solver, body, 40, xy, 2, out.data() + points, C2D_POINT_FIELDS);
+        if (status != C2D_OK) return status;
+      }
+      return c2d_status{C2D_OK};
+    };
+    std::vector<double> clean, out;
+    REQUIRE(ask(clean) == C2D_OK);
+    int64_t stopped = 0;
+    for (;; ++stopped) {
+      host.calls = 0, host.cancel_at = stopped;
+      const c2d_status status = ask(out);
+      if (status == C2D_OK) break;
+      REQUIRE(status == C2D_ERR_CANCELLED);
+    }
+    host.cancel_at = -1;
+    CHECK(stopped > 1);
+    CHECK(ask(out) == C2D_OK);
+    CHECK(Numbers::same(out, clean));
+  }
+}

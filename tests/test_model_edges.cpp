@@ -431,3 +431,47 @@ TEST_CASE("model edges: half a block that is pulled away goes along its line of 
     CHECK(r.summary.free_motion[1] > 0);
   }
 }
+
+TEST_CASE("model edges: a body that nothing but a tie holds moves with what it is tied to") {
+  for (const int32_t kind : kKinds) {
+    CAPTURE(kind);
+    Model m = pair_of_blocks(kind + C2D_ZONE_TIED, 2);
+    m.set(1, 1, [](double x, double) { return end_of(x == 0 ? "1100" : "0110"); });
+    m.set(2, 3, end_of(kPulled, 0, 1)); // pulled away
+    const Result r = solve(m);
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_REACHED);
+    // Even tension 1 in plane strain, nu = 0.3, over a height of 2.
+    double top = 0;
+    for (const EndResult& e : r.boundary[1]) top = std::max(top, e.uy);
+    CHECK(top == doctest::Approx(2 * 0.91 / 1000).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("model edges: half a block that friction holds at its line of symmetry, and that is lifted off") {
+  Model m = half_blocks(half_upper());
+  m.set(2, 3, end_of(kPulled, 0, 1));
+  for (const double mu : {0.0, 0.3}) {
+    m.friction = mu;
+    m.paths = {{2, -1}, {2, 1}}; // pressed on, then pulled off
+    const Result r = solve(m);
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_FREE_MOTION);
+    CHECK(r.summary.outcome_body == 2);
+    CHECK(r.summary.free_motion[0] == 0);
+    CHECK(r.summary.free_motion[1] == doctest::Approx(1));
+    CHECK(r.summary.free_motion[2] == 0);
+  }
+}
+
+TEST_CASE("model edges: an element of zero length that ends an open curve lies on the line of symmetry") {
+  Model m = half_blocks(half_upper());
+  Body& upper = m.body(2); // (0, 0) ... (2, 0) (2, 1) (0, 1), and there once more
+  upper.xy.insert(upper.xy.end(), {0, 1});
+  upper.regions[0].last = 5;
+  upper.ends.insert(upper.ends.end(), {upper.ends[6], upper.ends[7]});
+  const Result r = solve(m);
+  CHECK(r.status == C2D_ERR_INPUT);
+  CHECK_MESSAGE(r.told_of("element 5 of body 2 lies on the line of symmetry x = 0, expected no elements there"), r.messages());
+  CHECK(r.told.size() == 1);
+}

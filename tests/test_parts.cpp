@@ -224,6 +224,10 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
           "not in small code\n" +
               status_line(C2D_ERR_ARGUMENT));
     if (!c2d::kSmallCode) CHECK(with.run("compressed") == status_line(C2D_OK));
+    CHECK(without.run("free") ==
+          "this program is linked without free zones (C2D_PARTS_BY_CALL): c2d_link_free_zones links them\n" +
+              status_line(C2D_ERR_ARGUMENT));
+    CHECK(with.run("free") == status_line(C2D_OK));
   }
   SUBCASE("workspaces of another program") {
     const auto refused = [](const char* call) {
@@ -302,6 +306,13 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
     const char* const strip = "tests/data/hard/D9_strip_1e-05_nf3.dat";
     const std::string warning = "warning " + std::to_string(C2D_WARN_CONDITION) + "\n";
     CHECK(follow(with, strip, "0.3") == warning + follow(without, strip, "0.3"));
+    // Without energies nothing is known of what friction took, and what does not keep them may be taken up without them.
+    for (const Program* program : {&without, &with}) {
+      const std::string told = program->run("state '" + paths::root() + "/" + hertz + "' tapes 0.05 1");
+      CAPTURE(told);
+      CHECK(contains(told, std::string("slips 1, dissipated ") + (program == &with ? "more" : "nothing") + "\n"));
+      CHECK(contains(told, status_line(C2D_OK)));
+    }
   }
 }
 #endif

@@ -3,6 +3,7 @@
 //   parts deck DECK             parts images, parts compressed
 //   parts attach WORKSPACE      parts restore DECK FOLDER
 //   parts follow DECK FOLDER MU LOAD
+//   parts state DECK FOLDER MU LOAD    parts free
 #include <c2d_posix.h>
 #include <contact2d.h>
 
@@ -92,8 +93,28 @@ void tell_warning(void*, const c2d_error* e) {
   if (e->severity == C2D_WARNING) std::printf("warning %d\n", e->status);
 }
 
-// Advances to one load factor: how it ended, where, and the statuses of the pairs there.
-int follow(const char* deck, const char* folder, double mu, double load) {
+// Adds a free zone by its call: two bodies of one element each, of which the last and the first face each other.
+int add_free_zone() {
+  c2d_body_limits bodies[2] = {{4, 4, 1, 0}, {4, 4, 1, 0}};
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2, limits.body = bodies, limits.function_nodes = 2;
+  limits.zones = 1, limits.pairs = limits.free_pairs = 2, limits.contact_elements = 1;
+  c2d_solver* solver = nullptr;
+  if (c2d_create(&solver, workspace, sizeof workspace, &limits, nullptr, nullptr) != C2D_OK) return 1;
+  c2d_body body = C2D_INIT(c2d_body);
+  body.element_nodes = 2, body.elements = 4, body.regions = 1, body.youngs_modulus = 1;
+  for (int32_t b = 1; b <= 2; ++b)
+    if (c2d_set_body(solver, b, &body) != C2D_OK || c2d_add_region(solver, b, 1, 4) != C2D_OK) return 1;
+  c2d_zone zone = C2D_INIT(c2d_zone);
+  zone.kind = C2D_ZONE_FREE;
+  zone.side1.body = 1, zone.side1.first_element = zone.side1.last_element = 3, zone.side1.elements = 1;
+  zone.side2.body = 2, zone.side2.first_element = zone.side2.last_element = 1, zone.side2.elements = 1;
+  return end(solver, c2d_add_zone(solver, &zone));
+}
+
+// Advances to one load factor: how it ended, where, and the statuses of the pairs there; `state`: what zone 1 has dissipated,
+// and whether the workspace can be taken up again.
+int follow(const char* deck, const char* folder, double mu, double load, bool state) {
   c2d_port port = C2D_INIT(c2d_port);
   c2d_posix_store store;
   c2d_solver* solver = nullptr;
@@ -107,6 +128,12 @@ int follow(const char* deck, const char* folder, double mu, double load) {
   std::printf("outcome %d\n", outcome);
   double pressure[64];
   for (int32_t i = 1; i <= 64 && c2d_get(solver, C2D_TN, 0, i, 1, pressure, 1) == C2D_OK; ++i) std::printf("%.9g\n", *pressure);
+  if (state) {
+    c2d_zone_state zone = C2D_INIT(c2d_zone_state);
+    status = c2d_get_zone_state(solver, 1, &zone);
+    std::printf("slips %d, dissipated %s\n", zone.slip > 0, zone.dissipated > 0 ? "more" : "nothing");
+    if (status == C2D_OK) status = c2d_attach(&solver, workspace, sizeof workspace, &port, nullptr);
+  }
   end(solver, status);
   return c2d_posix_store_done(&store) != 0;
 }
@@ -121,7 +148,9 @@ int main(int count, char** argument) {
   if (is("compressed", 0)) return ask_for(C2D_SYMMETRY_DECK, C2D_ELIMINATION_COMPRESSED);
   if (is("attach", 1)) return attach(argument[2]);
   if (is("restore", 2)) return restore(argument[2], argument[3]);
-  if (is("follow", 4)) return follow(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]));
+  if (is("free", 0)) return add_free_zone();
+  if (is("follow", 4) || is("state", 4))
+    return follow(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]), is("state", 4));
   if (!is("deck", 1)) return 64;
   c2d_port port = C2D_INIT(c2d_port);
   c2d_solver* solver = nullptr;
