@@ -475,3 +475,74 @@ TEST_CASE("model edges: an element of zero length that ends an open curve lies o
   CHECK_MESSAGE(r.told_of("element 5 of body 2 lies on the line of symmetry x = 0, expected no elements there"), r.messages());
   CHECK(r.told.size() == 1);
 }
+
+TEST_CASE("model edges: bodies that a tie holds together, and that can move together, are told once") {
+  Model m = pair_of_blocks(C2D_ZONE_MATCHING + C2D_ZONE_TIED, 2);
+  m.set(1, 1, end_of("0110")); // along x they are free
+  const Result r = solve(m);
+  CHECK(r.outcome == C2D_FREE_MOTION);
+  CHECK_MESSAGE(r.told_of("nothing holds bodies 1, 2: they can move together in 1 way"), r.messages());
+}
+
+TEST_CASE("model edges: bodies apart that nothing has moved yet have no results and no states") {
+  for (const bool rigid : {false, true}) {
+    CAPTURE(rigid);
+    Model m = blocks(C2D_ZONE_MATCHING, rectangle(0, -1, 2, 0, {1, 1, 2, 1}), rectangle(0, 0.1, 2, 1.1, {2, 1, 1, 1}));
+    if (rigid) {
+      Body& upper = m.body(2);
+      upper.rigid = 1, upper.is_free[0] = upper.is_free[1] = upper.is_free[2] = 1, upper.load[1] = -1, upper.point[0] = 1;
+      m.set(2, 3, end_of(kPulled));
+    }
+    m.paths = {{1, 0}};
+    const Result r = solve(m);
+    CAPTURE(r.messages());
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_REACHED);
+    CHECK((r.zones[0].open == 3 && r.zones[0].stick == 0 && r.zones[0].slip == 0));
+    for (const std::vector<EndResult>& body : r.boundary)
+      for (const EndResult& e : body) CHECK((e.ux == 0 && e.uy == 0 && e.tx == 0 && e.ty == 0));
+    for (const c2d_body_state& state : r.states) CHECK((state.motion[1] == 0 && state.contact[1] == 0));
+  }
+}
+
+TEST_CASE("model edges: a body that slides freely has its place told while loads press on it") {
+  Model m = pair_of_blocks(C2D_ZONE_MATCHING, 2);
+  m.friction = 0;
+  const auto warned = [&](double second) {
+    m.paths = {{1, 1}, {1, second}};
+    const Result r = solve(m);
+    CHECK(r.status == C2D_OK);
+    int count = 0;
+    for (const c2d_error& e : r.told) count += e.status == C2D_WARN_UNDEFINED_PLACE;
+    return count;
+  };
+  CHECK(warned(0.5) >= 1);
+  CHECK(warned(0) >= 1);
+}
+
+TEST_CASE("model edges: a body with a slit that is pushed off another one slides as a whole does") {
+  for (const bool slit : {false, true}) {
+    CAPTURE(slit);
+    Model m;
+    m.add(rectangle(-1, -2, 5, 0, {1, 1, 6, 1}));
+    m.add(slit ? polygon({{0, 0, 4}, {4, 0, 1}, {4, 3, 1}, {2.5, 3, 2}, {2, 1, 2}, {1.5, 3, 1}, {0, 3, 1}})
+               : polygon({{0, 0, 4}, {4, 0, 1}, {4, 3, 1}, {0, 3, 1}}));
+    m.friction = 0.2;
+    m.cases = 2;
+    m.set(1, 1, end_of(kHeld));
+    m.zones.push_back({C2D_ZONE_FREE, {{1, 3, 8}, {2, 1, 4}}});
+    if (slit) {
+      m.join(C2D_ZONE_MATCHING + C2D_ZONE_SELF, 2, 4, 2, 5);
+      m.zones.back().without[1] = 1;
+    }
+    m.body(2).force[1] = -1; // its weight
+    m.set_second(2, 2, end_of(kPulled, 1));
+    m.paths = {{1, 1, 0}, {4, 1, 8}};
+    const Result r = solve(m);
+    CAPTURE(r.messages());
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_GROSS_SLIDING);
+    CHECK(r.summary.outcome_body == 2);
+    CHECK(std::fabs(r.summary.free_motion[0]) == doctest::Approx(1));
+  }
+}

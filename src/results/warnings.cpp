@@ -186,8 +186,7 @@ void warn_undefined_place(Session& session) {
 
 double tension_ratio(const Session& session) {
   const Model& m = session.model;
-  if (m.head->function_nodes < 3 || m.head->contact == 0 || session.solver->floating || session.solver->blocked)
-    return 0.0; // constant and linear pressures have no minimum inside
+  if (m.head->function_nodes < 3) return 0.0; // constant and linear pressures have no minimum inside
   if (carries_nothing(session)) return 0.0;
   double most = 0.0, least = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)

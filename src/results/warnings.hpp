@@ -15,7 +15,7 @@ void warn_not_unique(Session& session);
 void warn_breach(c2d_solver* solver);
 // Strains that are not small, after back substitution.
 void warn_strains(Session& session);
-// Smallest pressure inside the contact elements over the largest nodal one, as it stands; 0 if none is negative.
+// Smallest pressure inside the contact elements over the largest nodal one, of a contact that is solved; 0 if none is negative.
 double tension_ratio(const Session& session);
 
 } // namespace c2d
