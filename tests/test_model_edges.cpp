@@ -546,3 +546,21 @@ TEST_CASE("model edges: a body with a slit that is pushed off another one slides
     CHECK(std::fabs(r.summary.free_motion[0]) == doctest::Approx(1));
   }
 }
+
+TEST_CASE("model edges: blocks that slide down their slopes are told the directions of the slopes") {
+  Model m;
+  m.add(polygon({{0, 0, 2}, {8, 0, 1}, {8, 1, 2}, {6, 3, 2}, {2, 3, 2}, {0, 1, 1}}));
+  m.add(polygon({{8, 1, 1}, {9, 2, 1}, {7, 4, 1}, {6, 3, 2}}));
+  m.add(polygon({{0, 1, 2}, {2, 3, 1}, {1, 4, 1}, {-1, 2, 1}}));
+  m.set(1, 1, end_of(kHeld));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 4);
+  m.join(C2D_ZONE_MATCHING, 1, 5, 3, 1);
+  for (const int32_t body : {2, 3}) m.body(body).force[1] = -1;
+  const Result r = solve(m);
+  REQUIRE(r.status == C2D_OK);
+  CHECK(r.outcome == C2D_FREE_MOTION);
+  const double* motion = r.summary.free_motion; // down, along x away from the middle
+  CHECK(motion[0] == doctest::Approx(r.summary.outcome_body == 2 ? std::sqrt(0.5) : -std::sqrt(0.5)));
+  CHECK(motion[1] == doctest::Approx(-std::sqrt(0.5)));
+  CHECK(motion[2] == 0);
+}

@@ -90,8 +90,7 @@ void look_at_corner(const Model& m, int b, int32_t node, int component, const Un
     outward_normal(m, b, element[i], node_eta(per_element, unknown.end[i] % per_element), n[i]);
   }
   const double angle = angle_between(n[0], n[1]) / kDegree;
-  const bool behind = unknown.end[0] % per_element == 0; // the first end begins there
-  if (angle <= 1 || is_joint_of_arc(m, b, element[behind ? 1 : 0], element[behind ? 0 : 1])) return;
+  if (angle <= 1 || is_joint_of_arc(m, b, element[0], element[1])) return; // (the preceding one comes first)
   if (corners.count++ > 0 && angle <= corners.angle) return;
   corners.node = node;
   corners.component = component;
