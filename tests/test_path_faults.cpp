@@ -1,11 +1,13 @@
 // A path whose store fails, whose host cancels, or that stops: at any of its operations, while overlaps are closed, when
 // changes are shown, and when results are asked for. Two squares, the upper one pressed and pushed, by 0.01 too deep or not.
 #include "memory/config.hpp"
+#include "program/families/family.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <sstream>
 
 using namespace runs;
 
@@ -33,9 +35,9 @@ struct Run : RamStore {
   std::unique_ptr<Machine> machine;
   c2d_solver* s = nullptr;
 
-  explicit Run(const Deck& deck, bool every_change) {
+  explicit Run(const Deck& deck, bool every_change, int32_t bodies = 2) {
     const host::Limits limits = deck.limits();
-    REQUIRE(limits.bodies == 2);
+    REQUIRE(limits.bodies == bodies);
     uint64_t least = 0;
     REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
     serve(port);
@@ -160,6 +162,38 @@ TEST_CASE("path faults: whichever read of a preparation fails, that is told") {
       REQUIRE(reads > 50);
     } else {
       CHECK((status == C2D_ERR_STORE_READ || n == 0)); // (the first is of the count, which a new store need not have)
+    }
+  }
+}
+
+// Plates upon each other, the upper two of which slide off: what moves is found from the matrices of all.
+TEST_CASE("path faults: whichever read fails, or where the host cancels, while two bodies are found to slide") {
+  std::string text, error;
+  REQUIRE(families::make_deck("stack", {"n=1"}, text, error));
+  const std::string friction = "! coefficients of friction\n1 ";
+  const size_t at = text.find(friction);
+  REQUIRE(at != std::string::npos);
+  text.replace(at, friction.size() + 3, friction + "0.1");
+  Deck deck;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
+  for (const bool cancel : {false, true}) {
+    CAPTURE(cancel);
+    int64_t all = 0;
+    for (int64_t n = -1; n < all; n += 1 + (n < 0 ? 0 : all / 60)) {
+      CAPTURE(n);
+      Run r(deck, false, 3);
+      REQUIRE(c2d_prepare(r.s) == C2D_OK);
+      r.go_wrong(cancel, n);
+      const c2d_status status = c2d_run(r.s, nullptr, nullptr);
+      if (n >= 0) {
+        CHECK(status == (cancel ? C2D_ERR_CANCELLED : C2D_ERR_STORE_READ));
+        continue;
+      }
+      REQUIRE(status == C2D_OK);
+      CHECK(summary_of(r.s).outcome == C2D_GROSS_SLIDING);
+      all = r.asked;
+      REQUIRE(all > 1);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include "contact/facing_pairs.hpp"
 #include "contact/ties.hpp"
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
@@ -425,7 +426,7 @@ void number_contact(const Model& m) {
   }
   for (int32_t i = 0; i < m.head->zones; ++i) {
     Zone& z = m.zone[i];
-    if (z.pairs == 0) continue;
+    if (C2D_NEVER(z.pairs == 0)) continue; // zones without pairs are refused
     const int32_t first = m.pair[z.first_pair].dof;
     int32_t dof = first;
     for (int32_t k = 0; k < z.pairs; ++k) {

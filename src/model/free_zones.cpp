@@ -1,5 +1,6 @@
 #include "model/free_zones.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/facing.hpp"
 #include "model/geometry.hpp"
 #include "model/validate_finding.hpp"
@@ -78,7 +79,9 @@ void facing::mark_unfaced_ends(const Model& m, int32_t zone) {
   for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
     ZonePlace found;
     const int32_t element = zone_element(m, z, 0, place);
-    if (!find_contact_element(m, b, element, &found) || found.zone != zone || found.side != 0) continue;
+    const bool in_zone = find_contact_element(m, b, element, &found);
+    if (C2D_NEVER(!in_zone)) continue; // it is one of a zone's
+    if (found.zone != zone || found.side != 0) continue;
     for (int l = 0; l < f; ++l) {
       FacePoint faced;
       uint8_t& code = m.end_code[b][element * f + l];

@@ -1,4 +1,5 @@
 // Do contact zones refer to what is there, and do their sides face each other?
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"
@@ -126,7 +127,8 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   for (int32_t k = 0; k < zone_elements(z, side); ++k) {
     ZonePlace found;
     const int32_t element = zone_element(m, z, side, k);
-    if (!find_contact_element(m, b, element, &found)) continue;
+    const bool in_zone = find_contact_element(m, b, element, &found);
+    if (C2D_NEVER(!in_zone)) continue;                      // it is one of a zone's
     if (found.zone == zone && found.side == side) continue; // the earlier one is found
     if (count++ > 0) continue;
     first = element;

@@ -1,6 +1,7 @@
 // The surface of a side of a zone, with one normal where its elements meet.
 #include "model/facing.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/symmetry.hpp"
 
 #include <math.h>
@@ -100,7 +101,9 @@ void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const
 int32_t element_beside_pair(const Model& m, const Pair& pair) {
   const Zone& z = m.zone[pair.zone];
   ZonePlace at;
-  if (fabs(pair.eta) != 1.0 || !find_contact_element(m, z.body[0], pair.element, &at)) return -1;
+  if (fabs(pair.eta) != 1.0) return -1;
+  const bool in_zone = find_contact_element(m, z.body[0], pair.element, &at);
+  if (C2D_NEVER(!in_zone)) return -1; // a pair's element is
   const int32_t beside = place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1);
   return beside < 0 ? -1 : zone_element(m, z, 0, beside);
 }
