@@ -38,6 +38,7 @@ CORE_SOURCES += src/contact/events.cpp
 CORE_SOURCES += src/contact/facing_pairs.cpp
 CORE_SOURCES += src/contact/force_cone.cpp
 CORE_SOURCES += src/contact/frames.cpp
+CORE_SOURCES += src/contact/frictionless.cpp
 CORE_SOURCES += src/contact/increments.cpp
 CORE_SOURCES += src/contact/let_go.cpp
 CORE_SOURCES += src/contact/limit_analysis.cpp

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -127,6 +128,29 @@ c2d_status find_motions(const BodyEquations& e) {
   return status;
 }
 
+bool is_left_out(const Reduction& r, int b, int32_t own) {
+  return !kSmallCode && r.sliding && is_sliding_slot(r.model, b, own);
+}
+
+// F but for the columns of q, which are zero.
+c2d_status find_sliding_flexibility(const BodyEquations& e) {
+  const int32_t n = e.n;
+  const int64_t ld = n;
+  Real *f = e.r.second, *none = e.strip(kMostMotions);
+  int32_t count = 0;
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < n && status == C2D_OK; ++j)
+    if (!is_left_out(e.r, e.b, j)) status = read_column(e.r.tape, e.b, BodyMatrix::traction, j, f + ld * count++);
+  if (status == C2D_OK) status = solve_held(e, count, f, [](int32_t, const Real*) { return c2d_status{C2D_OK}; });
+  for (int32_t j = 0; j < n; ++j) none[j] = 0;
+  for (int32_t j = 0; j < n && status == C2D_OK; ++j) {
+    const bool left_out = is_left_out(e.r, e.b, j);
+    status = write_column(e.r.tape, e.b, BodyMatrix::flexibility, j, left_out ? none : f);
+    if (!left_out) f += ld;
+  }
+  return status;
+}
+
 // F and G.
 c2d_status find_flexibility(const BodyEquations& e) {
   const int32_t n = e.n;
@@ -227,6 +251,12 @@ c2d_status find_compliance(const Reduction& r, int b) {
   if (r.model.body[b].keeps_equations != 0) return find_kept(e);
   c2d_status status = factor_held(e);
   if (status == C2D_OK) status = find_motions(e);
+  if (!kSmallCode && r.sliding) {
+    if (status == C2D_OK) status = find_sliding_flexibility(e);
+    if (status == C2D_OK) status = solve_loads(e);
+    if (status == C2D_OK && e.count > 0) status = find_equilibrium(e);
+    return status == C2D_OK && e.count > 0 ? find_resultants(e) : status;
+  }
   if (status == C2D_OK) status = find_flexibility(e);
   return status == C2D_OK ? solve_loads(e) : status;
 }

@@ -74,7 +74,7 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
   LeastMotion least{};
   least.count = count;
   for (int32_t k = 0; k < count; ++k) {
-    Real* const motion = column(t, left[k]);
+    Real* const motion = slot_column(t, left[k]);
     for (int32_t j = 0; j < count; ++j) motion[left[j]] = static_cast<Real>(j == k ? 1 : 0);
     least.motion[k] = motion;
   }
@@ -140,7 +140,7 @@ bool may_rest(const Tableau& t, const int32_t* left, int32_t count) {
 }
 
 bool rest_along(const Tableau& t, int32_t slot, Real* response) {
-  Real* const motion = column(t, slot);
+  Real* const motion = slot_column(t, slot);
   Pair& own = pair_of_slot(t, slot);
   const int which = slot - own.dof;
   const Pair* const alone = which == 0 && leans(own) ? &own : leaning_most(t, motion);
@@ -151,7 +151,9 @@ bool rest_along(const Tableau& t, int32_t slot, Real* response) {
     if (at == slot) against += factor;
     const Pair& there = pair_of_slot(t, at);
     if (at == slot || (there.mark.exchanged >> (at - there.dof) & 1) == 0) return;
-    for (int32_t i = 0; i < t.m; ++i) response[i] += static_cast<Real>(factor) * column(t, at)[i];
+    if (has_normal_columns(t) && at != there.dof) return; // that is no force which a pair could have
+    const Real* const pushed = slot_column(t, at);
+    for (int32_t i = 0; i < t.m; ++i) response[i] += static_cast<Real>(factor) * pushed[i];
   };
   push(own.place[which], weight);
   for_moved(t, alone, motion, [&](const Pair& pair, int s, double factor) {
@@ -171,8 +173,8 @@ bool rest_along(const Tableau& t, int32_t slot, Real* response) {
     values[slot] = static_cast<Real>(base + x);
   };
   for (int32_t j = 0; j < tableau_columns(t.n, t.cases); ++j) {
-    if (j == slot) continue;
     Real* const values = column(t, j);
+    if (values == motion || (has_normal_columns(t) && j >= t.pairs && j < t.n)) continue;
     const bool at_rest = j >= t.n; // no force there, but the gap
     const Real force = at_rest ? Real(0) : static_cast<Real>(values[slot] / against);
     for (int32_t i = 0; i < t.m && force != 0; ++i) values[i] += force * response[i];

@@ -4,6 +4,7 @@
 
 #include "contact/body_unknowns.hpp"
 #include "contact/force_cone.hpp"
+#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 
@@ -36,13 +37,15 @@ constexpr double kNothing = sizeof(Real) == 8 ? 1e-11 : 1e-5;
 // each other, but for round-off.
 c2d_status find_load(ForceCone& a, Real* rate) {
   double terms = 0.0;
-  c2d_status status = C2D_OK;
+  bool sliding = false;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(*a.f.tape, rate, &sliding);
   for (int32_t j = 0; j < a.motions; ++j) a.load[j] = 0.0;
   for (int32_t k = 0; k < a.f.t->cases && status == C2D_OK; ++k) {
     if (a.f.direction[k] == 0.0) continue;
     status = read_column(*a.f.tape, ContactMatrix::stiffness_load, k, rate);
     for (int32_t i = 0; i < a.m.head->pairs && status == C2D_OK; ++i)
       for (int slot = 0; slot <= a.m.pair[i].tangential; ++slot) {
+        if (sliding && is_sliding_slot(a.m, a.m.pair[i].dof + slot)) continue; // no force
         const Ray ray = a.of(a.m.pair[i], slot);
         const double part = a.f.direction[k] * rate[a.m.pair[i].dof + slot];
         add_to(a.load, part, ray);

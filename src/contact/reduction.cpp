@@ -4,6 +4,7 @@
 
 #include "contact/body_compliance.hpp"
 #include "contact/body_unknowns.hpp"
+#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
@@ -28,6 +29,12 @@ bool keeps_equations(const Reduction& r, int b) { return r.model.body[b].keeps_e
 // Solved for, or rigid: its displacements are F t + R x, or R x.
 bool gives_way(const Reduction& r, int b) { return r.model.body[b].contact > 0 && !keeps_equations(r, b); }
 int32_t flexible_columns(const Reduction& r, int b) { return is_rigid(r.model, b) ? 0 : r.model.body[b].contact; }
+
+// Is a contact unknown of the model, or the traction of this column of a body, q of a pair that slides?
+bool slides(const Reduction& r, int32_t dof) { return !kSmallCode && r.sliding && is_sliding_slot(r.model, dof); }
+bool slides(const Reduction& r, int b, BodyMatrix matrix, int32_t own) {
+  return !kSmallCode && r.sliding && matrix == BodyMatrix::flexibility && is_sliding_slot(r.model, b, own);
+}
 
 // visit(b) for those bodies until it fails.
 template <class Visit> c2d_status for_bodies(const Reduction& r, bool (*which)(const Reduction&, int), Visit visit) {
@@ -54,6 +61,7 @@ c2d_status add_body(const Bordered& s, int b) {
   c2d_status status = C2D_OK;
   for_ranges(r.model, b, [&](const UnknownRange& range) {
     for (int32_t j = 0; j < range.count && flexible_columns(r, b) > 0 && status == C2D_OK; ++j) {
+      if (slides(r, range.all + j)) continue;
       status = read_column(r.tape, b, BodyMatrix::flexibility, range.own + j, r.strip);
       add_to_pairs(r, b, r.strip, range.sign(), s.column(range.all + j));
     }
@@ -75,15 +83,15 @@ struct Strips {
   int64_t ld;
   int32_t count;
 };
+constexpr int32_t kFewStrips = kStripColumns / 2, kMostStrips = kSmallCode ? kFewStrips : 64;
 
 Strips strips_of(const Bordered& s) {
   const Reduction& r = s.r;
   const int64_t ld = s.strip_length(), all = full_scratch(ld, ld), packing = all / 5 / 8 * 8,
                 wide = (all - packing) / (2 * ld) / 4 * 4;
-  constexpr int32_t kFew = kStripColumns / 2, kMost = 64;
-  if (kSmallCode || !r.engine.kernel || r.engine.numbers < all || wide < 2 * kFew)
-    return {r.engine, r.strip, s.strip(kFew), ld, kFew};
-  const int64_t most = ld < kMost ? ld : kMost; // there are no more
+  if (kSmallCode || !r.engine.kernel || r.engine.numbers < all || wide < 2 * kFewStrips)
+    return {r.engine, r.strip, s.strip(kFewStrips), ld, kFewStrips};
+  const int64_t most = ld < kMostStrips ? ld : kMostStrips; // there are no more
   const int32_t count = static_cast<int32_t>(wide < most ? wide : most);
   Strips strips = {r.engine, r.engine.scratch + packing, r.engine.scratch + packing + count * ld, ld, count};
   strips.engine.numbers = packing;
@@ -128,18 +136,20 @@ c2d_status add_other(const Bordered& s, int b, int other, BodyMatrix matrix, int
   const Strips strips = strips_of(s);
   const int32_t n = r.model.body[b].contact;
   c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < columns && status == C2D_OK; j += strips.count) {
-    const int32_t count = columns - j < strips.count ? columns - j : strips.count;
-    for (int64_t i = 0; i < count * strips.ld; ++i) strips.in[i] = 0;
-    for (int32_t c = 0; c < count && status == C2D_OK; ++c) {
-      status = read_column(r.tape, other, matrix, j + c, strips.out); // nothing has come out yet
-      take_over(r, b, other, strips.out, strips.in + c * strips.ld);
+  for (int32_t next = 0; next < columns && status == C2D_OK;) {
+    int32_t count = 0, taken[kMostStrips];
+    for (int64_t i = 0; i < strips.count * strips.ld; ++i) strips.in[i] = 0;
+    for (; next < columns && count < strips.count && status == C2D_OK; ++next) {
+      if (slides(r, other, matrix, next)) continue;
+      status = read_column(r.tape, other, matrix, next, strips.out); // nothing has come out yet
+      take_over(r, b, other, strips.out, strips.in + count * strips.ld);
+      taken[count++] = next;
     }
     if (status != C2D_OK) break;
     for (int64_t i = 0; i < count * strips.ld; ++i) strips.out[i] = 0;
     gemm_minus(strips.engine, n, count, n, r.second, n, strips.in, strips.ld, strips.out, strips.ld);
     for (int32_t c = 0; c < count; ++c) {
-      const Target to = target_of(s, other, matrix, j + c);
+      const Target to = target_of(s, other, matrix, taken[c]);
       add_in_place(r, b, strips.out + c * strips.ld, to.factor, s.column(to.column));
     }
   }
@@ -159,6 +169,7 @@ c2d_status add_equations(const Bordered& s, int b) {
   c2d_status status = read_matrix(r.tape, b, BodyMatrix::displacement, r.second, n);
   for_ranges(r.model, b, [&](const UnknownRange& range) {
     for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+      if (slides(r, range.all + j)) continue;
       status = read_column(r.tape, b, BodyMatrix::traction, range.own + j, r.strip);
       if (status == C2D_OK) add_in_place(r, b, r.strip, range.sign(), s.column(range.all + j));
     }
@@ -266,7 +277,27 @@ c2d_status form_closing(const Reduction& r) {
 
 // ---- the solution -----------------------------------------------------------------------------------------------------
 
-// G^T below A, of the bodies whose motions are x, and the factors of all.
+// Columns of B, times a factor, to where to(dof) says; null: not this one.
+template <class To> c2d_status add_motions(const Bordered& s, Real factor, To to) {
+  const Reduction& r = s.r;
+  for (int32_t i = 0; i < r.model.head->pairs; ++i)
+    for (int32_t d = 0; d <= r.model.pair[i].tangential && !has_kept(r.model, r.model.pair[i].zone); ++d)
+      if (Real* const out = to(r.model.pair[i].dof + d)) out[r.model.pair[i].dof + d] = factor;
+  return for_bodies(r, keeps_equations, [&](int b) {
+    c2d_status status = C2D_OK;
+    for_ranges(r.model, b, [&](const UnknownRange& range) {
+      for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+        Real* const out = to(range.all + j);
+        if (!out) continue;
+        status = read_column(r.tape, b, BodyMatrix::displacement, range.own + j, r.strip);
+        if (status == C2D_OK) add_in_place(r, b, r.strip, factor * range.sign(), out);
+      }
+    });
+    return status;
+  });
+}
+
+// G^T below A, of the bodies whose motions are x, and the factors of all. Columns of q make room for those of w_t.
 c2d_status factor_bordered(const Reduction& r) {
   const Bordered s = bordered(r);
   c2d_status status = for_bodies(r, gives_way, [&](int b) {
@@ -276,11 +307,14 @@ c2d_status factor_bordered(const Reduction& r) {
       const int64_t row = s.m + body.first_border + k;
       done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
       for_ranges(r.model, b, [&](const UnknownRange& range) {
-        for (int32_t i = 0; i < range.count; ++i) s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
+        for (int32_t i = 0; i < range.count; ++i)
+          if (!slides(r, range.all + i)) s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
       });
     }
     return done;
   });
+  if (!kSmallCode && r.sliding && status == C2D_OK)
+    status = add_motions(s, Real(-1), [&](int32_t dof) { return slides(r, dof) ? s.column(dof) : nullptr; });
   if (status != C2D_OK) return status;
   return lu_factor(r.engine, s.rows(), r.first, s.n(), r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
@@ -342,31 +376,41 @@ c2d_status form_rates(const Reduction& r) {
   return status;
 }
 
-// B in r.second.
+// Columns of T and X side by side in r.second: of all slots, or of those that are given.
+int32_t solved_columns(const Reduction& r) {
+  return !kSmallCode && r.sliding ? given_slots(r.model) : r.model.head->contact;
+}
+Real* solved_column(const Bordered& s, int32_t dof) {
+  if (slides(s.r, dof)) return nullptr;
+  return s.r.second + (!kSmallCode && s.r.sliding ? given_number(s.r.model, dof) : dof) * s.n();
+}
+
+// B there.
 c2d_status form_right_sides(const Bordered& s) {
   const Reduction& r = s.r;
-  for (int64_t i = 0; i < s.n() * s.m; ++i) r.second[i] = 0;
-  for (int32_t i = 0; i < r.model.head->pairs; ++i)
-    for (int32_t d = 0; d <= r.model.pair[i].tangential && !has_kept(r.model, r.model.pair[i].zone); ++d)
-      r.second[(r.model.pair[i].dof + d) * (s.n() + 1)] = 1;
-  return for_bodies(r, keeps_equations, [&](int b) {
-    c2d_status status = C2D_OK;
-    for_ranges(r.model, b, [&](const UnknownRange& range) {
-      for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
-        status = read_column(r.tape, b, BodyMatrix::displacement, range.own + j, r.strip);
-        if (status == C2D_OK) add_in_place(r, b, r.strip, range.sign(), r.second + (range.all + j) * s.n());
-      }
-    });
-    return status;
-  });
+  for (int64_t i = 0; i < s.n() * solved_columns(r); ++i) r.second[i] = 0;
+  return add_motions(s, Real(1), [&](int32_t dof) { return solved_column(s, dof); });
 }
 
 // Rows of X, which stand below T, to the tape.
 c2d_status write_motions(const Bordered& s) {
   c2d_status status = C2D_OK;
   for (int32_t k = 0; k < s.border && status == C2D_OK; ++k) {
-    for (int32_t j = 0; j < s.m; ++j) s.r.strip[j] = s.r.second[j * s.n() + s.m + k];
+    for (int32_t j = 0; j < s.m; ++j) {
+      const Real* const column = solved_column(s, j);
+      s.r.strip[j] = column ? column[s.m + k] : Real(0);
+    }
     status = write_column(s.r.tape, ContactMatrix::motion, k, s.r.strip);
+  }
+  return status;
+}
+
+c2d_status write_stiffness(const Bordered& s) {
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < s.m; ++j) s.r.strip[j] = 0;
+  for (int32_t j = 0; j < s.m && status == C2D_OK; ++j) {
+    const Real* const column = solved_column(s, j);
+    status = write_column(s.r.tape, ContactMatrix::stiffness, j, column ? column : s.r.strip);
   }
   return status;
 }
@@ -376,10 +420,10 @@ c2d_status form_stiffness(const Reduction& r) {
   const Bordered s = bordered(r);
   c2d_status status = form_right_sides(s);
   if (status != C2D_OK) return status;
-  lu_solve(r.engine, s.rows(), s.m, r.first, s.n(), r.pivots, r.second, s.n());
+  lu_solve(r.engine, s.rows(), solved_columns(r), r.first, s.n(), r.pivots, r.second, s.n());
   status = write_motions(s);
   if (status == C2D_OK) status = balance_stiffness(r, r.second, s.n());
-  return status == C2D_OK ? write_matrix(r.tape, ContactMatrix::stiffness, r.second, s.n()) : status;
+  return status == C2D_OK ? write_stiffness(s) : status;
 }
 
 using Step = c2d_status (*)(const Reduction&);
@@ -398,16 +442,26 @@ c2d_status watched(const Reduction& r, int b, c2d_status (*step)(const Reduction
   return status == C2D_OK ? step(r, b) : status;
 }
 
-} // namespace
-
-c2d_status reduce(const Reduction& r) {
+c2d_status reduce_once(const Reduction& r) {
   const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_compliance); });
   const Step steps[] = {join_motions, form_compliance, form_closing, factor_bordered, form_rates, form_stiffness};
   return status == C2D_OK ? take_steps(r, steps) : status;
 }
 
-c2d_status reduce_loads(const Reduction& r) {
-  const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_load_response); });
+} // namespace
+
+c2d_status reduce(const Reduction& r) {
+  const c2d_status status = reduce_once(r);
+  if (kSmallCode || !r.sliding || status != C2D_ERR_SINGULAR) return status;
+  Reduction sticking = r;
+  sticking.sliding = false;
+  return reduce_once(sticking);
+}
+
+c2d_status reduce_loads(const Reduction& as_given) {
+  Reduction r = as_given;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(r.tape, r.strip, &r.sliding);
+  if (status == C2D_OK) status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_load_response); });
   const Step steps[] = {form_closing, read_compliance, factor_bordered, form_rates};
   return status == C2D_OK ? take_steps(r, steps) : status;
 }

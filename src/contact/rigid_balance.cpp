@@ -1,6 +1,7 @@
 #include "contact/rigid_balance.hpp"
 
 #include "contact/body_unknowns.hpp"
+#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "linalg/dense.hpp"
 
@@ -31,22 +32,27 @@ c2d_status read_on_pairs(const Reduction& r, BodyMatrix matrix, BodyMotion of, R
   return status;
 }
 
-// T (I - R R^T) for one motion, in column 0 of the strip.
+bool slides(const Reduction& r, int32_t dof) { return !kSmallCode && r.sliding && is_sliding_slot(r.model, dof); }
+// Columns of T, and the slot of one.
+int32_t columns_of(const Reduction& r) { return !kSmallCode && r.sliding ? given_slots(r.model) : contact_unknowns(r.tape); }
+int32_t slot_of(const Reduction& r, int32_t j) { return !kSmallCode && r.sliding ? given_slot(r.model, j) : j; }
+
+// T (I - R R^T) for one motion, in column 0 of the strip; what slides goes along.
 void remove_motion(const Reduction& r, Real* t, int64_t ld) {
-  const int32_t m = contact_unknowns(r.tape);
+  const int32_t m = contact_unknowns(r.tape), columns = columns_of(r);
   const Real* motion = strip_column(r, 0);
   Real* response = strip_column(r, 1);
-  for (int32_t i = 0; i < m; ++i) response[i] = 0;
-  for (int32_t j = 0; j < m; ++j)
-    for (int32_t i = 0; i < m; ++i) response[i] += motion[j] * t[j * ld + i];
-  for (int32_t j = 0; j < m; ++j)
-    for (int32_t i = 0; i < m; ++i) t[j * ld + i] -= response[i] * motion[j];
+  for (int32_t i = 0; i < m; ++i) response[i] = slides(r, i) ? -motion[i] : Real(0);
+  for (int32_t j = 0; j < columns; ++j)
+    for (int32_t i = 0; i < m; ++i) response[i] += motion[slot_of(r, j)] * t[j * ld + i];
+  for (int32_t j = 0; j < columns; ++j)
+    for (int32_t i = 0; i < m; ++i) t[j * ld + i] -= response[i] * motion[slot_of(r, j)];
 }
 
 // (I - Q Q^T) T for one resultant, in column 0 of the strip.
 void remove_resultant(const Reduction& r, Real* t, int64_t ld) {
   const int32_t m = contact_unknowns(r.tape);
-  for (int32_t j = 0; j < m; ++j) subtract(m, t + j * ld, product(strip_column(r, 0), t + j * ld, m), strip_column(r, 0));
+  for (int32_t j = 0; j < columns_of(r); ++j) subtract(m, t + j * ld, product(strip_column(r, 0), t + j * ld, m), strip_column(r, 0));
 }
 
 // The few motions of one body; boards have no product for more.
@@ -77,19 +83,53 @@ c2d_status read_factors(const Reduction& r, ContactMatrix matrix, Factors& out) 
   for (int64_t i = 0; i < m * n; ++i) out.part[i] = 0;
   return status;
 }
+// R in the rows of T's columns alone, and what of it slides as the product to begin with.
+void keep_given(const Reduction& r, Factors& f) {
+  const int64_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
+  for (int64_t k = 0; k < n; ++k)
+    for (int32_t i = 0; i < m; ++i)
+      if (slides(r, i)) f.part[k * m + i] = f.x[k * m + i];
+  for (int32_t j = 0; j < columns_of(r); ++j)
+    for (int64_t k = 0; k < n; ++k) {
+      f.x[k * m + j] = f.x[k * m + slot_of(r, j)];
+      f.across[j * n + k] = -f.x[k * m + j];
+    }
+}
 
 c2d_status remove_together(const Reduction& r, Real* t, int64_t ld) {
-  const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
+  const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape), columns = columns_of(r);
   Factors f;
   c2d_status status = read_factors(r, ContactMatrix::motions, f);
   if (status != C2D_OK) return status;
-  gemm_minus(r.engine, m, n, m, t, ld, f.x, m, f.part, m);
-  gemm_minus(r.engine, m, m, n, f.part, m, f.across, n, t, ld);
+  if (!kSmallCode && r.sliding) keep_given(r, f);
+  gemm_minus(r.engine, m, n, columns, t, ld, f.x, m, f.part, m);
+  gemm_minus(r.engine, m, columns, n, f.part, m, f.across, n, t, ld);
   status = read_factors(r, ContactMatrix::resultants, f);
   if (status != C2D_OK) return status;
-  gemm_minus(r.engine, n, m, m, f.across, n, t, ld, f.part, n);
-  gemm_minus(r.engine, m, m, n, f.x, m, f.part, n, t, ld);
+  gemm_minus(r.engine, n, columns, m, f.across, n, t, ld, f.part, n);
+  gemm_minus(r.engine, m, columns, n, f.x, m, f.part, n, t, ld);
   return C2D_OK;
+}
+
+// R without friction is orthonormal in the slots that are given. False: hardly any of them moves where others do.
+constexpr double kSlidesFreely = 1e4;
+bool orthonormalise_given(const Reduction& r, Real* motions, Real* scratch) {
+  const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape), given = given_slots(r.model), rest = m - given;
+  Real *x = scratch, *y = x + static_cast<int64_t>(given) * n;
+  scratch = y + static_cast<int64_t>(rest) * n;
+  const auto pass = [&](bool in) { // to x and y, or back
+    for (int64_t k = 0; k < n; ++k)
+      for (int32_t i = 0, at = 0, out = 0; i < m; ++i) {
+        Real &place = slides(r, i) ? y[k * rest + out++] : x[k * given + at++], &own = motions[k * m + i];
+        (in ? place : own) = in ? own : place;
+      }
+  };
+  pass(true);
+  if (!orthonormalise(r.engine, given, n, x, rest, y, scratch)) return false;
+  for (int64_t k = 0; k < n; ++k)
+    if (!(product(y + k * rest, y + k * rest, rest) < kSlidesFreely * kSlidesFreely)) return false;
+  pass(false);
+  return true;
 }
 
 } // namespace
@@ -106,7 +146,11 @@ c2d_status join_motions(const Reduction& r) {
   }
   if (status != C2D_OK) return status;
   Real* scratch = resultants + static_cast<int64_t>(count) * m; // m n + m^2 <= (m + n)^2
-  if (!orthonormalise(r.engine, m, count, motions, 0, nullptr, scratch)) return C2D_ERR_SINGULAR;
+  for (int32_t i = 0; i < m && !kSmallCode && r.sliding; ++i)
+    for (int32_t j = 0; j < count && slides(r, i); ++j) resultants[static_cast<int64_t>(j) * m + i] = 0;
+  const bool apart = !kSmallCode && r.sliding ? orthonormalise_given(r, motions, scratch)
+                                              : orthonormalise(r.engine, m, count, motions, 0, nullptr, scratch);
+  if (!apart) return C2D_ERR_SINGULAR;
   if (!orthonormalise(r.engine, m, count, resultants, count, mix, scratch)) return C2D_ERR_SINGULAR;
   status = write_matrix(r.tape, ContactMatrix::motions, motions, m);
   if (status == C2D_OK) status = write_matrix(r.tape, ContactMatrix::resultants, resultants, m);
@@ -133,7 +177,7 @@ c2d_status given_resultants(const Reduction& r, int32_t k, Real* out) {
 c2d_status balance_stiffness(const Reduction& r, Real* t, int64_t ld) {
   const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
   const c2d_status status = kSmallCode || n <= kMostMotions ? remove_one_by_one(r, t, ld) : remove_together(r, t, ld);
-  for (int32_t j = 0; j < m && n >= m; ++j) // only motions
+  for (int32_t j = 0; j < m && n >= m; ++j) // only motions, and all slots are given (has_sliding_form)
     for (int32_t i = 0; i < m; ++i) t[j * ld + i] = 0;
   return status;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "contact/frictionless.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -236,21 +237,44 @@ void hold_slide(Tableau& t) {
     }
 }
 
-c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
-  if (!kSmallCode) t.smooth = false, t.delayed.cols = t.n, t.delayed.count = 0;
+bool is_smooth(const Tableau& t) {
+  bool smooth = delays(t);
+  for (int32_t i = 0; i < t.pairs && smooth; ++i) smooth = t.pair[i].tangential == 0 || t.pair[i].mu == 0.0;
+  return smooth;
+}
+
+// The last slot of a pair that has a column.
+int last_slot(const Tableau& t, const Pair& pair) { return has_normal_columns(t) ? 0 : pair.tangential; }
+
+c2d_status load_columns(Tableau& t, const ContactTape& tape) {
   c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < t.n && status == C2D_OK; ++j) status = read_column(tape, ContactMatrix::stiffness, j, column(t, j));
-  if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
+  if (!kSmallCode) {
+    status = read_form(tape, t.t, &t.smooth);
+    C2D_ASSERT(!t.smooth || is_smooth(t)); // solver/prepare.cpp
+    t.delayed.cols = t.smooth ? t.pairs : t.n;
+    t.delayed.count = 0;
+  }
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot)
+      status = read_column(tape, ContactMatrix::stiffness, t.pair[i].dof + slot, column(t, column_of(t, i, slot)));
+  return status == C2D_OK ? read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m) : status;
+}
+
+c2d_status load_start(Tableau& t, const ContactTape& tape) {
+  const c2d_status status = load_columns(t, tape);
   if (status != C2D_OK) return status;
-  t.stiffness = 0.0;
   for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
-  for (int32_t i = 0; i < t.n; ++i)
-    if (fabs(static_cast<double>(entry(t, i, i))) > t.stiffness) t.stiffness = fabs(static_cast<double>(entry(t, i, i)));
+  const auto own = [&t](int32_t i, int slot) {
+    return fabs(static_cast<double>(entry(t, t.pair[i].dof + slot, column_of(t, i, slot))));
+  };
+  t.stiffness = 0.0;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= last_slot(t, t.pair[i]); ++slot) t.stiffness = fmax(t.stiffness, own(i, slot));
   if (!(t.stiffness > 0.0)) t.stiffness = 1.0; // pairs that hold a body and nothing else
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
-      const double own = fabs(static_cast<double>(entry(t, t.pair[i].dof + slot, t.pair[i].dof + slot)));
-      t.pair[i].stiffness[slot] = static_cast<Real>(fmax(own, kLeastStiffness * t.stiffness));
+      const double alone = own(i, slot <= last_slot(t, t.pair[i]) ? slot : 0);
+      t.pair[i].stiffness[slot] = static_cast<Real>(fmax(alone, kLeastStiffness * t.stiffness));
     }
   hold_slide(t);
   return C2D_OK;
@@ -271,9 +295,10 @@ void impose_contact(Tableau& t) {
     if (pair.status == C2D_OPEN) continue;
     const double normal = -pair.gap / t.length_unit;
     const double tangential = pair.tangential && pair.status == C2D_STICK ? pair.offset : 0.0;
-    for (int32_t row = 0; row < t.m && normal != 0.0; ++row) c[row] += static_cast<Real>(normal) * entry(t, row, pair.dof);
+    for (int32_t row = 0; row < t.m && normal != 0.0; ++row)
+      c[row] += static_cast<Real>(normal) * entry(t, row, column_of(t, i, 0));
     for (int32_t row = 0; row < t.m && tangential != 0.0; ++row)
-      c[row] += static_cast<Real>(tangential) * entry(t, row, pair.dof + 1);
+      c[row] += static_cast<Real>(tangential) * entry(t, row, column_of(t, i, 1));
   }
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
@@ -286,6 +311,7 @@ struct Slot {
   Pair* pair;
   int which;
   int32_t dof() const { return pair->dof + which; }
+  int32_t column(const Tableau& t) const { return column_of(t, static_cast<int32_t>(pair - t.pair), which); }
   void is_done() const { pair->mark.exchanged = static_cast<uint8_t>(pair->mark.exchanged | 1 << which) & 3; }
 };
 bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.mark.exchanged >> which & 1) != 0; }
@@ -309,7 +335,7 @@ double largest_pivot(Tableau& t, Slot* row, Slot* column) {
   apply_list(t);
   visit_leaving(t, [&](const Slot& c) {
     visit_leaving(t, [&](const Slot& r) {
-      const double size = fabs(static_cast<double>(entry(t, r.dof(), c.dof())));
+      const double size = fabs(static_cast<double>(entry(t, r.dof(), c.column(t))));
       if (size <= best) return;
       best = size;
       *row = r;
@@ -328,17 +354,18 @@ void swap_rows(const Tableau& t, int32_t a, int32_t b) {
   }
   if (delays(t)) read_own(t);
 }
-void swap_columns(const Tableau& t, int32_t a, int32_t b) {
-  for (int32_t i = 0; i < t.m; ++i) {
-    const Real kept = entry(t, i, a);
-    column(t, a)[i] = entry(t, i, b);
-    column(t, b)[i] = kept;
-  }
-}
-
 Slot slot_of(const Tableau& t, int32_t dof) {
   for (int32_t i = 0;; ++i)
     if (dof <= t.pair[i].dof + t.pair[i].tangential) return {&t.pair[i], dof - t.pair[i].dof};
+}
+
+void swap_columns(const Tableau& t, int32_t a, int32_t b) {
+  Real *first = slot_column(t, a), *second = slot_column(t, b);
+  for (int32_t i = 0; i < t.m; ++i) {
+    const Real kept = first[i];
+    first[i] = second[i];
+    second[i] = kept;
+  }
 }
 
 // Pivots off the diagonal leave the columns that left in each other's places.
@@ -370,7 +397,7 @@ int32_t slots_left(const Tableau& t, int32_t left[kMostResting]) {
 // Exchanges all slots that must leave the all-stick basis, but for left[0 .. count): false, if others have no pivot.
 bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kMostResting], int32_t* count) {
   for (int32_t i = 0; i < t.pairs; ++i) {
-    t.pair[i].mark.exchanged = 0;
+    t.pair[i].mark.exchanged = has_normal_columns(t) ? 2 : 0; // slipping, it has left already
     for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
   }
   for (;;) {
@@ -392,15 +419,9 @@ bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kMostResting], 
   return true;
 }
 
-bool is_smooth(const Tableau& t) {
-  bool smooth = delays(t);
-  for (int32_t i = 0; i < t.pairs && smooth; ++i) smooth = t.pair[i].tangential == 0 || t.pair[i].mu == 0.0;
-  return smooth;
-}
-
 // Without friction no column of a tangential slot is looked at again.
 void leave_normal_columns(Tableau& t) {
-  if (kSmallCode) return;
+  if (kSmallCode || t.smooth) return;
   t.smooth = is_smooth(t);
   if (!t.smooth) return;
   for (int32_t i = 0; i < t.pairs; ++i)
@@ -429,7 +450,7 @@ struct GuidedSticks {
 
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) {
   const GuidedSticks guided(t);
-  const c2d_status status = load_all_stick(t, tape);
+  const c2d_status status = load_start(t, tape);
   if (status != C2D_OK) return status;
   if (delays(t)) read_own(t);
   impose_contact(t);
@@ -457,6 +478,10 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
 }
 
 // ---- reading ------------------------------------------------------------------------------------------------------
+
+Real* slot_column(const Tableau& t, int32_t slot) {
+  return column(t, has_normal_columns(t) ? slot_of(t, slot).column(t) : slot);
+}
 
 template <bool hostile> int32_t longest_list(int64_t all) {
   if constexpr (hostile)

@@ -53,6 +53,8 @@ inline bool has_normal_columns(const Tableau& t) { return !kSmallCode && t.smoot
 inline int32_t column_of(const Tableau& t, int32_t pair, int slot) {
   return has_normal_columns(t) ? pair : t.pair[pair].dof + slot;
 }
+// Where the column of a slot begins.
+Real* slot_column(const Tableau& t, int32_t slot);
 // T of a slot by itself, and of its row by the other slot of the pair; y += factor times a column: whatever the list holds.
 // With an empty list T is in t.t.
 inline Real own_entry(const Tableau& t, int32_t slot) {
@@ -66,8 +68,8 @@ void apply_list(Tableau& t);
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
 constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
 
-// The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
-// the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses
+// The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from that on the tape, where all pairs
+// stick or, without friction, slip (contact/frictionless.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses
 // leave a motion free (*culprit: a pair that should have been released), unless no pair touches (contact/let_go.hpp).
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);
 

@@ -5,6 +5,7 @@
 
 #include "bie/columns.hpp"
 #include "contact/body_unknowns.hpp"
+#include "contact/frictionless.hpp"
 #include "contact/let_go.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
@@ -145,6 +146,10 @@ c2d_status build_judge(c2d_solver* s) {
   }
   c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
+  bool sliding = false;
+  if (!kSmallCode && status == C2D_OK) status = read_form(session.tape, session.area.column, &sliding);
+  for (int32_t i = 0; i < m && sliding; ++i) // w_t stands where q, which is zero, does else
+    if (is_sliding_slot(session.model, i)) book.stick[i] = -session.area.y[i];
   // v' in the place of v: so that the equations hold whatever the motions x are.
   if (status == C2D_OK)
     status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);

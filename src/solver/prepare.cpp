@@ -3,6 +3,7 @@
 
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
+#include "contact/frictionless.hpp"
 #include "contact/reduction.hpp"
 #include "contact/reduction_plan.hpp"
 #include "memory/hostile.hpp"
@@ -354,6 +355,17 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
+// In none of the runs that the model names do pairs rub that may change, and no body slides freely.
+bool is_frictionless(c2d_solver* s, const Model& m) {
+  if (!has_sliding_form(m) || s->model.coefficients == 0) return false;
+  for (int32_t zone = 0; zone < s->model.zones; ++zone)
+    for (int32_t i = 0; i < s->model.coefficients && m.zone[zone].is_tied == 0; ++i)
+      if (coefficient_of_zone(s, zone, i) != 0.0) return false;
+  Session session;
+  open_session(s, session);
+  return session.free_body.slides == 0;
+}
+
 [[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
   clear_phases(s);
@@ -370,7 +382,8 @@ c2d_status tick(void* context) {
                             sizes.widest + sizes.motions,
                             s,
                             tick,
-                            engine_beside(s, sizes, s->instructions, bytes, &scratch)};
+                            engine_beside(s, sizes, s->instructions, bytes, &scratch),
+                            !kSmallCode && !loads_only && is_frictionless(s, m)};
   const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
