@@ -21,6 +21,17 @@ int32_t pair_of_slot(const Model& m, int32_t dof) {
 
 } // namespace
 
+int32_t first_sliding_slot(const Model& m) {
+  for (int32_t i = 0; i < m.head->path_pairs; ++i)
+    if (m.pair[i].tangential != 0) return m.pair[i].dof + 1;
+  return -1;
+}
+
+bool has_sliding_form(const Model& m) {
+  const bool large = delayed_exchanges(m.head->contact) > 0;
+  return !kSmallCode && large && m.head->motions < m.head->contact && first_sliding_slot(m) >= 0;
+}
+
 bool is_sliding_slot(const Model& m, int32_t dof) {
   return dof < m.head->path_unknowns && m.pair[pair_of_slot(m, dof)].dof != dof;
 }
@@ -40,11 +51,9 @@ int32_t given_number(const Model& m, int32_t dof) {
 
 c2d_status read_form(const ContactTape& tape, Real* column, bool* sliding) {
   const Model& m = *tape.model;
-  int32_t pair = 0;
-  while (pair < m.head->path_pairs && m.pair[pair].tangential == 0) ++pair;
-  *sliding = has_sliding_form(m) && pair < m.head->path_pairs;
+  *sliding = has_sliding_form(m);
   if (!*sliding) return C2D_OK;
-  const c2d_status status = read_column(tape, ContactMatrix::stiffness, m.pair[pair].dof + 1, column);
+  const c2d_status status = read_column(tape, ContactMatrix::stiffness, first_sliding_slot(m), column);
   for (int32_t i = 0; i < m.head->contact && status == C2D_OK; ++i) *sliding = *sliding && column[i] == 0;
   return status;
 }

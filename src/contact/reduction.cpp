@@ -377,9 +377,7 @@ c2d_status form_rates(const Reduction& r) {
 }
 
 // Columns of T and X side by side in r.second: of all slots, or of those that are given.
-int32_t solved_columns(const Reduction& r) {
-  return !kSmallCode && r.sliding ? given_slots(r.model) : r.model.head->contact;
-}
+int32_t solved_columns(const Reduction& r) { return !kSmallCode && r.sliding ? given_slots(r.model) : r.model.head->contact; }
 Real* solved_column(const Bordered& s, int32_t dof) {
   if (slides(s.r, dof)) return nullptr;
   return s.r.second + (!kSmallCode && s.r.sliding ? given_number(s.r.model, dof) : dof) * s.n();

@@ -52,7 +52,8 @@ void remove_motion(const Reduction& r, Real* t, int64_t ld) {
 // (I - Q Q^T) T for one resultant, in column 0 of the strip.
 void remove_resultant(const Reduction& r, Real* t, int64_t ld) {
   const int32_t m = contact_unknowns(r.tape);
-  for (int32_t j = 0; j < columns_of(r); ++j) subtract(m, t + j * ld, product(strip_column(r, 0), t + j * ld, m), strip_column(r, 0));
+  for (int32_t j = 0; j < columns_of(r); ++j)
+    subtract(m, t + j * ld, product(strip_column(r, 0), t + j * ld, m), strip_column(r, 0));
 }
 
 // The few motions of one body; boards have no product for more.

@@ -250,7 +250,7 @@ c2d_status load_columns(Tableau& t, const ContactTape& tape) {
   c2d_status status = C2D_OK;
   if (!kSmallCode) {
     status = read_form(tape, t.t, &t.smooth);
-    C2D_ASSERT(!t.smooth || is_smooth(t)); // solver/prepare.cpp
+    t.smooth = t.smooth && is_smooth(t); // but in what a stranger may have saved it is
     t.delayed.cols = t.smooth ? t.pairs : t.n;
     t.delayed.count = 0;
   }

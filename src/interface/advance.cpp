@@ -8,6 +8,7 @@
 #include "model/validate.hpp"
 #include "solver/judge.hpp"
 #include "solver/load_path.hpp"
+#include "solver/prepare.hpp"
 
 namespace c2d {
 
@@ -26,7 +27,8 @@ c2d_status begin(Session& session) {
   c2d_solver* s = session.solver;
   const double start = kSmallCode ? 0.0 : clock_now(s); // (boards have no room for it)
   s->state = C2D_STATE_RUNNING;
-  const c2d_status status = begin_path(session);
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : allow_friction(s);
+  if (status == C2D_OK) status = begin_path(session);
   if (!kSmallCode) s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   return status;
 }

@@ -192,7 +192,7 @@ c2d_status build_energy(c2d_solver* s) {
   const EnergyBook book = energy_book(s);
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     tell_progress(s, C2D_PHASE_REDUCE, 0, k, 2 * static_cast<int64_t>(book.cases));
-    if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
+    if ((kSmallCode || s->state == C2D_STATE_MODEL) && asked_to_stop(s)) return C2D_ERR_CANCELLED; // (allow_friction)
     const c2d_status status =
         build_functional(session, k / 2, k % 2 == 1, book.of_contact + 2 * static_cast<int64_t>(k) * book.m,
                          book.of_loads + static_cast<int64_t>(k) * book.cases);

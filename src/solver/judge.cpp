@@ -148,6 +148,7 @@ c2d_status build_judge(c2d_solver* s) {
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
   bool sliding = false;
   if (!kSmallCode && status == C2D_OK) status = read_form(session.tape, session.area.column, &sliding);
+  if (!kSmallCode) s->sliding = sliding;
   for (int32_t i = 0; i < m && sliding; ++i) // w_t stands where q, which is zero, does else
     if (is_sliding_slot(session.model, i)) book.stick[i] = -session.area.y[i];
   // v' in the place of v: so that the equations hold whatever the motions x are.

@@ -366,7 +366,9 @@ bool is_frictionless(c2d_solver* s, const Model& m) {
   return session.free_body.slides == 0;
 }
 
-[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+using Tick = c2d_status (*)(void* context);
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only,
+                                           bool sliding, Tick tick) {
   if (m.head->contact == 0) return C2D_OK;
   clear_phases(s);
   ReductionArea area;
@@ -383,7 +385,7 @@ bool is_frictionless(c2d_solver* s, const Model& m) {
                             s,
                             tick,
                             engine_beside(s, sizes, s->instructions, bytes, &scratch),
-                            !kSmallCode && !loads_only && is_frictionless(s, m)};
+                            sliding};
   const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
@@ -392,7 +394,8 @@ bool is_frictionless(c2d_solver* s, const Model& m) {
 
 c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   c2d_status status = eliminate_bodies(s, m, sizes, loads_only);
-  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
+  const bool sliding = !kSmallCode && !loads_only && is_frictionless(s, m);
+  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only, sliding, tick);
   clear_phases(s);
   return status;
 }
@@ -510,6 +513,52 @@ c2d_status prepare_once(c2d_solver* s) {
 }
 
 } // namespace
+
+namespace {
+
+c2d_status tell(void* context) {
+  tell_progress(static_cast<c2d_solver*>(context), C2D_PHASE_REDUCE, 0, 0, 0);
+  return C2D_OK;
+}
+
+// From the bodies' equations on the tape. Until all of it is written the tape has what neither form does: where that is left,
+// match_saved begins again.
+[[gnu::noinline]] c2d_status change_form(c2d_solver* s, bool sliding) {
+  Session session;
+  open_session(s, session);
+  const Model& m = session.model;
+  Real* const column = session.area.column;
+  for (int32_t i = 0; i < m.head->contact; ++i) column[i] = 1;
+  const c2d_status status = write_column(session.tape, ContactMatrix::stiffness, first_sliding_slot(m), column);
+  return status == C2D_OK ? reduce_bodies(s, m, model_sizes(m), false, sliding, tell) : status;
+}
+
+bool rubs(const Model& m) {
+  for (int32_t i = 0; i < m.head->path_pairs; ++i)
+    if (m.pair[i].tangential != 0 && m.pair[i].mu != 0.0) return true;
+  return false;
+}
+
+} // namespace
+
+c2d_status allow_friction(c2d_solver* s) {
+  if (kSmallCode || s->sliding == 0 || !rubs(model_of(s))) return C2D_OK;
+  c2d_status status = change_form(s, false);
+  if (status == C2D_OK) status = build_judge(s);
+  return status == C2D_OK && s->keeps_energy ? kEnergyPart.build_energy(s) : status;
+}
+
+c2d_status match_saved(c2d_solver* s, bool* again) {
+  *again = false;
+  if (kSmallCode || s->blocked) return C2D_OK;
+  Session session;
+  open_session(s, session);
+  if (!has_sliding_form(session.model)) return C2D_OK;
+  bool sliding = false;
+  const c2d_status status = read_form(session.tape, session.area.column, &sliding);
+  *again = status == C2D_OK && sliding != (s->sliding != 0);
+  return *again ? change_form(s, !sliding) : status;
+}
 
 c2d_status prepare(c2d_solver* s) {
   if constexpr (kHostile) rehearse(s, prepare_once);

@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "contact/frictionless.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"
 #include "solver/energy.hpp"
@@ -262,6 +263,7 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
   const bool within = all_within({{s->blocked, blocked, blocked},
                                   {s->keeps_flexibility, 0, 1},
                                   {s->keeps_energy, 0, 1},
+                                  {s->sliding, 0, has_sliding_form(m) ? 1 : 0},
                                   {s->options.keep_factors, 0, 1},
                                   {s->factors, 0, s->options.keep_factors},
                                   {s->loads_changed, 0, 0},
@@ -437,6 +439,16 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
     if (tape != C2D_TAPE_CONTROL && record.is_open[tape])
       status = open_tape(tapes, tape, record.blocks[tape], record.block_bytes[tape] - kBlockHeaderBytes);
     if (status != C2D_OK) return status;
+  }
+  bool again = false;
+  const c2d_options options_now = s->options;
+  const int32_t factors = s->factors;
+  if (!kSmallCode) status = match_saved(s, &again);
+  if (again && status == C2D_OK) status = read_image(s, slots, record, piece, true);
+  if (status != C2D_OK) return status;
+  s->options = options_now;
+  s->factors = factors;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     tapes.writes[tape] = record.writes[tape];
     tapes.reads[tape] = record.reads[tape];
     tapes.bytes_written[tape] = record.bytes_written[tape];

@@ -1,0 +1,253 @@
+// The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
+// one of its coefficients is not zero.
+#include "family_runs.hpp"
+#include "solver/solver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace runs;
+
+namespace {
+
+constexpr double kAlike = sizeof(c2d::Real) == 8 ? 1e-9 : 1e-2;
+
+// A family's deck with these coefficients of friction.
+Deck deck_of(const std::string& name, const std::vector<std::string>& settings, const std::string& friction) {
+  std::string text, error;
+  REQUIRE(families::make_deck(name, settings, text, error));
+  Deck deck;
+  std::istringstream in(text);
+  bool next = false;
+  for (std::string line; std::getline(in, line); next = line == "! coefficients of friction")
+    deck.lines.push_back(next ? friction : line);
+  return deck;
+}
+
+struct Solver {
+  RamStore own, &store;
+  c2d_port port = C2D_INIT(c2d_port);
+  Deck deck;
+  std::unique_ptr<Machine> machine;
+  c2d_solver* s = nullptr;
+
+  explicit Solver(const Deck& d, bool least = false, RamStore* other = nullptr) : store(other ? *other : own), deck(d) {
+    store.serve(port);
+    const host::Limits limits = deck.limits();
+    uint64_t minimum = 0, in_core = 0;
+    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
+    machine = std::make_unique<Machine>(limits, least ? minimum : in_core, &port);
+    REQUIRE(machine->created == C2D_OK);
+    s = machine->solver;
+    c2d_options options = C2D_INIT(c2d_options);
+    options.keep_factors = 1;
+    REQUIRE(c2d_set_options(s, &options) == C2D_OK);
+    REQUIRE(read_deck(s, deck) == C2D_OK);
+  }
+  Solver& prepared() {
+    REQUIRE(c2d_prepare(s) == C2D_OK);
+    return *this;
+  }
+  void begin(double mu) { REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK); }
+  void advance(double load) {
+    const std::vector<double> loads(static_cast<size_t>(summary_of(s).load_cases), load);
+    c2d_outcome outcome = C2D_UNDECIDED;
+    REQUIRE(c2d_advance(s, loads.data(), static_cast<int32_t>(loads.size()), &outcome) == C2D_OK);
+    CHECK(outcome == C2D_REACHED);
+  }
+  // Pairs and boundary as they stand.
+  Numbers now() {
+    Numbers out;
+    const size_t pairs = static_cast<size_t>(summary_of(s).pairs);
+    out.steps.resize(pairs * C2D_PAIR_FIELDS);
+    for (int32_t f = 0; f < C2D_PAIR_FIELDS; ++f)
+      REQUIRE(c2d_get(s, f, 1, 1, static_cast<int32_t>(pairs), out.steps.data() + static_cast<size_t>(f) * pairs, 1) == C2D_OK);
+    REQUIRE(get_boundary(s, out) == C2D_OK);
+    return out;
+  }
+  Numbers follow(double mu) {
+    begin(mu);
+    advance(0.4);
+    advance(1);
+    return now();
+  }
+};
+
+// The largest difference of these fields of the pairs, over the largest number in any of them.
+double difference(const Numbers& a, const Numbers& b, std::initializer_list<int32_t> fields) {
+  REQUIRE(a.steps.size() == b.steps.size());
+  const size_t pairs = a.steps.size() / C2D_PAIR_FIELDS;
+  double most = 0, size = 0;
+  for (const int32_t f : fields)
+    for (size_t i = static_cast<size_t>(f) * pairs; i < static_cast<size_t>(f + 1) * pairs; ++i) {
+      most = std::max(most, std::fabs(a.steps[i] - b.steps[i]));
+      size = std::max(size, std::fabs(b.steps[i]));
+    }
+  return most / size;
+}
+// The same of the boundary: all kinds of numbers, by the largest of the kind.
+double boundary_difference(const Numbers& a, const Numbers& b) {
+  REQUIRE(a.boundary.size() == b.boundary.size());
+  double most = 0, size = 0;
+  for (size_t i = 0; i < a.boundary.size(); ++i) {
+    most = std::max(most, std::fabs(a.boundary[i] - b.boundary[i]));
+    size = std::max(size, std::fabs(b.boundary[i]));
+  }
+  return most / size;
+}
+
+} // namespace
+
+TEST_CASE("frictionless: the same numbers as with pairs that could rub") {
+  const struct {
+    const char* name;
+    std::vector<std::string> settings;
+    bool sliding;
+  } models[] = {
+      {"hertz", {"n=70"}, true},                                            // a free body
+      {"hertz", {"n=70", "order=2", "symmetry=line"}, true},                // and pairs without a tangent
+      {"layer_lifted", {"n=12"}, true},                                     // pairs that lift
+      {"receding_layer", {"n=20"}, true},                                   //
+      {"disc_in_hole", {"n=100"}, true},                                    // all round
+      {"rollers", {"n=12"}, true},                                          // several bodies, most of them free
+      {"coating", {"n=24"}, true},                                          // a tie
+      {"coating", {"n=24", "bond=free"}, true},                             //
+      {"shrink", {"n=40"}, true},                                           // an overlap that is closed, and a tie
+      {"bearing", {"n=6"}, true},                                           // rigid rings
+      {"crack", {"order=3", "shape=edge", "bending=1", "tension=0"}, true}, //
+      {"stack", {"n=100", "plates=2", "q=0"}, false},                       // slides freely,
+      {"stack", {"n=60", "plates=3", "q=0"}, false},                        // on another that does
+  };
+  for (const auto& model : models) {
+    CAPTURE(std::string(model.name));
+    CAPTURE(model.settings.front());
+    Solver without(deck_of(model.name, model.settings, "1 0")), with(deck_of(model.name, model.settings, "2 0 0.3"));
+    with.prepared();
+    without.prepared();
+    REQUIRE(summary_of(with.s).contact_unknowns >= 160);
+    CHECK(with.s->sliding == 0);
+    CHECK((without.s->sliding != 0) == model.sliding);
+    const Numbers a = without.follow(0), b = with.follow(0);
+    CHECK(a.outcome == C2D_REACHED);
+    CHECK(difference(a, b, {C2D_STATUS}) == 0);
+    CHECK(difference(a, b, {C2D_TN, C2D_TT}) < kAlike); // 2e-10 where a layer floats, else 7e-12
+    CHECK(difference(a, b, {C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_SLIP_SUM}) < kAlike);
+    CHECK(boundary_difference(a, b) < kAlike);
+  }
+}
+
+TEST_CASE("frictionless: friction that is told after the preparation") {
+  for (const char* name : {"hertz", "rollers"}) {
+    CAPTURE(std::string(name));
+    const std::vector<std::string> settings = {std::string(name) == "hertz" ? "n=70" : "n=12"};
+    Solver with(deck_of(name, settings, "2 0 0.3")), without(deck_of(name, settings, "1 0"));
+    with.prepared();
+    without.prepared();
+    const Numbers rubbing = with.follow(0.3), smooth = without.follow(0);
+    CHECK(without.s->sliding != 0);
+    without.begin(0); // that it is told again is nothing new
+    CHECK(without.s->sliding != 0);
+    REQUIRE(c2d_cancel(without.s) == C2D_OK);
+    without.begin(0.3); // nothing stops that, and no cancel is lost
+    CHECK(without.s->sliding == 0);
+    const std::vector<double> loads(static_cast<size_t>(summary_of(without.s).load_cases), 1);
+    c2d_outcome outcome = C2D_REACHED;
+    CHECK(c2d_advance(without.s, loads.data(), static_cast<int32_t>(loads.size()), &outcome) == C2D_ERR_CANCELLED);
+    CHECK(without.follow(0.3) == rubbing);
+    CHECK(without.follow(0) == with.follow(0));
+    CHECK(difference(without.now(), smooth, {C2D_TN, C2D_TT}) < kAlike);
+    CHECK(difference(smooth, rubbing, {C2D_TT}) > 1e-3);
+  }
+}
+
+TEST_CASE("frictionless: saved states go with either form of the tape") {
+  const Deck deck = deck_of("hertz", {"n=70"}, "1 0");
+  Solver plain(deck);
+  const Numbers smooth = plain.prepared().follow(0), rubbing = plain.follow(0.3);
+  Solver solver(deck);
+  solver.prepared().begin(0);
+  solver.advance(0.4);
+  REQUIRE(c2d_save(solver.s) == C2D_OK);
+  solver.follow(0.3);
+  REQUIRE(c2d_restore(solver.s) == C2D_OK); // the form of the state is back, and every bit
+  CHECK(solver.s->sliding != 0);
+  solver.advance(1);
+  CHECK(solver.now() == smooth);
+  solver.begin(0.3);
+  solver.advance(0.4);
+  REQUIRE(c2d_save(solver.s) == C2D_OK);
+  solver.follow(0);
+  REQUIRE(c2d_restore(solver.s) == C2D_OK);
+  CHECK(solver.s->sliding == 0);
+  solver.advance(1);
+  CHECK(solver.now() == rubbing);
+}
+
+TEST_CASE("frictionless: a prepared state serves a run with friction") {
+  Solver first(deck_of("hertz", {"n=70"}, "1 0"));
+  first.prepared();
+  REQUIRE(c2d_save(first.s) == C2D_OK);
+  Solver second(deck_of("hertz", {"n=70"}, "1 0.3"), false, &first.store), alone(deck_of("hertz", {"n=70"}, "1 0.3"));
+  REQUIRE(c2d_restore(second.s) == C2D_OK);
+  CHECK(second.s->sliding != 0);
+  Numbers a, b;
+  REQUIRE(run_prepared(second.s, a) == C2D_OK);
+  REQUIRE(run_prepared(alone.prepared().s, b) == C2D_OK);
+  CHECK(a == b);
+}
+
+TEST_CASE("frictionless: a store that fails while the contact system changes its form") {
+  const Deck deck = deck_of("hertz", {"n=64"}, "1 0");
+  Numbers smooth, rubbing;
+  size_t all = 0; // operations that the change takes
+  {
+    Solver solver(deck);
+    smooth = solver.prepared().follow(0);
+    const size_t before = solver.store.done.size();
+    solver.begin(0.3);
+    all = solver.store.done.size() - before;
+    rubbing = solver.follow(0.3);
+  }
+  Solver solver(deck);
+  solver.prepared().begin(0);
+  solver.advance(0.4);
+  REQUIRE(c2d_save(solver.s) == C2D_OK);
+  for (const double part : {0.0, 0.001, 0.3, 0.6, 0.8, 0.9, 0.95, 0.99}) {
+    CAPTURE(part);
+    const size_t at = solver.store.done.size() + static_cast<size_t>(part * static_cast<double>(all));
+    solver.store.before = [=](const RamStore::Operation&, size_t i) { return i >= at ? 7 : 0; };
+    const double mu = 0.3;
+    const c2d_status status = c2d_begin(solver.s, &mu, 1);
+    CHECK((status == C2D_ERR_STORE_READ || status == C2D_ERR_STORE_WRITE));
+    CHECK(c2d_get_state(solver.s) == C2D_STATE_BROKEN);
+    solver.store.before = nullptr;
+    REQUIRE(c2d_restore(solver.s) == C2D_OK);
+    solver.advance(1);
+    CHECK(solver.now() == smooth);
+  }
+  CHECK(solver.follow(0.3) == rubbing);
+}
+
+TEST_CASE("frictionless: new loads, the least memory") {
+  const Deck deck = deck_of("coating", {"n=24"}, "1 0");
+  Solver plain(deck), least(deck, true);
+  const Numbers smooth = plain.prepared().follow(0);
+  const Numbers narrow = least.prepared().follow(0);
+  CHECK(least.s->sliding != 0);
+  CHECK(difference(narrow, smooth, {C2D_TN, C2D_UN1, C2D_UT1}) < kAlike);
+  CHECK(least.machine->guards_are_whole());
+  REQUIRE(c2d_change_loads(plain.s) == C2D_OK);
+  plain.prepared();
+  CHECK(plain.s->sliding != 0);
+  const Numbers again = plain.follow(0);
+  CHECK(difference(again, smooth, {C2D_TN}) < kAlike);
+  CHECK(boundary_difference(again, smooth) < kAlike);
+  const Numbers late = plain.follow(0.3);
+  REQUIRE(c2d_change_loads(plain.s) == C2D_OK);
+  plain.prepared();
+  CHECK(plain.s->sliding == 0);
+  CHECK(difference(plain.follow(0.3), late, {C2D_TN, C2D_TT}) < kAlike);
+}
