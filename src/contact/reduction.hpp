@@ -8,9 +8,9 @@
 // x the motions of bodies that supports do not hold. Row i is the i-th equation of a body that keeps them, in the place of its
 // i-th unknown, or the pair's own. The solution is the tableau with every pair sticking,
 //   tau = T w' + sum_k lambda_k b_k,   x = X w' + sum_k lambda_k x_k.
-// Without friction it is that with every pair slipping, contact/frictionless.hpp: q and w_t of pairs that may change have changed
-// places in tau and w', and columns of what is zero there, in F, A, T and X, are zero on the tape.
-// The load case that closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
+// Without friction it is that with every pair slipping, contact/frictionless.hpp: q and w_t of pairs that may change have
+// changed places in tau and w', and columns of what is zero there, in F, A, T and X, are zero on the tape. The load case that
+// closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
 #include "contact/contact_tape.hpp"
 #include "linalg/lu.hpp"
 #include "model/model.hpp"

@@ -69,8 +69,9 @@ inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<
 constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from that on the tape, where all pairs
-// stick or, without friction, slip (contact/frictionless.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses
-// leave a motion free (*culprit: a pair that should have been released), unless no pair touches (contact/let_go.hpp).
+// stick or, without friction, slip (contact/frictionless.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block
+// store's; C2D_ERR_SINGULAR if the statuses leave a motion free (*culprit: a pair that should have been released), unless no
+// pair touches (contact/let_go.hpp).
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);
 
 // Change one pair's status. `sign`: of friction on body 2, for slip. `at`: w_t at which it will stick, for stick.

@@ -29,10 +29,10 @@ struct c2d_solver {
   c2d::ModelHeader model;
   c2d_options options;
   // written by c2d_prepare
-  int32_t blocked;           // nothing holds some motion: c2d_advance says so at once
-  int8_t keeps_flexibility;  // the phase area has room for F
-  int8_t sliding;            // the contact system is that without friction (contact/frictionless.hpp)
-  int16_t keeps_energy;      // this program has calls that tell energies (solver/energy.hpp)
+  int32_t blocked;          // nothing holds some motion: c2d_advance says so at once
+  int8_t keeps_flexibility; // the phase area has room for F
+  int8_t sliding;           // the contact system is that without friction (contact/frictionless.hpp)
+  int16_t keeps_energy;     // this program has calls that tell energies (solver/energy.hpp)
   int32_t warnings;
   int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed; // since they were last validated
