@@ -311,7 +311,7 @@ struct Slot {
   Pair* pair;
   int which;
   int32_t dof() const { return pair->dof + which; }
-  int32_t column(const Tableau& t) const { return column_of(t, static_cast<int32_t>(pair - t.pair), which); }
+  int32_t column_in(const Tableau& t) const { return column_of(t, static_cast<int32_t>(pair - t.pair), which); }
   void is_done() const { pair->mark.exchanged = static_cast<uint8_t>(pair->mark.exchanged | 1 << which) & 3; }
 };
 bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.mark.exchanged >> which & 1) != 0; }
@@ -335,7 +335,7 @@ double largest_pivot(Tableau& t, Slot* row, Slot* column) {
   apply_list(t);
   visit_leaving(t, [&](const Slot& c) {
     visit_leaving(t, [&](const Slot& r) {
-      const double size = fabs(static_cast<double>(entry(t, r.dof(), c.column(t))));
+      const double size = fabs(static_cast<double>(entry(t, r.dof(), c.column_in(t))));
       if (size <= best) return;
       best = size;
       *row = r;
@@ -480,7 +480,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
 // ---- reading ------------------------------------------------------------------------------------------------------
 
 Real* slot_column(const Tableau& t, int32_t slot) {
-  return column(t, has_normal_columns(t) ? slot_of(t, slot).column(t) : slot);
+  return column(t, has_normal_columns(t) ? slot_of(t, slot).column_in(t) : slot);
 }
 
 template <bool hostile> int32_t longest_list(int64_t all) {
