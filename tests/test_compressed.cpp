@@ -745,7 +745,8 @@ TEST_CASE("compressed: every operation of the store fails, and the host cancels 
 }
 
 TEST_CASE("compressed: what is nothing but round-off below the smallest number has no column to keep") {
-  for (const c2d::Real size : {c2d::Real(0), std::numeric_limits<c2d::Real>::min()}) {
+  constexpr c2d::Real kLeast = std::numeric_limits<c2d::Real>::min();
+  for (const c2d::Real size : {c2d::Real(0), kLeast, std::sqrt(kLeast) / 4}) { // of the last the square is below it, and not 0
     Numbers a(12, size), w(static_cast<size_t>(c2d::rows_to_keep(4, 3) * 3)), x(15), norms(15);
     int32_t order[3];
     c2d::SampleSum sum = c2d::begin_samples(w.data(), 3, 4);

@@ -510,3 +510,11 @@ TEST_CASE("deck edges: a model that refuses everything is not asked for ever") {
   for (const Call& call : r.model.calls) asked += call.name == "point load";
   CHECK(asked == 101);
 }
+
+TEST_CASE("deck edges: of the first 128 zones none is named twice; beyond them nothing is looked after") {
+  List cards(140, "*ZONE 3 3 1 1");
+  cards.insert(cards.end(), {"*NAME ZONE 129 a", "*NAME ZONE 129 b", "*NAME ZONE 128 a"});
+  CHECK(behind(cards).status == C2D_OK);
+  cards.emplace_back("*NAME ZONE 128 b");
+  CHECK(contains_text(the_fault(behind(cards)).text, "zone 128 is named twice, expected one name"));
+}

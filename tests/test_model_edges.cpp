@@ -564,3 +564,45 @@ TEST_CASE("model edges: blocks that slide down their slopes are told the directi
   CHECK(motion[1] == doctest::Approx(-std::sqrt(0.5)));
   CHECK(motion[2] == 0);
 }
+
+// A disc that fills a hole, pressed all round and then sheared: it slips in places, and touches everywhere.
+TEST_CASE("model edges: in a ring that touches all round the zones of slip are seen from a border between them on") {
+  const auto told = [](int32_t elements, double shear) {
+    Model m;
+    std::vector<Corner> round, back;
+    for (int32_t i = 0; i < elements; ++i) {
+      const double angle = 2 * std::acos(-1.0) * i / elements;
+      round.push_back({std::cos(angle), std::sin(angle), 1});
+      back.push_back({std::cos(angle), -std::sin(angle), 1});
+    }
+    m.add(rectangle(-2, -2, 2, 2, {4, 4, 4, 4}));
+    add_polygon(m.body(1), back);
+    m.body(1).ends.resize(static_cast<size_t>(2 * m.body(1).elements()));
+    m.add(polygon(round));
+    m.zones.push_back({C2D_ZONE_MATCHING, {{1, 17, 16 + elements}, {2, elements, 1}}});
+    m.friction = 0.3;
+    m.cases = 2;
+    m.set(1, 1, end_of("0110")), m.set(1, 4, end_of("1001"));
+    m.set(1, 2, end_of(kPulled, -1)), m.set(1, 3, end_of(kPulled, 0, -1));
+    m.set_second(1, 1, end_of("0110", -1)), m.set_second(1, 4, end_of("1001", 0, -1));
+    m.set_second(1, 2, end_of(kPulled, 0, 1)), m.set_second(1, 3, end_of(kPulled, 1));
+    m.paths = {{1, 1, 0}, {2, 1, shear}, {1, 0.9, 0.9 * shear}};
+    return solve(m);
+  };
+  for (const double shear : {0.05, 0.6}) {
+    CAPTURE(shear);
+    const Result r = told(16, shear);
+    CAPTURE(r.messages());
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.outcome == C2D_REACHED);
+    REQUIRE(r.steps.size() == 4);
+    int slip = 0, open = 0;
+    for (const Row& row : r.steps[2].rows) {
+      const auto status = static_cast<int32_t>(row[C2D_STATUS]);
+      slip += status == C2D_SLIP, open += status == C2D_OPEN;
+    }
+    CHECK(open == 0);
+    CHECK((slip > 0) == (shear > 0.3)); // against 0.3 of a pressure of about 1; the supports take their part
+    CHECK(slip < 16);
+  }
+}
