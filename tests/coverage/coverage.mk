@@ -4,11 +4,6 @@
 # percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
 .PHONY: coverage coverage-table
 COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
-# Threads lose counts, and a difference of two of them may then come out below zero: here none is lost. (Everywhere the suite would
-# take more than twice as long.)
-ifneq ($(findstring -fprofile-instr-generate,$(CXXFLAGS)),)
-$(addprefix $(BUILD)/obj/,deck_%.o model_%.o report_%.o program_%.o results_interior_nodes.o): override CXXFLAGS += -fprofile-update=atomic
-endif
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
