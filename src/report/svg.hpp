@@ -69,6 +69,8 @@ public:
   // Path data of closed curves, for area and clip.
   void raw(const std::string& markup) { body_ += markup; }
 
+  double width() const { return width_; }
+  double height() const { return height_; }
   // The whole file, without an XML declaration; title and description for screen readers.
   std::string finish(const std::string& title, const std::string& description) const;
 
