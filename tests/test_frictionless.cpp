@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 using namespace runs;
 
 namespace {
 
+constexpr double kEpsilon = static_cast<double>(std::numeric_limits<c2d::Real>::epsilon());
 constexpr double kAlike = sizeof(c2d::Real) == 8 ? 1e-9 : 1e-2;
 
 // A family's deck with these coefficients of friction.
@@ -136,6 +138,23 @@ TEST_CASE("frictionless: the same numbers as with pairs that could rub") {
     CHECK(difference(a, b, {C2D_TN, C2D_TT}) < kAlike); // 2e-10 where a layer floats, else 7e-12
     CHECK(difference(a, b, {C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_SLIP_SUM}) < kAlike);
     CHECK(boundary_difference(a, b) < kAlike);
+  }
+}
+
+TEST_CASE("frictionless: bodies that are unloaded, and pressed again") {
+  for (const char* name : {"hertz", "rollers", "bearing", "receding_layer"}) {
+    CAPTURE(std::string(name));
+    const std::vector<std::string> settings = {std::string(name) == "hertz" ? "n=70" : "n=20"};
+    Solver without(deck_of(name, settings, "1 0")), with(deck_of(name, settings, "2 0 0.3"));
+    for (Solver* solver : {&without, &with}) solver->prepared().begin(0);
+    CHECK(without.s->sliding != 0);
+    for (const double load : {1.0, 0.0, 0.6, 0.0, 1.0}) {
+      CAPTURE(load);
+      for (Solver* solver : {&without, &with}) solver->advance(load);
+      if (load > 0) CHECK(difference(without.now(), with.now(), {C2D_TN, C2D_TT}) < kAlike);
+      if (load > 0) CHECK(boundary_difference(without.now(), with.now()) < kAlike);
+    }
+    CHECK(summary_of(without.s).max_residual < 1e3 * kEpsilon);
   }
 }
 
