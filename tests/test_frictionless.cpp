@@ -1,6 +1,7 @@
 // The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
 // one of its coefficients is not zero.
 #include "family_runs.hpp"
+#include "many_bodies.hpp"
 #include "solver/solver.hpp"
 
 #include <doctest/doctest.h>
@@ -156,6 +157,47 @@ TEST_CASE("frictionless: bodies that are unloaded, and pressed again") {
     }
     CHECK(summary_of(without.s).max_residual < 1e3 * kEpsilon);
   }
+}
+
+TEST_CASE("frictionless: a block that may slide to a wall rests where it is, and what pushes it ends the path") {
+  using namespace many;
+  const auto pressed = [](double mu_of_wall) {
+    Model m;
+    m.add(rectangle(0, -2, 2, 0, {10, 10, 60, 10})); // floor
+    m.add(rectangle(2.01, 0, 3, 1, {5, 8, 5, 30}));  // wall
+    m.add(rectangle(0, 0, 2, 1, {60, 30, 20, 10}));  // block
+    m.join(C2D_ZONE_MATCHING, 1, 3, 3, 1);
+    m.join(C2D_ZONE_MATCHING, 2, 4, 3, 2);
+    m.zones.back().mu = mu_of_wall;
+    m.zones.back().without[1] = 1; // the corner is on the floor
+    m.set(1, 1, end_of(kHeld));
+    m.set(2, 2, end_of(kHeld));
+    m.set(3, 3, end_of(kPulled, 0, -1));
+    m.set_second(3, 4, end_of(kPulled, 0.01, 0));
+    m.cases = 2;
+    m.paths = {{1, 1.0, 0.0}, {1, 1.0, 1.0}};
+    return m;
+  };
+  many::Machine sliding(pressed(-1)), sticking(pressed(0.3));
+  const Result a = sliding.run(), b = sticking.run();
+  REQUIRE_MESSAGE(a.status == C2D_OK, a.messages());
+  REQUIRE(a.summary.contact_unknowns >= 160);
+  CHECK(sliding.solver->sliding != 0);
+  CHECK(sticking.solver->sliding == 0);
+  CHECK(a.outcome == C2D_FREE_MOTION);
+  CHECK(b.outcome == C2D_FREE_MOTION);
+  REQUIRE(a.steps.size() == 2);
+  REQUIRE(b.steps.size() == 2);
+  for (size_t step = 0; step < 2; ++step)
+    for (const size_t field : {C2D_TN, C2D_GAP, C2D_UT2, C2D_UN2}) {
+      double most = 0, size = 0;
+      for (size_t i = 0; i < a.steps[step].rows.size(); ++i) {
+        const double x = a.steps[step].rows[i][field], y = b.steps[step].rows[i][field];
+        most = std::max(most, std::fabs(x - y));
+        size = std::max(size, std::fabs(y));
+      }
+      CHECK(most < kAlike * size);
+    }
 }
 
 TEST_CASE("frictionless: friction that is told after the preparation") {
