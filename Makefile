@@ -115,7 +115,8 @@ $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
-# (PROGRAM_FLAGS=-O0 where its compiler is what takes time)
+# (It is no faster by -O2, and compiled in two thirds of the time by -O1. PROGRAM_FLAGS=-O0 where that is what takes time.)
+PROGRAM_FLAGS ?= $(if $(filter -O2 -O3,$(CXXFLAGS)),-O1)
 $(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(PROGRAM_FLAGS))))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk

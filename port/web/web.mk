@@ -21,7 +21,7 @@ $(call web_object,$(1)): $(1) $(WEB)/flags port/web/web.mk
 	$(WEB_CXX) $(WEB_COMMON) $(2) -MMD -MP -c $(1) -o $$@
 endef
 $(foreach s,$(WEB_CORE),$(eval $(call web_compile,$(s),$(WEB_CORE_ONLY) $(call web_kernel,$(s)))))
-$(foreach s,$(WEB_REST),$(eval $(call web_compile,$(s),-fwasm-exceptions -include port/web/system.hpp)))
+$(foreach s,$(WEB_REST),$(eval $(call web_compile,$(s),-O1 -fwasm-exceptions -include port/web/system.hpp)))
 $(WEB)/contact2d.wasm: $(foreach s,$(WEB_CORE) $(WEB_REST),$(call web_object,$(s)))
 	$(WEB_CXX) --target=wasm32-wasi -O2 -Wl,--strip-all -Wl,-z,stack-size=1048576 -o $@ $^ \
 	  -lwasi-emulated-signal -lwasi-emulated-mman

@@ -30,7 +30,7 @@ $(BUILD)/run_%: tests/fuzz/%.cpp $(FUZZ_PROGRAM) $(BUILD)/flags Makefile
 
 # (gcc says of itself that it sanitizes)
 FUZZ_MAKE = $(MAKE) -s BUILD=$(BUILD)/fuzz CXX=$(FUZZ_CXX) CC=$(FUZZ_CC) CPPFLAGS='$(CPPFLAGS) -D__SANITIZE_ADDRESS__' \
-  CXXFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' LDFLAGS='-fsanitize=address,undefined'
+  CXXFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' LDFLAGS='-fsanitize=address,undefined' PROGRAM_FLAGS=-O0
 fuzz-build:
 	+@$(FUZZ_MAKE) $(FUZZ:%=$(BUILD)/fuzz/run_%)
 fuzz: $(FUZZ:%=fuzz-run-%)
