@@ -533,6 +533,34 @@ TEST_CASE("events: a jump is told before and after, and either may stop the path
   }
 }
 
+// wn = gap - load, p = load - gap. From the first change on whatever the pair does goes back at once, as round-off without
+// bound would make it: what the pair is told here is that it leaves zero, falling.
+TEST_CASE("events: changes without end at one load end the path there, unless it was on its way to no load and all but there") {
+  for (const bool back : {false, true}) {
+    CAPTURE(back);
+    const double gap = back ? 1e-10 : 0.5;
+    Hand h({{1, 0}, {0, 1}}, {{1, 1}}, false, 0.0);
+    h.start({gap, 0.0});
+    if (back) h.follow(1.0);
+    h.follower().stats = PathStats();
+    h.follower().watch.changed = [](void* self, double load) {
+      Hand& restless = *static_cast<Hand*>(self);
+      const double falling = restless.follower().direction[0] > 0.0 ? -1.0 : 1.0;
+      restless.set_entry(0, 2, -falling * load);
+      restless.set_entry(0, 3, falling);
+      refresh(restless.follower());
+      return c2d_status{C2D_OK};
+    };
+    const double target[2] = {back ? 0.0 : 1.0, 0.0};
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(follow_events(h.follower(), target, &outcome) == C2D_OK);
+    CHECK(outcome == (back ? C2D_REACHED : C2D_NO_PROGRESS));
+    CHECK(h.follower().load[0] == (back ? 0.0 : gap));
+    CHECK(h.follower().stats.events == 1 + 20 + 8 * 2); // METHOD 12
+    CHECK(h.state(1).p == about(h.follower().load[0]));
+  }
+}
+
 TEST_CASE("events: the bound below which rates are none has no stiffness where a pair has none") {
   Pair soft = Pair();
   const PathScales s{1.0, 1.0, 3.0, 2.0};
