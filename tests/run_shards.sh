@@ -1,9 +1,10 @@
 #!/bin/sh
-# run_shards.sh PROGRAM WORKERS: the tests in pieces, WORKERS processes at once, in an order that mixes slow and quick ones.
+# run_shards.sh PROGRAM PROCESSORS: the tests in pieces, one process more at once than there are processors, as some wait more than
+# they compute, in an order that mixes slow and quick ones.
 # Prints what each prints, then the totals of all: N passed, N failed. C2D_TESTS_NOT names files with patterns of names of tests
 # that do not run (the rest of the line after | says why), C2D_TESTS_FILES patterns of files, with commas, whose tests alone run.
 program=$1
-workers=$2
+workers=$(($2 + 1))
 pieces=$((workers * 12))
 not=
 [ -z "${C2D_TESTS_NOT:-}" ] || not=$(sed -n '/^#/d; s/ *|.*//p' $C2D_TESTS_NOT | paste -s -d , -)
