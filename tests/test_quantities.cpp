@@ -175,7 +175,7 @@ TEST_CASE("quantities: Hertz, wherever the edge lies in its element, linear and 
       const Run run = make("hertz", {order, "n=20", number("edge", 0.02 + i / 8.0)});
       CHECK(std::fabs(run.one(Measure::kContactEdge).at[0] - 1) < 1e-3);       // measured 6.4e-4 and 9.0e-4
       CHECK(std::fabs(run.one(Measure::kPeakPressure).value / p0 - 1) < 5e-4); // measured 3.3e-4
-      CHECK(run.one(Measure::kPeakPressure).at[0] == 0.0); // on the line of symmetry, without round-off
+      CHECK(run.one(Measure::kPeakPressure).at[0] == 0.0);                     // on the line of symmetry, without round-off
       CHECK(std::fabs(run.one(Measure::kMeanPressure).value / (P / 2) - 1) < 1.2e-3);             // as the edge
       CHECK(std::fabs(run.one(Measure::kEdgePressure).value / (p0 * std::sqrt(2.0)) - 1) < 6e-3); // measured 0.13 %, 0.5 %
       CHECK(run.one(Measure::kForceY).value == doctest::Approx(P / 2).epsilon(1e-3)); // of the half that is modelled
