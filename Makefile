@@ -111,7 +111,8 @@ kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(ba
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
-	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(1)),-fprofile-update=atomic) $(EXACT) $(2)) $(SAME_FOLDER) $(DEPS) -c $(1) -o $$@
+	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(1)),-fprofile-update=atomic) \
+	  $(EXACT) $(2)) $(SAME_FOLDER) $(DEPS) -c $(1) -o $$@
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))

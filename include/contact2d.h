@@ -378,7 +378,7 @@ c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, doubl
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
 
    Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0,
-   infinity is full adhesion. State afterwards: running. Errors: STORE_.... */
+   infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_.... */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays,
    valid, at the last load it could reach; after a cancel, too: c2d_advance goes on there. Errors: STORE_..., CANCELLED. */

@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -128,42 +127,29 @@ c2d_status find_motions(const BodyEquations& e) {
   return status;
 }
 
-bool is_left_out(const Reduction& r, int b, int32_t own) {
-  return !kSmallCode && r.sliding && is_sliding_slot(r.model, b, own);
-}
-
-// F but for the columns of q, which are zero.
-c2d_status find_sliding_flexibility(const BodyEquations& e) {
+// F, and of all its columns G. Those of q that slide are left out, and zero on the tape.
+c2d_status find_flexibility(const BodyEquations& e) {
   const int32_t n = e.n;
-  const int64_t ld = n;
   Real *f = e.r.second, *none = e.strip(kMostMotions);
   int32_t count = 0;
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < n && status == C2D_OK; ++j)
-    if (!is_left_out(e.r, e.b, j)) status = read_column(e.r.tape, e.b, BodyMatrix::traction, j, f + ld * count++);
-  if (status == C2D_OK) status = solve_held(e, count, f, [](int32_t, const Real*) { return c2d_status{C2D_OK}; });
-  for (int32_t j = 0; j < n; ++j) none[j] = 0;
-  for (int32_t j = 0; j < n && status == C2D_OK; ++j) {
-    const bool left_out = is_left_out(e.r, e.b, j);
-    status = write_column(e.r.tape, e.b, BodyMatrix::flexibility, j, left_out ? none : f);
-    if (!left_out) f += ld;
-  }
-  return status;
-}
-
-// F and G.
-c2d_status find_flexibility(const BodyEquations& e) {
-  const int32_t n = e.n;
-  Real* f = e.r.second;
-  c2d_status status = read_matrix(e.r.tape, e.b, BodyMatrix::traction, f, n);
+    if (!slides(e.r, e.b, j))
+      status = read_column(e.r.tape, e.b, BodyMatrix::traction, j, f + static_cast<int64_t>(count++) * n);
   if (status != C2D_OK) return status;
-  status = solve_held(e, n, f, [&](int32_t j, const Real* rest) {
+  status = solve_held(e, count, f, [&](int32_t j, const Real* rest) {
     for (int32_t k = 0; k < e.count; ++k) e.strip(k)[j] = rest[k];
     return c2d_status{C2D_OK};
   });
-  for (int32_t k = 0; k < e.count && status == C2D_OK; ++k)
+  for (int32_t k = 0; k < e.count && count == n && status == C2D_OK; ++k)
     status = write_column(e.r.tape, e.b, BodyMatrix::resultants, k, e.strip(k));
-  return status == C2D_OK ? write_matrix(e.r.tape, e.b, BodyMatrix::flexibility, f, n) : status;
+  for (int32_t j = 0; j < n; ++j) none[j] = 0;
+  for (int32_t j = 0; j < n && status == C2D_OK; ++j) {
+    const bool left_out = slides(e.r, e.b, j);
+    status = write_column(e.r.tape, e.b, BodyMatrix::flexibility, j, left_out ? none : f);
+    if (!left_out) f += n;
+  }
+  return status;
 }
 
 // v and g.
@@ -251,14 +237,11 @@ c2d_status find_compliance(const Reduction& r, int b) {
   if (r.model.body[b].keeps_equations != 0) return find_kept(e);
   c2d_status status = factor_held(e);
   if (status == C2D_OK) status = find_motions(e);
-  if (!kSmallCode && r.sliding) {
-    if (status == C2D_OK) status = find_sliding_flexibility(e);
-    if (status == C2D_OK) status = solve_loads(e);
-    if (status == C2D_OK && e.count > 0) status = find_equilibrium(e);
-    return status == C2D_OK && e.count > 0 ? find_resultants(e) : status;
-  }
   if (status == C2D_OK) status = find_flexibility(e);
-  return status == C2D_OK ? solve_loads(e) : status;
+  if (status == C2D_OK) status = solve_loads(e);
+  if (kSmallCode || !r.sliding || e.count == 0 || status != C2D_OK) return status;
+  status = find_equilibrium(e); // G has all columns
+  return status == C2D_OK ? find_resultants(e) : status;
 }
 
 c2d_status find_load_response(const Reduction& r, int b) {

@@ -4,7 +4,6 @@
 
 #include "contact/body_compliance.hpp"
 #include "contact/body_unknowns.hpp"
-#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
@@ -29,12 +28,6 @@ bool keeps_equations(const Reduction& r, int b) { return r.model.body[b].keeps_e
 // Solved for, or rigid: its displacements are F t + R x, or R x.
 bool gives_way(const Reduction& r, int b) { return r.model.body[b].contact > 0 && !keeps_equations(r, b); }
 int32_t flexible_columns(const Reduction& r, int b) { return is_rigid(r.model, b) ? 0 : r.model.body[b].contact; }
-
-// Is a contact unknown of the model, or the traction of this column of a body, q of a pair that slides?
-bool slides(const Reduction& r, int32_t dof) { return !kSmallCode && r.sliding && is_sliding_slot(r.model, dof); }
-bool slides(const Reduction& r, int b, BodyMatrix matrix, int32_t own) {
-  return !kSmallCode && r.sliding && matrix == BodyMatrix::flexibility && is_sliding_slot(r.model, b, own);
-}
 
 // visit(b) for those bodies until it fails.
 template <class Visit> c2d_status for_bodies(const Reduction& r, bool (*which)(const Reduction&, int), Visit visit) {
@@ -140,7 +133,7 @@ c2d_status add_other(const Bordered& s, int b, int other, BodyMatrix matrix, int
     int32_t count = 0, taken[kMostStrips];
     for (int64_t i = 0; i < strips.count * strips.ld; ++i) strips.in[i] = 0;
     for (; next < columns && count < strips.count && status == C2D_OK; ++next) {
-      if (slides(r, other, matrix, next)) continue;
+      if (matrix == BodyMatrix::flexibility && slides(r, other, next)) continue;
       status = read_column(r.tape, other, matrix, next, strips.out); // nothing has come out yet
       take_over(r, b, other, strips.out, strips.in + count * strips.ld);
       taken[count++] = next;

@@ -12,6 +12,7 @@
 // changed places in tau and w', and columns of what is zero there, in F, A, T and X, are zero on the tape. The load case that
 // closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
 #include "contact/contact_tape.hpp"
+#include "contact/frictionless.hpp"
 #include "linalg/lu.hpp"
 #include "model/model.hpp"
 
@@ -31,6 +32,12 @@ struct Reduction {
   bool sliding = false;              // no pair that may change has friction, nor a body that slides freely
 };
 constexpr int32_t kStripColumns = 4;
+
+// Is a contact unknown, of the model or of a body, q of a pair that slides in this form?
+inline bool slides(const Reduction& r, int32_t dof) { return !kSmallCode && r.sliding && is_sliding_slot(r.model, dof); }
+inline bool slides(const Reduction& r, int b, int32_t own) {
+  return !kSmallCode && r.sliding && is_sliding_slot(r.model, b, own);
+}
 
 // ---- optional, for rigid bodies (memory/parts.hpp, rigid_reduction.cpp) ----
 // Motion of a rigid body at a pair: along n and t, in the length unit, at factor 1 of a load case.

@@ -1,7 +1,6 @@
 #include "contact/rigid_balance.hpp"
 
 #include "contact/body_unknowns.hpp"
-#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "linalg/dense.hpp"
 
@@ -32,7 +31,6 @@ c2d_status read_on_pairs(const Reduction& r, BodyMatrix matrix, BodyMotion of, R
   return status;
 }
 
-bool slides(const Reduction& r, int32_t dof) { return !kSmallCode && r.sliding && is_sliding_slot(r.model, dof); }
 // Columns of T, and the slot of one.
 int32_t columns_of(const Reduction& r) { return !kSmallCode && r.sliding ? given_slots(r.model) : contact_unknowns(r.tape); }
 int32_t slot_of(const Reduction& r, int32_t j) { return !kSmallCode && r.sliding ? given_slot(r.model, j) : j; }

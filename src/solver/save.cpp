@@ -406,6 +406,19 @@ void forget(c2d_solver* s, const Model& m) {
   s->outcome_body = 0;
 }
 
+// The contact system on the tape becomes that of the state, which is read again where that took its place in memory.
+c2d_status take_up_form(c2d_solver* s, const Slots& slots, Piece& piece, const SaveRecord& record) {
+  const c2d_options options = s->options;
+  const int32_t factors = s->factors;
+  bool again = false;
+  c2d_status status = match_saved(s, &again);
+  if (again && status == C2D_OK) status = read_image(s, slots, record, piece, true);
+  if (status != C2D_OK) return status;
+  s->options = options;
+  s->factors = factors;
+  return C2D_OK;
+}
+
 // The tapes that belong to the state are opened, and it takes the place of what the solver holds.
 c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const SaveRecord& record) {
   Tapes& tapes = s->tapes;
@@ -440,14 +453,8 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
       status = open_tape(tapes, tape, record.blocks[tape], record.block_bytes[tape] - kBlockHeaderBytes);
     if (status != C2D_OK) return status;
   }
-  bool again = false;
-  const c2d_options options_now = s->options;
-  const int32_t factors = s->factors;
-  if (!kSmallCode) status = match_saved(s, &again);
-  if (again && status == C2D_OK) status = read_image(s, slots, record, piece, true);
+  if (!kSmallCode) status = take_up_form(s, slots, piece, record);
   if (status != C2D_OK) return status;
-  s->options = options_now;
-  s->factors = factors;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     tapes.writes[tape] = record.writes[tape];
     tapes.reads[tape] = record.reads[tape];

@@ -940,7 +940,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("zones", c_int32, False, None),
     ], """c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 
----------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0, infinity is full adhesion. State afterwards: running. Errors: STORE_...."""),
+---------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0, infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_...."""),
     "c2d_advance": (c_int32, [
         ("solver", c_void_p, False, None),
         ("load", POINTER(c_double), True, None),
