@@ -1,7 +1,7 @@
 # contact2d. Targets: all (default) demo chapter9 test random faults bench guard convergence estimate-truth embedded hostile
 #   hostile-blocks small sanitize sanitize-library sanitize-threads msan coverage cross fuzz mutants amalgamation api deb
 #   reproducible web windows install uninstall list relist symbols format format-check clean.
-# Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS HARDENING PORTS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE
+# Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS HARDENING PORTS BATCH BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE
 #   DOCTEST_SHA256 NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -50,16 +50,38 @@ DEPS      := -MMD -MP
 object = $(BUILD)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
 objects = $(foreach s,$(1),$(call object,$(s)))
 
+# Report, program and tests are compiled BATCH files at a time, as the headers of the C++ library take longer than what follows
+# them; so names that are private to a file of the first two are unique in their folder. BATCH=1: each file by itself.
+BATCH ?= 10
+comma := ,
+# words -> words of up to BATCH of them with commas; such a word -> its files; the line of a recipe that writes them as one source; what
+# is compiled; and its object, named after the first.
+batches = $(if $(1),$(shell echo $(1) | xargs -n $(BATCH) | tr ' ' ,))
+files = $(subst $(comma), ,$(1))
+write_batch = $(if $(findstring $(comma),$(1)),@printf '\043include "%s"\n' $(call files,$(1)) > $$(@:.o=.cpp))
+batch_source = $(if $(findstring $(comma),$(1)),-I. $$(@:.o=.cpp),$(1))
+batch_object = $(patsubst %.o,%$(if $(findstring $(comma),$(1)),_etc).o,$(call object,$(firstword $(call files,$(1)))))
+
 CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
 PORT_OBJECTS    := $(call objects,$(PORT_SOURCES) $(HOSTILE_SOURCES))
-REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
-PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
-FAMILY_OBJECTS  := $(filter-out $(BUILD)/obj/program_main.o,$(PROGRAM_OBJECTS)) # all of the program but its main
-TEST_SOURCES    := $(wildcard tests/*.cpp)
+PROGRAM_MAIN    := src/program/main.cpp
+REPORT_BATCHES  := $(call batches,$(REPORT_SOURCES))
+FAMILY_BATCHES  := $(call batches,$(filter-out $(PROGRAM_MAIN),$(PROGRAM_SOURCES)))
+REPORT_OBJECTS  := $(foreach b,$(REPORT_BATCHES),$(call batch_object,$(b)))
+FAMILY_OBJECTS  := $(foreach b,$(FAMILY_BATCHES),$(call batch_object,$(b))) # all of the program but its main
+PROGRAM_OBJECTS := $(call objects,$(PROGRAM_MAIN)) $(FAMILY_OBJECTS)
 CHAPTER9_SOURCES := $(sort $(wildcard examples/chapter9/*.cpp))
 CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
 STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
-TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
+# Tests that are compiled again where the core's configuration is another, or for sanitizers, go with their like.
+TEST_SOURCES    := $(wildcard tests/*.cpp)
+CORE_TESTS      := $(shell grep -l -E '^\#include "((bie|contact|deck|elimination|interface|linalg|memory|model|quadrature|results|solver|store)/[a-z0-9_]*|fuzz/calls|deck_recorder|gauss_points|hand_tableau|model_fixture)\.hpp' tests/test_*.cpp)
+SANITIZER_TESTS := $(filter-out $(CORE_TESTS),$(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/test_*.cpp))
+OTHER_TESTS     := $(filter-out $(CORE_TESTS) $(SANITIZER_TESTS),$(filter tests/test_%,$(TEST_SOURCES)))
+test_objects = $(foreach b,$(1),$(patsubst $(BUILD)/obj/tests_%,$(BUILD)/tests/%,$(call batch_object,$(b))))
+SANITIZER_BATCHES := $(call batches,$(SANITIZER_TESTS))
+TEST_BATCHES := $(call batches,$(CORE_TESTS)) $(SANITIZER_BATCHES) $(call batches,$(OTHER_TESTS))
+TEST_OBJECTS := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(filter-out tests/test_%,$(TEST_SOURCES))) $(call test_objects,$(TEST_BATCHES))
 
 # TESTS_FROM=FOLDER: another build, by a compiler whose objects go with this one's. What is the same there is linked as it is: report and
 # program (PROGRAM_FROM), which see the headers of the interface alone, unless this build watches them too, and tests, but for those
@@ -108,17 +130,19 @@ ifneq ($(findstring mingw,$(MACHINE)),)
 KERNEL_ANYWHERE := -Wa,-muse-unaligned-vector-move
 endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))) $(KERNEL_ANYWHERE))
+# $(1) file, or files with commas, $(2) flags
 define compile
-$(call object,$(1)): $(1) $(BUILD)/flags Makefile
+$(call batch_object,$(1)): $(call files,$(1)) $(BUILD)/flags Makefile
+	$(call write_batch,$(1))
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
-	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(1)),-fprofile-update=atomic) \
-	  $(EXACT) $(2)) $(SAME_FOLDER) $(DEPS) -c $(1) -o $$@
+	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(call files,$(1))),-fprofile-update=atomic) \
+	  $(EXACT) $(2)) $(SAME_FOLDER) $(DEPS) -c $(call batch_source,$(1)) -o $$@
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
 # (It is no faster by -O2, and compiled in two thirds of the time by -O1. PROGRAM_FLAGS=-O0 where that is what takes time.)
 PROGRAM_FLAGS ?= $(if $(filter -O2 -O3,$(CXXFLAGS)),-O1)
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(PROGRAM_FLAGS))))
+$(foreach s,$(REPORT_BATCHES) $(FAMILY_BATCHES) $(PROGRAM_MAIN) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM) $(PROGRAM_FLAGS))))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
@@ -167,15 +191,21 @@ TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD)
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
 # (compiling them takes longer than running them)
+COMPILE_TEST = $(CXX) $(CPPFLAGS) -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS $(COMMON) -Itests $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(DEPS)
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
-	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(if $(filter paths,$*),$(TEST_PATHS)) \
-	  $(DEPS) -c $< -o $@
+	$(COMPILE_TEST) $(if $(filter paths,$*),$(TEST_PATHS)) -c $< -o $@
+define compile_tests
+$(BUILD)/tests/$(basename $(notdir $(firstword $(call files,$(1)))))_etc.o: $(call files,$(1)) tests/batch.sh $(BUILD)/flags $(BUILD)/tests/doctest Makefile
+	@sh tests/batch.sh $(call files,$(1)) > $$(@:.o=.cpp)
+	$$(COMPILE_TEST) -c $$(@:.o=.cpp) -o $$@
+endef
+$(foreach b,$(TEST_BATCHES),$(if $(findstring $(comma),$(b)),$(eval $(call compile_tests,$(b)))))
 ALL_TEST_OBJECTS := $(TEST_OBJECTS) $(RANDOM_JUDGE) $(FAULTS_JUDGE) $(FUZZ_OBJECTS)
 ifneq ($(TESTS_FROM),$(BUILD))
 # (counters change nothing that tests see)
 TESTS_OWN := paths $(notdir $(basename \
   $(if $(if $(COUNTED),$(findstring -DC2D_,$(CPPFLAGS)),any),$(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d)) \
-  $(if $(SANITIZED),$(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
+  $(if $(SANITIZED),$(call test_objects,$(SANITIZER_BATCHES)) $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
 TESTS_OWN := $(TESTS_OWN:%=$(BUILD)/tests/%.o)
 ALL_TEST_OBJECTS := $(filter $(TESTS_OWN),$(ALL_TEST_OBJECTS)) \
   $(patsubst $(BUILD)/%,$(TESTS_FROM)/%,$(filter-out $(TESTS_OWN),$(ALL_TEST_OBJECTS)))

@@ -16,8 +16,6 @@ namespace quantities_test {
 
 using namespace app;
 
-inline const double kPi = std::acos(-1.0);
-
 struct Run {
   Summary summary;
   std::vector<ZoneLine> lines;

@@ -3,11 +3,12 @@
 #include <contact2d.h>
 #include <contact2d_cards.h>
 
-#include <atomic>
 #include <map>
+#include <mutex>
 
 namespace {
-std::atomic<int64_t> count{0}, refused{0};
+std::mutex mutex;
+int64_t count = 0, refused = 0;
 c2d_status status_of_refused = C2D_ERR_STATE;
 std::map<void*, std::vector<int64_t>> calls; // by where they come from; kept while none is refused
 std::map<std::string, std::vector<int64_t>> by_name;
@@ -17,6 +18,7 @@ const char* name_refused = "";
 namespace test {
 
 void refuse_call(int64_t n, c2d_status status) {
+  const std::lock_guard<std::mutex> one(mutex);
   count = 0, refused = n, status_of_refused = status, name_refused = "";
   calls.clear(), by_name.clear();
 }
@@ -40,6 +42,7 @@ bool can_refuse_calls() { return true; }
 
 namespace {
 bool is_let_through(const char* name, void* place) {
+  const std::lock_guard<std::mutex> one(mutex);
   const int64_t number = ++count;
   if (refused == 0) calls[place].push_back(number), by_name[name].push_back(number);
   if (number == refused) name_refused = name;

@@ -11,6 +11,7 @@
 #include <string>
 
 using namespace many;
+using namespace solved_bodies;
 
 namespace {
 

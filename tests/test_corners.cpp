@@ -11,6 +11,7 @@
 #include <complex>
 
 using namespace many;
+using namespace solved_bodies;
 using app::CornerKind;
 using app::CornerState;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace many;
+using namespace solved_bodies;
 
 namespace {
 

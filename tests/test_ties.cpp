@@ -8,6 +8,7 @@
 #include <string>
 
 using namespace many;
+using namespace solved_bodies;
 
 namespace {
 

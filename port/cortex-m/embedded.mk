@@ -99,7 +99,6 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
 # $(1) which run, $(2) its results, $(3) what they may differ: told in one piece, as other runs end at the same time.
-comma := ,
 agree = @told=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=$$?; \
   printf 'embedded: %s\n%s\n' '$(1)' "$$told"; exit $$status
 # The sample deck on every board, compared with this machine's run.

@@ -30,4 +30,7 @@ endif
 # The same bits from any folder: debugging information and __FILE__ name files of the project as it sees them itself, and
 # archives hold no times and no owners.
 SAME_FOLDER := $(call has_flag,-ffile-prefix-map='$(CURDIR)'=.)
+ifneq ($(SAME_FOLDER),)
+SAME_FOLDER += -ffile-prefix-map='$(BUILD)'=build
+endif
 ARCHIVE := $(AR) $(if $(findstring darwin,$(MACHINE)),rcs,rcsD)

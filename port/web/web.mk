@@ -9,16 +9,17 @@ WEB_COMMON := --target=wasm32-wasi -std=c++17 -O2 -ffp-contract=off -isystem por
 WEB_CORE_ONLY := -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 # Not the FORTRAN names, and nothing that needs threads: port/web/platform.cpp stands in for it.
 WEB_CORE  := $(CORE_SOURCES) $(filter-out port/fortran/% port/threads/% port/posix/transfers.cpp,$(PORT_SOURCES))
-WEB_REST  := $(REPORT_SOURCES) $(PROGRAM_SOURCES) port/web/exceptions.cpp port/web/platform.cpp
-web_object = $(WEB)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
+WEB_REST  := $(REPORT_BATCHES) $(FAMILY_BATCHES) $(PROGRAM_MAIN) port/web/exceptions.cpp port/web/platform.cpp
+web_object = $(patsubst $(BUILD)/%,$(WEB)/%,$(call batch_object,$(1)))
 web_kernel = $(if $(findstring /kernel_,$(1)),-ffp-contract=off -msimd128)
 
 $(WEB)/flags: FORCE
 	@mkdir -p $(WEB)/obj
 	@echo '$(WEB_CXX) $(WEB_COMMON)' | cmp -s - $@ || echo '$(WEB_CXX) $(WEB_COMMON)' > $@
 define web_compile
-$(call web_object,$(1)): $(1) $(WEB)/flags port/web/web.mk
-	$(WEB_CXX) $(WEB_COMMON) $(2) -MMD -MP -c $(1) -o $$@
+$(call web_object,$(1)): $(call files,$(1)) $(WEB)/flags port/web/web.mk
+	$(call write_batch,$(1))
+	$(WEB_CXX) $(WEB_COMMON) $(2) -MMD -MP -c $(call batch_source,$(1)) -o $$@
 endef
 $(foreach s,$(WEB_CORE),$(eval $(call web_compile,$(s),$(WEB_CORE_ONLY) $(call web_kernel,$(s)))))
 $(foreach s,$(WEB_REST),$(eval $(call web_compile,$(s),-O1 -fwasm-exceptions -include port/web/system.hpp)))

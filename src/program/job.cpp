@@ -17,7 +17,7 @@ template <class Archive> void members(Archive& a, NamedText& file) { a(file.name
 
 namespace {
 
-const char kName[] = "/job", kKind[] = "contact2d job 3";
+const char kName[] = "/job", kJobKind[] = "contact2d job 3";
 
 template <class Archive> void members(Archive& a, Job& job, std::string& meshes) {
   a(job.form), a(job.begun), a(job.deck_name), a(job.deck), a(job.settings), a(job.files), a(job.has_points), a(job.points),
@@ -69,13 +69,13 @@ std::vector<std::string> words_of(const Options& options) {
 std::string id_of(const Job& job) { return sum_of(text_of(job)); }
 
 bool keep_job(const std::string& store_folder, const Job& job, std::string& error) {
-  return write_sealed(store_folder + kName, kKind, text_of(job), error);
+  return write_sealed(store_folder + kName, kJobKind, text_of(job), error);
 }
 
 int find_job(Options& options, std::string& error) {
   const std::string path = options.folder + "/" + C2D_POSIX_STORE_FOLDER + kName;
   std::string text;
-  const Sealed found = read_sealed(path, kKind, text, error);
+  const Sealed found = read_sealed(path, kJobKind, text, error);
   if (found == Sealed::kAbsent)
     error = options.folder +
             ": holds no run that could go on: there is none, it has ended, or it was cut off before anything "
@@ -108,7 +108,7 @@ int find_job(Options& options, std::string& error) {
 
 bool is_kept(const std::string& store_folder, const Job& job) {
   std::string text, ignored;
-  return read_sealed(store_folder + kName, kKind, text, ignored) == Sealed::kWhole && text == text_of(job);
+  return read_sealed(store_folder + kName, kJobKind, text, ignored) == Sealed::kWhole && text == text_of(job);
 }
 
 bool remove_way(const std::string& store_folder, std::string& error) {

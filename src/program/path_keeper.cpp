@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-const char kKind[] = "contact2d path 1";
+const char kPathKind[] = "contact2d path 1";
 constexpr double kWork = 60; // of its time for every part that saving takes
 
 } // namespace
@@ -29,7 +29,7 @@ std::string PathKeeper::heading(int32_t coefficient, int32_t step) const {
 
 bool PathKeeper::keep(c2d_solver* solver, int32_t coefficient, int32_t step, const std::string& record, std::string& error) {
   const double start = clock_seconds(nullptr);
-  if (!write_sealed(path_of(slot_), kKind, heading(coefficient, step) + record, error)) return false;
+  if (!write_sealed(path_of(slot_), kPathKind, heading(coefficient, step) + record, error)) return false;
   if (const c2d_status status = c2d_save(solver); status != C2D_OK) {
     error = folder_ + ": the state of the path cannot be saved: " + c2d_message(status);
     return false;
@@ -45,7 +45,7 @@ bool PathKeeper::find(int32_t coefficient, int32_t step, std::string& record, st
   why = "what the steps before it have left is not there";
   for (int slot = 0; slot < 2; ++slot) {
     std::string error;
-    const Sealed found = read_sealed(path_of(slot), kKind, record, error);
+    const Sealed found = read_sealed(path_of(slot), kPathKind, record, error);
     if (found == Sealed::kFailed) why = error;
     if (found != Sealed::kWhole || record.compare(0, wanted.size(), wanted) != 0) continue;
     record.erase(0, wanted.size());

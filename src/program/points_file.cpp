@@ -48,9 +48,9 @@ template <class Number> bool read_number(const Field& field, Number& number) {
   return !text.empty() && result.ec == std::errc() && result.ptr == end;
 }
 
-class Reader {
+class PointsReader {
 public:
-  Reader(int32_t bodies, Messages& messages) : bodies_(bodies), messages_(messages) {}
+  PointsReader(int32_t bodies, Messages& messages) : bodies_(bodies), messages_(messages) {}
   bool row(const std::vector<Field>& fields, int32_t line, WantedPoint& point);
   void fault(int32_t line, const Field* field, const std::string& text) {
     c2d_error entry = C2D_INIT(c2d_error);
@@ -82,13 +82,13 @@ std::string in_quotes(const Field& field) {
   return "'" + text + "'";
 }
 
-bool Reader::coordinate(const Field& field, const char* name, int32_t line, double& value) {
+bool PointsReader::coordinate(const Field& field, const char* name, int32_t line, double& value) {
   if (read_number(field, value) && std::isfinite(value)) return true;
   fault(line, &field, std::string(name) + " is " + in_quotes(field) + ", expected a number");
   return false;
 }
 
-bool Reader::row(const std::vector<Field>& fields, int32_t line, WantedPoint& point) {
+bool PointsReader::row(const std::vector<Field>& fields, int32_t line, WantedPoint& point) {
   if (fields.size() != 3) {
     fault(line, fields.size() > 3 ? &fields[3] : nullptr,
           "the row has " + std::to_string(fields.size()) + (fields.size() == 1 ? " field" : " fields") +
@@ -111,7 +111,7 @@ bool Reader::row(const std::vector<Field>& fields, int32_t line, WantedPoint& po
 } // namespace
 
 bool read_points(const DeckFile& file, int32_t bodies, Messages& messages, std::vector<WantedPoint>& points) {
-  Reader reader(bodies, messages);
+  PointsReader reader(bodies, messages);
   bool first = true;
   for (size_t line = 1; line <= file.cards(); ++line) {
     std::string_view text = file.card(line);

@@ -6,7 +6,6 @@
 namespace app {
 namespace {
 
-const double kPi = std::acos(-1.0);
 const double kCorner = 15 * kPi / 180; // the least turn of a corner
 const double kChord = 50 * kPi / 180;  // chords of an arc turn by less
 const double kAlike = 3;               // and by much the same where they follow each other

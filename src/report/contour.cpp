@@ -7,22 +7,22 @@
 namespace app {
 namespace {
 
-struct Corner {
+struct CellCorner {
   Point at;
   double value;
 };
 
-Corner between(const Corner& a, const Corner& b, double level) {
+CellCorner between(const CellCorner& a, const CellCorner& b, double level) {
   const double part = (level - a.value) / (b.value - a.value);
   return {{a.at.x + part * (b.at.x - a.at.x), a.at.y + part * (b.at.y - a.at.y)}, level};
 }
 
 // The part of a convex polygon on one side of a level (Sutherland and Hodgman's way of clipping).
-std::vector<Corner> cut(const std::vector<Corner>& polygon, double level, bool above) {
-  std::vector<Corner> out;
+std::vector<CellCorner> cut(const std::vector<CellCorner>& polygon, double level, bool above) {
+  std::vector<CellCorner> out;
   for (size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& a = polygon[i];
-    const Corner& b = polygon[(i + 1) % polygon.size()];
+    const CellCorner& a = polygon[i];
+    const CellCorner& b = polygon[(i + 1) % polygon.size()];
     const bool in_a = above ? a.value >= level : a.value <= level;
     const bool in_b = above ? b.value >= level : b.value <= level;
     if (in_a) out.push_back(a);
@@ -38,19 +38,19 @@ size_t band_of(double value, const std::vector<double>& levels) {
   return k == 0 ? 0 : std::min(k - 1, bands - 1);
 }
 
-void fill_triangle(const std::vector<Corner>& triangle, const std::vector<double>& levels, std::vector<Polygons>& out) {
+void fill_triangle(const std::vector<CellCorner>& triangle, const std::vector<double>& levels, std::vector<Polygons>& out) {
   size_t low = out.size(), high = 0;
-  for (const Corner& c : triangle) {
+  for (const CellCorner& c : triangle) {
     low = std::min(low, band_of(c.value, levels));
     high = std::max(high, band_of(c.value, levels));
   }
   for (size_t k = low; k <= high; ++k) {
-    std::vector<Corner> part = triangle;
+    std::vector<CellCorner> part = triangle;
     if (k > low) part = cut(part, levels[k], true);
     if (k < high) part = cut(part, levels[k + 1], false);
     if (part.size() < 3) continue;
     out[k].emplace_back();
-    for (const Corner& c : part) out[k].back().push_back(c.at);
+    for (const CellCorner& c : part) out[k].back().push_back(c.at);
   }
 }
 
@@ -69,8 +69,8 @@ size_t whole_band(const Grid& g, size_t c, size_t r, const std::vector<double>& 
 }
 
 void fill_cell(const Grid& g, size_t c, size_t r, const std::vector<double>& levels, std::vector<Polygons>& out) {
-  const auto corner = [&](size_t i, size_t k) { return Corner{g.place(i, k), g.values[g.at(i, k)]}; };
-  const Corner a = corner(c, r), b = corner(c + 1, r), d = corner(c + 1, r + 1), e = corner(c, r + 1);
+  const auto corner = [&](size_t i, size_t k) { return CellCorner{g.place(i, k), g.values[g.at(i, k)]}; };
+  const CellCorner a = corner(c, r), b = corner(c + 1, r), d = corner(c + 1, r + 1), e = corner(c, r + 1);
   if (std::fabs(a.value - d.value) <= std::fabs(b.value - e.value)) { // along the flatter diagonal
     fill_triangle({a, b, d}, levels, out);
     fill_triangle({a, d, e}, levels, out);

@@ -7,6 +7,9 @@
 
 namespace app {
 
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kSingular = 1 - 5e-3; // with an exponent nearer to 1 stress hardly grows over any mesh
+
 // What holds on a face: of a body and its surroundings, or between two bodies. Only a face of the first kind is no joint.
 enum class FaceKind {
   kFree,    // no traction

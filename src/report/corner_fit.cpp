@@ -6,7 +6,6 @@
 namespace app {
 namespace {
 
-const double kPi = std::acos(-1.0);
 const double kBelow = 2.6; // exponents up to here may be terms of a fit
 const size_t kEach = 6;    // samples for each term after the third: more terms follow the errors of the results
 using Column = std::vector<double>;

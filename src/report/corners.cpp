@@ -7,7 +7,6 @@
 namespace app {
 namespace {
 
-const double kSingular = 1 - 5e-3;
 // Which results count: from three elements at the corner on, up to 0.3 of the face, of the pairs that are in one
 // state, or of the distance to the next corner.
 const double kNearest = 3, kFarthest = 0.3;

@@ -6,9 +6,6 @@
 namespace app {
 namespace {
 
-const double kPi = std::acos(-1.0);
-const double kSingular = 1 - 5e-3; // nearer to 1 stress hardly grows over any mesh
-
 // What the other side is like where an end of a zone meets it.
 struct Meeting {
   double angle = kPi;
@@ -17,9 +14,9 @@ struct Meeting {
   double element = 0;
 };
 
-class Finder {
+class CornerFinder {
 public:
-  Finder(c2d_solver* solver, const Summary& s) : solver_(solver), s_(s) {}
+  CornerFinder(c2d_solver* solver, const Summary& s) : solver_(solver), s_(s) {}
   c2d_status find(std::vector<Corner>& out);
 
 private:
@@ -60,7 +57,7 @@ private:
   mutable std::vector<Known> known_; // many corners of a model are alike
 };
 
-c2d_status Finder::read_friction() {
+c2d_status CornerFinder::read_friction() {
   friction_.assign(s_.zone.size(), 0);
   for (size_t z = 0; z < friction_.size(); ++z)
     for (int32_t i = 1; i <= s_.coefficients; ++i) {
@@ -72,7 +69,7 @@ c2d_status Finder::read_friction() {
   return C2D_OK;
 }
 
-c2d_status Finder::read() {
+c2d_status CornerFinder::read() {
   c2d_status status = read_friction();
   faces_.resize(static_cast<size_t>(s_.bodies));
   end_x_.resize(faces_.size()), end_y_.resize(faces_.size());
@@ -92,7 +89,7 @@ c2d_status Finder::read() {
   return C2D_OK;
 }
 
-double Finder::exponent_of(const CornerShape& shape) const {
+double CornerFinder::exponent_of(const CornerShape& shape) const {
   std::vector<double> numbers;
   for (const Sector& q : shape.sectors) numbers.insert(numbers.end(), {q.angle, q.shear_modulus, q.kappa});
   for (const Face& f : shape.faces) numbers.insert(numbers.end(), {static_cast<double>(f.kind), f.friction});
@@ -108,7 +105,7 @@ double Finder::exponent_of(const CornerShape& shape) const {
 
 // Ends of the elements on a face, up to the next corner or where something else holds. The face that goes upwards from the
 // corner is the first: the material is counter-clockwise from it.
-void Finder::sample_face(int32_t body, int32_t element, bool up, Corner& corner) const {
+void CornerFinder::sample_face(int32_t body, int32_t element, bool up, Corner& corner) const {
   const BodyFaces& f = faces(body);
   Face own, other;
   f.face(element, own);
@@ -127,7 +124,7 @@ void Finder::sample_face(int32_t body, int32_t element, bool up, Corner& corner)
 }
 
 // A notch that a line of symmetry cuts in two.
-void Finder::find_at_image(int32_t body, int32_t element, bool up, std::vector<Corner>& out) const {
+void CornerFinder::find_at_image(int32_t body, int32_t element, bool up, std::vector<Corner>& out) const {
   const BodyFaces& f = faces(body);
   const double angle = f.angle_at_image(element, up);
   Face face;
@@ -148,7 +145,7 @@ void Finder::find_at_image(int32_t body, int32_t element, bool up, std::vector<C
   out.push_back(c);
 }
 
-void Finder::find_in_body(int32_t body, std::vector<Corner>& out) const {
+void CornerFinder::find_in_body(int32_t body, std::vector<Corner>& out) const {
   const BodyFaces& f = faces(body);
   for (int32_t e = 1; e <= f.elements(); ++e) {
     if (f.is_on_line(e)) continue;
@@ -181,7 +178,7 @@ void Finder::find_in_body(int32_t body, std::vector<Corner>& out) const {
 // ---- ends of zones
 
 // Where `own` ends a zone, the other body: what faces it, or the nearest place of its boundary.
-bool Finder::project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const {
+bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const {
   const BodyFaces& f = faces(other);
   const Spot tip = faces(own.body).at(own.end);
   StretchEnd end;
@@ -219,7 +216,7 @@ bool Finder::project(const End& own, int32_t other, const StretchEnd* facing, Me
 }
 
 // The corner where an end of a zone meets the other body; false: there is none, or one that shapes do not tell.
-bool Finder::meet(const c2d_zone& zone, const End& own, int32_t other, const StretchEnd* facing, Corner& c) const {
+bool CornerFinder::meet(const c2d_zone& zone, const End& own, int32_t other, const StretchEnd* facing, Corner& c) const {
   const BodyFaces& f = faces(own.body);
   const bool tied = (zone.kind & C2D_ZONE_TIED) != 0, platen = s_.is_platen(other);
   const int32_t beyond = f.beyond(own.end);
@@ -262,14 +259,14 @@ bool Finder::meet(const c2d_zone& zone, const End& own, int32_t other, const Str
   return !c.shape.sectors.empty();
 }
 
-void Finder::sample_pairs(Corner& c) const {
+void CornerFinder::sample_pairs(Corner& c) const {
   for (size_t p = 0; p < zone_.size(); ++p)
     if (static_cast<int32_t>(zone_[p]) == c.zone)
       c.samples.push_back({static_cast<int32_t>(p), std::hypot(x_[p] - c.at[0], y_[p] - c.at[1]), true, {0, 0}});
 }
 
 // Over the states that the zone's friction allows; the joint takes that of the lowest.
-double Finder::least_exponent(Corner& c) const {
+double CornerFinder::least_exponent(Corner& c) const {
   std::vector<Face> states;
   const double mu = friction_[static_cast<size_t>(c.zone) - 1];
   if (c.kind == CornerKind::kTie || mu > 0) states.push_back({FaceKind::kBonded, 0});
@@ -287,7 +284,7 @@ double Finder::least_exponent(Corner& c) const {
   return least;
 }
 
-void Finder::find_in_zone(int32_t number, std::vector<Corner>& out) const {
+void CornerFinder::find_in_zone(int32_t number, std::vector<Corner>& out) const {
   const c2d_zone& zone = s_.zone[static_cast<size_t>(number) - 1];
   if ((zone.kind & C2D_ZONE_SELF) != 0) return;
   const bool free = (zone.kind & C2D_ZONE_FREE) != 0;
@@ -323,7 +320,7 @@ void Finder::find_in_zone(int32_t number, std::vector<Corner>& out) const {
       }
 }
 
-double Finder::distance_to_next(const Corner& c) const {
+double CornerFinder::distance_to_next(const Corner& c) const {
   double nearest = INFINITY;
   for (const int32_t body : c.body) {
     if (body == 0) continue;
@@ -336,7 +333,7 @@ double Finder::distance_to_next(const Corner& c) const {
   return nearest;
 }
 
-c2d_status Finder::find(std::vector<Corner>& out) {
+c2d_status CornerFinder::find(std::vector<Corner>& out) {
   const c2d_status status = read();
   if (status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) find_in_zone(z, out);
@@ -355,7 +352,7 @@ c2d_status Finder::find(std::vector<Corner>& out) {
 
 c2d_status find_corners(c2d_solver* solver, const Summary& summary, std::vector<Corner>& out) {
   out.clear();
-  return summary.function_nodes > 1 ? Finder(solver, summary).find(out) : C2D_OK;
+  return summary.function_nodes > 1 ? CornerFinder(solver, summary).find(out) : C2D_OK;
 }
 
 } // namespace app

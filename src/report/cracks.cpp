@@ -72,9 +72,9 @@ struct ZoneEnds {
   double length;      // between them
 };
 
-class Finder {
+class TipFinder {
 public:
-  Finder(c2d_solver* solver, const Summary& s) : solver_(solver), s_(s) {}
+  TipFinder(c2d_solver* solver, const Summary& s) : solver_(solver), s_(s) {}
   c2d_status find(std::vector<CrackTip>& out);
 
 private:
@@ -92,7 +92,7 @@ private:
   std::vector<double> x_, y_, zone_; // of the pairs
 };
 
-ZoneEnds Finder::ends_of(const c2d_zone& zone) const {
+ZoneEnds TipFinder::ends_of(const c2d_zone& zone) const {
   ZoneEnds e;
   find_side_ends(corners_[static_cast<size_t>(zone.side1.body) - 1], zone.side1, true, e.side[0]);
   find_side_ends(corners_[static_cast<size_t>(zone.side2.body) - 1], zone.side2, false, e.side[1]);
@@ -104,7 +104,7 @@ ZoneEnds Finder::ends_of(const c2d_zone& zone) const {
 }
 
 // Do two faces of one body meet there?
-bool Finder::is_sharp(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
+bool TipFinder::is_sharp(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
   const Corners& corners = corners_[static_cast<size_t>(zone.side1.body) - 1];
   const SideEnd &a = ends.side[0][which], &b = ends.side[1][which];
   return corners.next(a.element, a.up) == b.element && distance(a.at, b.at) < 1e-6 * corners.length(a.element);
@@ -116,7 +116,7 @@ bool same_bodies(const c2d_zone& a, const c2d_zone& b) {
 }
 
 // Does a tie of the same bodies go on where this zone ends?
-bool Finder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b) const {
+bool TipFinder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b) const {
   const double near = 1e-6 * corners_[static_cast<size_t>(zone.side1.body) - 1].length(a.element);
   for (const c2d_zone& tie : s_.zone) {
     if ((tie.kind & C2D_ZONE_TIED) == 0 || !same_bodies(zone, tie)) continue;
@@ -129,7 +129,7 @@ bool Finder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b
 }
 
 // Nodes are in one pair, so faces in a free zone end an element before a tie: that one belongs to them.
-ZoneEnds Finder::ends_up_to_ties(const c2d_zone& zone) const {
+ZoneEnds TipFinder::ends_up_to_ties(const c2d_zone& zone) const {
   ZoneEnds ends = ends_of(zone);
   for (int k = 0; k < 2 && (zone.kind & (C2D_ZONE_FREE | C2D_ZONE_SELF)) == C2D_ZONE_FREE; ++k) {
     if (is_tied_at(zone, ends.side[0][k], ends.side[1][k])) continue;
@@ -142,7 +142,7 @@ ZoneEnds Finder::ends_up_to_ties(const c2d_zone& zone) const {
   return ends;
 }
 
-bool Finder::is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
+bool TipFinder::is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
   const SideEnd &a = ends.side[0][which], &b = ends.side[1][which];
   if (distance(ends.side[0][1 - which].at, ends.side[1][1 - which].at) > kNarrow * ends.length) return false;
   return (zone.kind & C2D_ZONE_SELF) != 0 ? is_sharp(zone, ends, which) : is_tied_at(zone, a, b);
@@ -150,7 +150,7 @@ bool Finder::is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const
 
 bool alike(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::max(std::fabs(a), std::fabs(b)); }
 
-void Finder::judge(CrackTip& tip) const {
+void TipFinder::judge(CrackTip& tip) const {
   const c2d_zone& zone = s_.zone[static_cast<size_t>(tip.zone) - 1];
   const c2d_body_result &a = s_.body[zone.side1.body - 1], &b = s_.body[zone.side2.body - 1];
   const double nu = a.poisson_ratio;
@@ -161,7 +161,7 @@ void Finder::judge(CrackTip& tip) const {
     tip.why = "the bodies differ in material";
 }
 
-CrackTip Finder::tip_of(size_t zone, const SideEnd& a, const SideEnd& b) const {
+CrackTip TipFinder::tip_of(size_t zone, const SideEnd& a, const SideEnd& b) const {
   CrackTip tip;
   tip.zone = static_cast<int32_t>(zone) + 1;
   tip.at[0] = (a.at.x + b.at.x) / 2, tip.at[1] = (a.at.y + b.at.y) / 2;
@@ -175,7 +175,7 @@ CrackTip Finder::tip_of(size_t zone, const SideEnd& a, const SideEnd& b) const {
   return tip;
 }
 
-c2d_status Finder::find(std::vector<CrackTip>& out) {
+c2d_status TipFinder::find(std::vector<CrackTip>& out) {
   c2d_status status = C2D_OK;
   corners_.resize(static_cast<size_t>(s_.bodies));
   for (int32_t b = 1; b <= s_.bodies && status == C2D_OK; ++b)
@@ -192,20 +192,20 @@ c2d_status Finder::find(std::vector<CrackTip>& out) {
 
 // ---- stress intensity
 
-const int kTerms = 4; // r^-1/2, r^1/2, r^3/2, r^5/2
+const int kTipTerms = 4; // r^-1/2, r^1/2, r^3/2, r^5/2
 // Which pairs count: from three elements at the tip on, up to 0.3 of the run of pairs that are all open, or all closed.
-const double kNearest = 3, kFarthest = 0.3;
-const size_t kFewest = 6;
-struct Sample {
+const double kNearestPair = 3, kFarthestPair = 0.3;
+const size_t kFewestPairs = 6;
+struct JumpSample {
   double r, jump; // r over the largest of the samples
 };
 
 // Factor of r^1/2 by least squares, errors relative to r^1/2: orthogonal columns one after another, that term as the last.
-double leading_term(const std::vector<Sample>& samples) {
-  const int powers[kTerms] = {-1, 1, 2, 0};
-  std::vector<double> q[kTerms], rest;
-  for (const Sample& s : samples) {
-    for (int k = 0; k < kTerms; ++k) q[k].push_back(std::pow(s.r, powers[k]));
+double leading_term(const std::vector<JumpSample>& samples) {
+  const int powers[kTipTerms] = {-1, 1, 2, 0};
+  std::vector<double> q[kTipTerms], rest;
+  for (const JumpSample& s : samples) {
+    for (int k = 0; k < kTipTerms; ++k) q[k].push_back(std::pow(s.r, powers[k]));
     rest.push_back(s.jump / std::sqrt(s.r));
   }
   const auto product = [](const std::vector<double>& a, const std::vector<double>& b) {
@@ -214,7 +214,7 @@ double leading_term(const std::vector<Sample>& samples) {
     return sum;
   };
   double factor = 0;
-  for (int k = 0; k < kTerms; ++k) {
+  for (int k = 0; k < kTipTerms; ++k) {
     for (int round = 0; round < 2; ++round)
       for (int j = 0; j < k; ++j) {
         const double part = product(q[j], q[k]) / product(q[j], q[j]);
@@ -231,7 +231,7 @@ double leading_term(const std::vector<Sample>& samples) {
 c2d_status find_crack_tips(c2d_solver* solver, const Summary& summary, std::vector<CrackTip>& out) {
   out.clear();
   const bool any = summary.pairs > 0 && summary.function_nodes > 1; // constant functions have no nodes at corners
-  return any ? Finder(solver, summary).find(out) : C2D_OK;
+  return any ? TipFinder(solver, summary).find(out) : C2D_OK;
 }
 StressIntensity stress_intensity(const CrackTip& tip, const double* table, int64_t stride) {
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -241,17 +241,17 @@ StressIntensity stress_intensity(const CrackTip& tip, const double* table, int64
   const auto is_open = [&](size_t i) { return static_cast<int32_t>(row(i)[C2D_STATUS]) == C2D_OPEN; };
   size_t run = 1; // pairs from the tip on that are open, or that are not
   while (run < tip.faces.size() && is_open(run) == is_open(0)) ++run;
-  const double largest = kFarthest * tip.faces[run - 1].distance;
-  std::vector<Sample> opening, slip;
+  const double largest = kFarthestPair * tip.faces[run - 1].distance;
+  std::vector<JumpSample> opening, slip;
   for (size_t i = 0; i < run; ++i) {
     const double r = tip.faces[i].distance;
-    if (r < kNearest * tip.element || r > largest) continue;
+    if (r < kNearestPair * tip.element || r > largest) continue;
     opening.push_back({r / largest, row(i)[C2D_UN2] - row(i)[C2D_UN1]});
     slip.push_back({r / largest, row(i)[C2D_UT2] - row(i)[C2D_UT1]});
   }
   const double scale = tip.modulus * std::sqrt(2 * std::acos(-1.0) / largest) / 8;
   out.K1 = is_open(0) ? none : 0;
-  if (opening.size() < kFewest) {
+  if (opening.size() < kFewestPairs) {
     out.why = "fewer than 6 pairs between three elements from the tip and 0.3 of its " +
               std::string(is_open(0) ? "open" : "closed") + " faces";
     return out;

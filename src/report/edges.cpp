@@ -33,10 +33,10 @@ private:
 bool touches(int32_t status) { return status != C2D_OPEN; }
 
 // A length x at which y vanishes, y a function that is nearly linear there: the polynomial x(y) through samples first ... last.
-struct Sample {
+struct EdgeSample {
   double x, y;
 };
-double root_of(const std::vector<Sample>& v, size_t first, size_t last) {
+double root_of(const std::vector<EdgeSample>& v, size_t first, size_t last) {
   double root = 0;
   for (size_t i = first; i <= last; ++i) {
     double factor = v[i].x;
@@ -50,7 +50,7 @@ double root_of(const std::vector<Sample>& v, size_t first, size_t last) {
 // Where the two-thirds power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
 // one that the mesh disturbs most, and is left out. A root through pairs k to k + 2 is off by about the square of the inverse
 // of their distance: from two of them follows a better one.
-double best_root(const std::vector<Sample>& v) {
+double best_root(const std::vector<EdgeSample>& v) {
   if (v.size() < 2) return NAN;
   if (v.size() == 2) return root_of(v, 0, 1);
   if (v.size() < 5) return root_of(v, 1, 2);
@@ -63,7 +63,7 @@ double best_root(const std::vector<Sample>& v) {
 const double kBefore = 0.25;
 
 // The root by as many pairs as give one between the last pair of one state, at 0, and the first of the other.
-double limited_root(const std::vector<Sample>& v, double before) {
+double limited_root(const std::vector<EdgeSample>& v, double before) {
   const double step = v.front().x;
   for (size_t use = std::min<size_t>(v.size(), 5); use >= 2; use = use > 3 ? 3 : use - 1) {
     const double root = best_root({v.begin(), v.begin() + static_cast<std::ptrdiff_t>(use)});
@@ -87,7 +87,7 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   while (open < most && view.at(open + 1) >= 0 && !touches(state.status[static_cast<size_t>(view.at(open + 1))])) ++open;
   const bool more = view.at(open + 1) >= 0;
   const int32_t use = std::min(more ? (open + 1) / 2 : open, kSamples); // up to the middle between two stretches
-  std::vector<Sample> samples;
+  std::vector<EdgeSample> samples;
   for (int32_t k = 1; k <= use; ++k)
     samples.push_back({view.distance(k), std::cbrt(std::pow(std::max(state.gap[static_cast<size_t>(view.at(k))], 0.0), 2))});
   edge.s += direction * limited_root(samples, kBefore);
@@ -170,7 +170,7 @@ double border_beyond(const LineState& state, int32_t stuck, int direction) {
   const bool more = behind >= 0 && state.status[static_cast<size_t>(behind)] == C2D_STICK;
   const bool advanced = has_advanced(state, view, slipping);
   const int32_t use = std::min(more ? (slipping + 1) / 2 : slipping, advanced ? kAdvancedSamples : kSamples);
-  std::vector<Sample> samples;
+  std::vector<EdgeSample> samples;
   for (int32_t k = 1; k <= use; ++k) {
     const double at = view.distance(k);
     const double slip = std::fabs(state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at));
@@ -204,19 +204,19 @@ int32_t pairs_per_element(const ZoneLine& line) {
 }
 
 // The value at d = 0 of the straight line through the samples that fits best.
-double value_at_edge(const std::vector<Sample>& v) {
+double value_at_edge(const std::vector<EdgeSample>& v) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Sample& s : v) n += 1, x += s.x, y += s.y, xx += s.x * s.x, xy += s.x * s.y;
+  for (const EdgeSample& s : v) n += 1, x += s.x, y += s.y, xx += s.x * s.x, xy += s.x * s.y;
   return (y * xx - x * xy) / (n * xx - x * x);
 }
 
 // These pairs as (distance, value(place, distance)); none if the contact, or its stick, ends before the last of them.
 template <class Value>
-std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int32_t elements_out, bool stuck, Value value) {
+std::vector<EdgeSample> inside(const LineState& state, const ContactEdge& edge, int32_t elements_out, bool stuck, Value value) {
   const View view(state.line, edge.last, -edge.direction);
   const double begin = edge.direction * (edge.s - state.line.s[static_cast<size_t>(edge.last)]);
   const int32_t out_first = elements_out * pairs_per_element(state.line);
-  std::vector<Sample> out;
+  std::vector<EdgeSample> out;
   for (int32_t k = 0; k < out_first + kPairs; ++k) {
     const int32_t at = view.at(k);
     if (at < 0 || !touches(state.status[static_cast<size_t>(at)])) return {};
@@ -232,7 +232,7 @@ std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int3
 double edge_pressure(const LineState& state, const ContactEdge& edge) {
   if (edge.at_corner) return NAN;
   const auto value = [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; };
-  std::vector<Sample> v = inside(state, edge, kElementsOut, false, value);
+  std::vector<EdgeSample> v = inside(state, edge, kElementsOut, false, value);
   if (v.empty()) v = inside(state, edge, kFewerOut, false, value);
   const double square = v.empty() ? NAN : value_at_edge(v);
   return square >= 0 ? std::sqrt(square) : NAN;
@@ -241,7 +241,7 @@ double edge_pressure(const LineState& state, const ContactEdge& edge) {
 double edge_friction(const LineState& state, const ContactEdge& edge) {
   if (edge.at_corner) return NAN;
   const auto value = [&](size_t at, double d) { return state.tt[at] * state.tt[at] * d; };
-  const std::vector<Sample> v = inside(state, edge, kElementsOut, true, value);
+  const std::vector<EdgeSample> v = inside(state, edge, kElementsOut, true, value);
   if (v.empty()) return NAN;
   // Friction that falls towards the edge, as where the contact has just grown, has no such intensity.
   for (size_t i = 1; i < v.size(); ++i)

@@ -56,7 +56,7 @@ void append_triple(std::string& out, const double (&v)[3]) {
 }
 
 // Only where there is one.
-void append_name(Object& o, const std::vector<std::string>& names, size_t i) {
+void append_json_name(Object& o, const std::vector<std::string>& names, size_t i) {
   if (i < names.size() && !names[i].empty()) o.word("name", names[i].c_str());
 }
 
@@ -77,7 +77,7 @@ void append_force(std::string& out, const Summary& s) {
   for (int32_t b = 0; b < s.bodies; ++b) {
     out += b == 0 ? "\n    " : ",\n    ";
     Object body(out, "{", ", ");
-    append_name(body, s.body_name, static_cast<size_t>(b));
+    append_json_name(body, s.body_name, static_cast<size_t>(b));
     append_triple(body.key("applied"), s.body[b].applied);
     append_triple(body.key("contact"), s.body[b].contact);
     out += '}';
@@ -301,7 +301,7 @@ void append_interior(std::string& out, const Interior& interior) {
   out += '}';
 }
 
-void append_warnings(std::string& out, const RunRecord& record) {
+void append_json_warnings(std::string& out, const RunRecord& record) {
   out += '[';
   bool first = true;
   for (const c2d_error& w : record.warnings) {
@@ -338,7 +338,7 @@ void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
     if (i > 0) out += ", ";
     Object zone(out, "{", ", ");
     zone.integer("zone", static_cast<int64_t>(i) + 1);
-    append_name(zone, s.zone_name, i);
+    append_json_name(zone, s.zone_name, i);
     if (s.names_bodies() && i < s.zone.size()) {
       zone.integer("body1", s.zone[i].side1.body);
       zone.integer("body2", s.zone[i].side2.body);
@@ -380,7 +380,7 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   append_corners(o, record.corners, "\n    ");
   if (record.meshes.ran()) append_accuracy(o.key("accuracy"), record.meshes);
   if (record.interior != nullptr) append_interior(o.key("interior"), *record.interior);
-  append_warnings(o.key("warnings"), record);
+  append_json_warnings(o.key("warnings"), record);
   out += "\n}\n";
 }
 

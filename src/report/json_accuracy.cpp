@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-void append_rounds(std::string& out, const MeshLoop& loop) {
+void append_json_rounds(std::string& out, const MeshLoop& loop) {
   out += '[';
   for (size_t i = 0; i < loop.rounds.size(); ++i) {
     const MeshRound& round = loop.rounds[i];
@@ -49,7 +49,7 @@ void append_stated(std::string& out, const Stated& s) {
 
 void append_accuracy(std::string& out, const MeshLoop& loop) {
   Object o(out, "{", ", ");
-  append_rounds(o.key("rounds"), loop);
+  append_json_rounds(o.key("rounds"), loop);
   o.key("stated") += '[';
   for (size_t i = 0; i < loop.stated.size(); ++i) {
     out += i == 0 ? "\n    " : ",\n    ";

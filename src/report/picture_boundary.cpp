@@ -9,14 +9,14 @@
 namespace app {
 namespace {
 
-const Stroke kLines[] = {
+const Stroke kBodyLines[] = {
     {colour::kBlue, 1.8, ""}, {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"}, {colour::kPurple, 1.8, "10 3 2 3"}};
 
-struct Sample {
+struct BoundarySample {
   double s, hoop;
 };
 
-using Pieces = std::vector<std::vector<Sample>>;
+using Pieces = std::vector<std::vector<BoundarySample>>;
 
 // Stress along one curve over its length, end by end; elements on a line of symmetry are no boundary and
 // break it.
@@ -63,18 +63,18 @@ c2d_status collect(const Scene& scene, size_t b, Curves& out) {
     out.pieces.push_back(follow(scene, body, hoop[0], from, to));
     for (size_t i = from; i < to; ++i)
       if (std::fabs(hoop[0][i]) > std::fabs(out.largest)) out.largest = hoop[0][i], out.where = body.ends[i];
-    for (const std::vector<Sample>& piece : out.pieces.back())
-      for (const Sample& p : piece) out.s.include(p.s), out.stress.include(p.hoop);
+    for (const std::vector<BoundarySample>& piece : out.pieces.back())
+      for (const BoundarySample& p : piece) out.s.include(p.s), out.stress.include(p.hoop);
     size_t begin = from; // of what is boundary
     while (begin + 1 < to && body.on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
     const Point start = body.ends[begin];
     out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
-                           kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
+                           kBodyLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
   return status;
 }
 
-c2d_status draw_one(const Scene& scene, size_t b, Pictures& out) {
+c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
   Curves curves;
   const c2d_status status = collect(scene, b, curves);
   if (status != C2D_OK) return status;
@@ -93,10 +93,10 @@ c2d_status draw_one(const Scene& scene, size_t b, Pictures& out) {
                     make_axis(curves.stress, "stress along the boundary", scene.stress_unit, 6)};
   draw_axes(svg, chart);
   for (size_t r = 0; r < curves.pieces.size(); ++r)
-    for (const std::vector<Sample>& piece : curves.pieces[r]) {
+    for (const std::vector<BoundarySample>& piece : curves.pieces[r]) {
       std::vector<Point> points;
-      for (const Sample& p : piece) points.push_back(chart.at(p.s, p.hoop));
-      svg.polyline(points, kLines[r % 4]);
+      for (const BoundarySample& p : piece) points.push_back(chart.at(p.s, p.hoop));
+      svg.polyline(points, kBodyLines[r % 4]);
     }
   picture.caption = "Normal stress along the boundary" + which + " (hoop stress) at " + place_at_end(scene) +
                     ": the largest in size is " + figure(curves.largest, scene.stress_unit, 6) + " at (" +
@@ -113,7 +113,7 @@ c2d_status draw_boundary_stress(const Scene& scene, Pictures& out) {
   if (!scene.pairs.empty() || scene.bodies.empty()) return status;
   const size_t count = scene.bodies.size() > 2 ? scene.bodies.size() : 1; // of two only the first, as ever
   for (size_t b = 0; b < std::min(count, kMostCharts) && status == C2D_OK; ++b)
-    if (!scene.bodies[b].rigid) status = draw_one(scene, b, out);
+    if (!scene.bodies[b].rigid) status = draw_boundary_of(scene, b, out);
   return status;
 }
 

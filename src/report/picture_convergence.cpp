@@ -8,8 +8,8 @@
 namespace app {
 namespace {
 
-const Stroke kLines[] = {{colour::kBlue, 1.8, ""},           {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"},
-                         {colour::kPurple, 1.8, "10 3 2 3"}, {colour::kInk, 1.4, "4 3"},    {colour::kFaint, 1.8, ""}};
+const Stroke kMeasureLines[] = {{colour::kBlue, 1.8, ""},           {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"},
+                                {colour::kPurple, 1.8, "10 3 2 3"}, {colour::kInk, 1.4, "4 3"},    {colour::kFaint, 1.8, ""}};
 constexpr Mark kMarks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle, Mark::kDiamond, Mark::kCircle, Mark::kSquare};
 constexpr size_t kMostLines = 6;
 
@@ -67,7 +67,7 @@ bool has_points(const std::vector<Line>& lines) {
 std::vector<LegendEntry> legend_of(const std::vector<Line>& lines) {
   std::vector<LegendEntry> out;
   for (size_t i = 0; i < lines.size(); ++i)
-    if (!lines[i].points.empty()) out.push_back({lines[i].name, kLines[i], kMarks[i], i % 2 == 0, ""});
+    if (!lines[i].points.empty()) out.push_back({lines[i].name, kMeasureLines[i], kMarks[i], i % 2 == 0, ""});
   return out;
 }
 
@@ -87,8 +87,8 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
   for (size_t i = 0; i < lines.size(); ++i) {
     std::vector<Point> points;
     for (const Point& p : lines[i].points) points.push_back(chart.at(p.x, p.y));
-    svg.polyline(points, kLines[i]);
-    for (const Point& p : points) svg.mark(kMarks[i], p, 6.0, kLines[i].colour, i % 2 == 0);
+    svg.polyline(points, kMeasureLines[i]);
+    for (const Point& p : points) svg.mark(kMarks[i], p, 6.0, kMeasureLines[i].colour, i % 2 == 0);
   }
   svg.end_clip();
 }

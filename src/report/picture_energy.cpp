@@ -9,14 +9,14 @@ namespace {
 
 // A quantity of energy and how it is drawn; the work, which the elastic energy often covers, in large hollow
 // marks.
-struct Curve {
+struct EnergyCurve {
   double EnergyPoint::*value;
   const char* name;
   Stroke stroke;
   Mark mark;
   double size;
 };
-const Curve kCurves[] = {
+const EnergyCurve kCurves[] = {
     {&EnergyPoint::work, "work of the loads", {colour::kBlue, 2.0, ""}, Mark::kCircle, 7.5},
     {&EnergyPoint::elastic, "elastic energy", {colour::kGreen, 1.4, "7 3"}, Mark::kSquare, 4.0},
     {&EnergyPoint::dissipated, "dissipated by friction", {colour::kOrange, 2.0, "2 2"}, Mark::kTriangle, 5.5}};
@@ -52,7 +52,7 @@ Axes make_axes(const Scene& scene, size_t count) {
   return out;
 }
 
-void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const Curve& curve, bool by_load) {
+void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const EnergyCurve& curve, bool by_load) {
   std::vector<Point> points{chart.at(0.0, 0.0)};
   for (size_t i = 0; i < h.energy.size(); ++i) points.push_back(chart.at(place_of(h, i, by_load), h.energy[i].*curve.value));
   svg.polyline(points, curve.stroke);
@@ -95,7 +95,7 @@ void draw_energy(const Scene& scene, Pictures& out) {
   const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;
   Svg svg("energy", kPictureWidth, top + row * static_cast<double>(count) + 12.0);
   std::vector<LegendEntry> entries;
-  for (const Curve& curve : kCurves)
+  for (const EnergyCurve& curve : kCurves)
     if (axes.dissipates || curve.value != &EnergyPoint::dissipated)
       entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
   draw_legend(&svg, {76.0, 4.0}, 660.0, entries);

@@ -80,7 +80,7 @@ std::vector<Panel> find_panels(const Scene& scene, const ZoneScene& zone, const 
   return out;
 }
 
-void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
+void draw_gap_of(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   const ZoneScene& zone = scene.zones[zone_index];
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   Range s;
@@ -110,6 +110,6 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 
 } // namespace
 
-void draw_gap(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_one, out); }
+void draw_gap(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_gap_of, out); }
 
 } // namespace app

@@ -44,7 +44,7 @@ std::string caption(const Scene& scene, size_t coefficient, size_t zone, const L
          " in it. The two agree where all pairs move alike; where the edges slip and the middle sticks the area is less.";
 }
 
-void draw_one(const Scene& scene, size_t coefficient, size_t zone, Pictures& out) {
+void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures& out) {
   const double mu = friction_of(scene, coefficient, zone);
   const Loop loop = find_loop(scene.record->coefficients[coefficient], zone);
   Range x, y;
@@ -71,6 +71,6 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone, Pictures& out
 
 } // namespace
 
-void draw_loop(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_one, out); }
+void draw_loop(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_loop_of, out); }
 
 } // namespace app

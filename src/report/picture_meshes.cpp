@@ -8,7 +8,7 @@ namespace app {
 namespace {
 
 // What a view has to show.
-struct Extent {
+struct MeshExtent {
   Range x, y;
   void include(Point p) { x.include(p.x), y.include(p.y); }
   double size() const { return std::max(x.high - x.low, y.high - y.low); }
@@ -26,7 +26,7 @@ struct Extent {
 class Close {
 public:
   explicit Close(const Scene& scene) : scene_(scene) {}
-  bool find(double whole, Extent& out) {
+  bool find(double whole, MeshExtent& out) {
     for (const ZoneScene& zone : scene_.zones) look_at(zone);
     if (zone_ == nullptr) return false;
     const std::vector<double>* table = last_table();
@@ -122,7 +122,7 @@ std::string caption_of(const MeshLoop& loop) {
 void draw_meshes(const Scene& scene, Pictures& out) {
   const MeshLoop& loop = scene.record->meshes;
   if (!loop.ran() || loop.rounds[loop.taken].curves.empty()) return; // a deck is drawn as it is
-  Extent whole, part;
+  MeshExtent whole, part;
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)
       for (const OutlinePoint& p : curve) whole.include(p.at);

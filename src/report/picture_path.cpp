@@ -8,8 +8,8 @@ namespace {
 
 const Stroke kLines[] = {{colour::kBlue, 1.8, ""},           {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"},
                          {colour::kPurple, 1.8, "10 3 2 3"}, {colour::kInk, 1.8, "14 4"},   {colour::kFaint, 1.8, "4 2 1 2"}};
-const Mark kMarks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle, Mark::kDiamond, Mark::kCross, Mark::kCircle};
-constexpr size_t kMostLines = 6;
+const Mark kStepMarks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle, Mark::kDiamond, Mark::kCross, Mark::kCircle};
+constexpr size_t kMostDrawn = 6;
 
 using Value = double (*)(const PathPoint&);
 double events(const PathPoint& p) { return p.events; }
@@ -32,7 +32,7 @@ bool all_rise(const Scene& scene) {
 void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const char* name, const std::string& unit, bool whole,
                 bool stairs, bool labels, Value value) {
   const std::vector<CoefficientHistory>& all = scene.history->coefficients();
-  const size_t lines = std::min(all.size(), kMostLines);
+  const size_t lines = std::min(all.size(), kMostDrawn);
   Range range;
   range.include(0.0);
   for (size_t c = 0; c < lines; ++c)
@@ -57,7 +57,7 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
     }
     svg.polyline(points, kLines[c]);
     const size_t every = steps.size() / 40 + 1;
-    for (size_t i = 0; i < steps.size(); i += every) svg.mark(kMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
+    for (size_t i = 0; i < steps.size(); i += every) svg.mark(kStepMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
   }
 }
 
@@ -72,8 +72,8 @@ const CoefficientRecord& longest(const Scene& scene) {
 
 std::vector<LegendEntry> load_legend(const Scene& scene) {
   std::vector<LegendEntry> out;
-  for (size_t k = 0; scene.cases > 1 && k < std::min(scene.cases, kMostLines); ++k)
-    out.push_back({"factor of load case " + std::to_string(k + 1), kLines[k], kMarks[k], k != 1, ""});
+  for (size_t k = 0; scene.cases > 1 && k < std::min(scene.cases, kMostDrawn); ++k)
+    out.push_back({"factor of load case " + std::to_string(k + 1), kLines[k], kStepMarks[k], k != 1, ""});
   return out;
 }
 
@@ -86,20 +86,20 @@ void draw_loads(Svg& svg, const Scene& scene, const Box& frame, const Axis& x) {
   const Chart chart{frame, x, make_axis(range, "load factor", "", 4)};
   draw_axes(svg, chart, false);
   draw_heading(svg, frame, scene.cases > 1 ? "Factors of the load cases" : "Load factor");
-  for (size_t k = 0; k < std::min(scene.cases, kMostLines); ++k) {
+  for (size_t k = 0; k < std::min(scene.cases, kMostDrawn); ++k) {
     std::vector<Point> points{chart.at(0.0, 0.0)};
     for (const StepRecord& step : record.steps)
       points.push_back(chart.at(step.step, k < step.loads.size() ? step.loads[k] : 0.0));
     svg.polyline(points, kLines[k]);
     for (size_t i = 1; i < points.size(); i += points.size() / 40 + 1)
-      svg.mark(kMarks[k], points[i], 5.0, kLines[k].colour, k != 1);
+      svg.mark(kStepMarks[k], points[i], 5.0, kLines[k].colour, k != 1);
   }
 }
 
-std::string caption(const Scene& scene) {
+std::string path_caption(const Scene& scene) {
   std::string out;
   const size_t known = std::min(scene.history->coefficients().size(), scene.record->coefficients.size());
-  for (size_t c = 0; c < std::min(known, kMostLines); ++c) {
+  for (size_t c = 0; c < std::min(known, kMostDrawn); ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
     if (h.points.empty()) continue;
     const PathPoint& last = h.points.back();
@@ -109,7 +109,7 @@ std::string caption(const Scene& scene) {
            ", then " + std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a peak pressure of " +
            figure(last.peak, scene.stress_unit, 6);
   }
-  if (known > kMostLines) out += "; further coefficients are not drawn";
+  if (known > kMostDrawn) out += "; further coefficients are not drawn";
   return "How the load path went (markers: recorded steps): " + out + ".";
 }
 
@@ -122,11 +122,11 @@ void draw_path(const Scene& scene, Pictures& out) {
   const bool by_load = all_rise(scene);
   load.include(0.0);
   std::vector<LegendEntry> entries;
-  for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostLines); ++c) {
+  for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostDrawn); ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
     for (const PathPoint& p : h.points) any = any || p.events > 0;
     for (const double place : places(h, by_load)) load.include(place);
-    entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kMarks[c], c != 1, ""});
+    entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kStepMarks[c], c != 1, ""});
   }
   const Axis x = make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load);
   const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0, step = high + 32.0;
@@ -154,7 +154,7 @@ void draw_path(const Scene& scene, Pictures& out) {
   next();
   draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);
   draw_heading(svg, frame, "Pairs in contact");
-  Picture picture{"path", "The load path", caption(scene), ""};
+  Picture picture{"path", "The load path", path_caption(scene), ""};
   if (scene.history->coefficients().size() == 1) picture.title += ", &#956; = " + figure(scene.history->coefficients()[0].mu);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

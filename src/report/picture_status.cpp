@@ -48,7 +48,7 @@ std::vector<double> borders(const ZoneScene& zone) {
   return out;
 }
 
-std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficient) {
+std::string status_caption(const Scene& scene, const ZoneScene& zone, size_t coefficient) {
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const ZoneFacts f = find_facts(scene, zone, record.table);
@@ -80,7 +80,7 @@ void draw_bands(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::
   svg.raw("</g>\n");
 }
 
-void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
+void draw_status_of(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   const ZoneScene& zone = scene.zones[zone_index];
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const bool by_load = rises(history);
@@ -114,7 +114,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   Picture picture{name,
                   "Open, stick and slip over the load, " +
                       chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
-                  caption(scene, zone, coefficient), ""};
+                  status_caption(scene, zone, coefficient), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }
@@ -122,7 +122,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 } // namespace
 
 void draw_status_map(const Scene& scene, Pictures& out) {
-  draw_charts(scene, std::min(scene.record->coefficients.size(), scene.history->coefficients().size()), draw_one, out);
+  draw_charts(scene, std::min(scene.record->coefficients.size(), scene.history->coefficients().size()), draw_status_of, out);
 }
 
 } // namespace app

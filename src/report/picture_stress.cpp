@@ -10,14 +10,14 @@ namespace {
 
 constexpr size_t kNodesAcross = 64; // of a grid, along its longer side
 constexpr size_t kBands = 10;       // about
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 // A window and what the bodies hold in it.
 struct Window {
   Chart view;
   std::vector<Grid> grids; // per body
 };
-struct Peak {
+struct DrawnPeak {
   double value = 0.0;
   Point at;
   size_t body = 0;
@@ -61,8 +61,8 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   return C2D_OK;
 }
 
-Peak find_peak(const Window& window) {
-  Peak out;
+DrawnPeak find_peak(const Window& window) {
+  DrawnPeak out;
   for (size_t b = 0; b < window.grids.size(); ++b) {
     const Grid& g = window.grids[b];
     for (size_t r = 0; r < g.rows; ++r)
@@ -73,21 +73,21 @@ Peak find_peak(const Window& window) {
 }
 
 // From the highest nodes of the grid on to where the stress is largest: by steps that shrink, around the best point so far.
-c2d_status climb(const Scene& scene, const Window& window, Peak& peak) {
+c2d_status climb(const Scene& scene, const Window& window, DrawnPeak& peak) {
   constexpr size_t kAround = 8;
   const Grid& g = window.grids[peak.body];
   double step = std::max(g.dx, g.dy);
   for (int round = 0; round < 30 && step > 0.0; ++round) {
     std::vector<double> points, values(kAround * C2D_POINT_FIELDS);
     for (size_t k = 0; k < kAround; ++k) {
-      const double angle = 2.0 * kPi * (static_cast<double>(k) + 0.5 * (round % 2)) / static_cast<double>(kAround);
+      const double angle = 2.0 * kHalfTurn * (static_cast<double>(k) + 0.5 * (round % 2)) / static_cast<double>(kAround);
       points.push_back(peak.at.x + step * std::cos(angle));
       points.push_back(peak.at.y + step * std::sin(angle));
     }
     const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(peak.body) + 1, static_cast<int32_t>(kAround),
                                            points.data(), 2, values.data(), C2D_POINT_FIELDS);
     if (status != C2D_OK) return status;
-    const Peak before = peak;
+    const DrawnPeak before = peak;
     for (size_t k = 0; k < kAround; ++k) {
       const double* row = values.data() + k * C2D_POINT_FIELDS;
       const Point p{points[2 * k], points[2 * k + 1]};
@@ -102,7 +102,7 @@ c2d_status climb(const Scene& scene, const Window& window, Peak& peak) {
 }
 
 // The boundary has stresses of its own, at the ends of elements.
-c2d_status find_on_boundary(const Scene& scene, const Window& window, Peak& peak) {
+c2d_status find_on_boundary(const Scene& scene, const Window& window, DrawnPeak& peak) {
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     const BodyScene& body = scene.bodies[b];
     std::vector<double> points, values;
@@ -196,8 +196,8 @@ void draw_bar(Svg& svg, const Box& bar, const Axis& axis, const std::vector<doub
   svg.text({bar.right + widest + 22.0, 0.5 * (bar.top + bar.bottom)}, axis.name, 12.0, Anchor::kMiddle, colour::kInk, true);
 }
 
-c2d_status draw_one(const Scene& scene, const std::string& name, const std::string& title, Range x, Range y, double margin,
-                    Pictures& out) {
+c2d_status draw_stress_of(const Scene& scene, const std::string& name, const std::string& title, Range x, Range y,
+                          double margin, Pictures& out) {
   const double left = 62.0, right = kPictureWidth - 120.0, top = 14.0;
   const double high = view_height(x, y, right - left, 260.0, 460.0);
   Window window;
@@ -207,7 +207,7 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
     const c2d_status status = sample(scene, b, window.view, window.grids[b]);
     if (status != C2D_OK) return status;
   }
-  Peak peak = find_peak(window);
+  DrawnPeak peak = find_peak(window);
   c2d_status status = climb(scene, window, peak);
   if (status == C2D_OK) status = find_on_boundary(scene, window, peak);
   if (status != C2D_OK) return status;
@@ -236,7 +236,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)
       for (const OutlinePoint& p : curve) x.include(p.at.x), y.include(p.at.y);
-  c2d_status status = draw_one(scene, "stress", "Stress inside", x, y, 12.0, out);
+  c2d_status status = draw_stress_of(scene, "stress", "Stress inside", x, y, 12.0, out);
   if (status != C2D_OK || scene.pairs.empty()) return status;
   const std::vector<double>& table = scene.record->coefficients.back().table;
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
@@ -252,7 +252,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
     for (const double at : {zoom_x.low + d, zoom_x.high + d}) near_x.include(std::min(x.high, std::max(x.low, at)));
     for (const double at : {zoom_y.low + d, zoom_y.high + d}) near_y.include(std::min(y.high, std::max(y.low, at)));
   }
-  return draw_one(scene, "stress_zone", "Stress near the contact", near_x, near_y, 12.0, out);
+  return draw_stress_of(scene, "stress_zone", "Stress near the contact", near_x, near_y, 12.0, out);
 }
 
 } // namespace app

@@ -289,7 +289,7 @@ void draw_edges(const Layers& whole, bool friction, const std::string& suffix, c
   out.push_back(picture);
 }
 
-void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
+void draw_tractions_of(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   static const CoefficientHistory kNone;
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
   const CoefficientHistory& history = coefficient < histories.size() ? histories[coefficient] : kNone;
@@ -324,6 +324,8 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 
 } // namespace
 
-void draw_tractions(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_one, out); }
+void draw_tractions(const Scene& scene, Pictures& out) {
+  draw_charts(scene, scene.record->coefficients.size(), draw_tractions_of, out);
+}
 
 } // namespace app

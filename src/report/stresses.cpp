@@ -27,12 +27,12 @@ Stress stress_at(const std::vector<double>& numbers, size_t place) {
 }
 bool is_left_out(const StressPlace& place, const Stress& stress) { return place.of_grid && std::isnan(stress.xx); }
 
-void add(std::string& out, int32_t number) {
+void add_number(std::string& out, int32_t number) {
   out += ',';
   append_integer(out, number);
 }
 // No number where there is none along the boundary, nan outside the body.
-void add(std::string& out, double number) {
+void add_number(std::string& out, double number) {
   out += ',';
   if (std::isnan(number))
     out += "nan";
@@ -43,16 +43,16 @@ void add_hoop(std::string& out, double number) {
   if (std::isnan(number))
     out += ',';
   else
-    add(out, number);
+    add_number(out, number);
 }
 
 void add_place(std::string& out, const StressPlace& place) {
-  for (const int32_t number : {place.body, place.element, place.point}) add(out, number);
-  for (const double number : {place.x, place.y}) add(out, number);
+  for (const int32_t number : {place.body, place.element, place.point}) add_number(out, number);
+  for (const double number : {place.x, place.y}) add_number(out, number);
 }
 
 // Numbers over a stretch of steps.
-struct Extent {
+struct GridExtent {
   double least = HUGE_VAL, most = -HUGE_VAL;
   void include(double number) {
     least = std::fmin(least, number); // of NaN and a number, the number
@@ -61,7 +61,7 @@ struct Extent {
 };
 
 void append_range(std::string& out, const std::vector<Stress>& states) {
-  Extent hoop, first, mises, between;
+  GridExtent hoop, first, mises, between;
   for (size_t i = 0; i < states.size(); ++i) {
     hoop.include(states[i].hoop);
     first.include(states[i].principal(1));
@@ -72,7 +72,7 @@ void append_range(std::string& out, const std::vector<Stress>& states) {
   const bool outside = std::isnan(states.front().xx), along = !std::isnan(states.front().hoop);
   add_hoop(out, along ? hoop.least : NAN);
   add_hoop(out, along ? hoop.most : NAN);
-  for (const double number : {first.least, first.most, mises.most, between.most}) add(out, outside ? NAN : number);
+  for (const double number : {first.least, first.most, mises.most, between.most}) add_number(out, outside ? NAN : number);
   out += '\n';
 }
 
@@ -118,17 +118,17 @@ void append_stresses_rows(std::string& out, const c2d_step& step, const std::vec
                           const std::vector<double>& numbers) {
   std::string head, tail;
   append_number(head, step.mu);
-  add(head, step.step);
-  add(head, step.load);
-  for (int32_t k = 1; k < step.cases; ++k) add(tail, step.loads[k]);
+  add_number(head, step.step);
+  add_number(head, step.load);
+  for (int32_t k = 1; k < step.cases; ++k) add_number(tail, step.loads[k]);
   for (size_t i = 0; i < places.size(); ++i) {
     const Stress s = stress_at(numbers, i);
     if (is_left_out(places[i], s)) continue;
     out += head;
     add_place(out, places[i]);
-    for (const double number : {s.xx, s.yy, s.xy, s.zz}) add(out, number);
+    for (const double number : {s.xx, s.yy, s.xy, s.zz}) add_number(out, number);
     add_hoop(out, s.hoop);
-    for (const double number : {s.principal(1), s.principal(2), s.von_mises()}) add(out, number);
+    for (const double number : {s.principal(1), s.principal(2), s.von_mises()}) add_number(out, number);
     out += tail + '\n';
   }
 }
@@ -146,7 +146,7 @@ void append_ranges(std::string& out, const RunRecord& record, const std::vector<
       for (const size_t i : with) states.push_back(stress_at(c.steps[i].stresses, p));
       if (is_left_out(places[p], states.front())) continue;
       append_number(out, c.mu);
-      for (const size_t i : {with.front(), with.back()}) add(out, c.steps[i].step);
+      for (const size_t i : {with.front(), with.back()}) add_number(out, c.steps[i].step);
       add_place(out, places[p]);
       append_range(out, states);
     }

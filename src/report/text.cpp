@@ -50,24 +50,24 @@ char* print_exponent(char* at, int exponent) {
 }
 
 // "00", "01", ... "99".
-struct Pairs {
+struct DigitPairs {
   char text[200];
 };
-constexpr Pairs make_pairs() {
-  Pairs pairs = {};
+constexpr DigitPairs make_pairs() {
+  DigitPairs pairs = {};
   for (int i = 0; i < 100; ++i) {
     pairs.text[2 * i] = static_cast<char>('0' + i / 10);
     pairs.text[2 * i + 1] = static_cast<char>('0' + i % 10);
   }
   return pairs;
 }
-constexpr Pairs kPairs = make_pairs();
+constexpr DigitPairs kDigitPairs = make_pairs();
 
 constexpr int kMostDigits = 16; // copied whole, which is quicker than as many as there are
 
 // The `count` digits of an integer, an even number from 2 to 16 of them, with zeros in front.
 void spell(char* digits, int count, uint64_t integer) {
-  for (int i = count; i > 0; i -= 2, integer /= 100) std::memcpy(digits + i - 2, kPairs.text + 2 * (integer % 100), 2);
+  for (int i = count; i > 0; i -= 2, integer /= 100) std::memcpy(digits + i - 2, kDigitPairs.text + 2 * (integer % 100), 2);
 }
 
 // d.ddd or ddd.d or 0.00ddd from `count` of kMostDigits digits, the first of which stands for 10^exponent; those behind

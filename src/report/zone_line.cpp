@@ -28,9 +28,9 @@ void ZoneLine::place(double at, double out[2]) const {
 
 namespace {
 
-class Finder {
+class PlaceFinder {
 public:
-  Finder(c2d_solver* solver, const Summary& summary) : solver_(solver), s_(summary) {}
+  PlaceFinder(c2d_solver* solver, const Summary& summary) : solver_(solver), s_(summary) {}
   c2d_status find(std::vector<ZoneLine>& out);
 
 private:
@@ -57,7 +57,7 @@ private:
   std::vector<std::vector<int32_t>> pair_at_;                  // by zone and functional node of side 2: the pair from 0, or -1
 };
 
-c2d_status Finder::read() {
+c2d_status PlaceFinder::read() {
   c2d_status status = C2D_OK;
   curves_.resize(static_cast<size_t>(s_.bodies));
   for (int32_t b = 1; b <= s_.bodies && status == C2D_OK; ++b)
@@ -80,7 +80,7 @@ c2d_status Finder::read() {
 }
 
 // Up if that arrives at the last element after as many as the side has. One element: down, as sides 2 face sides 1.
-Finder::Walk Finder::walk(const c2d_side& side) const {
+PlaceFinder::Walk PlaceFinder::walk(const c2d_side& side) const {
   Walk w;
   const BodyCurve& c = curve(side.body);
   const int32_t count = side.elements;
@@ -94,7 +94,7 @@ Finder::Walk Finder::walk(const c2d_side& side) const {
   return w;
 }
 
-bool Finder::faces_corner(const c2d_zone& zone, size_t pair) const {
+bool PlaceFinder::faces_corner(const c2d_zone& zone, size_t pair) const {
   const BodyCurve& c = curve(zone.side1.body);
   const int32_t element = static_cast<int32_t>(element1_[pair]);
   if (node1_[pair] > 0) return c.is_corner_node(static_cast<int32_t>(node1_[pair]));
@@ -102,12 +102,12 @@ bool Finder::faces_corner(const c2d_zone& zone, size_t pair) const {
   return c.is_corner(element, eta1_[pair] > 0);
 }
 
-bool Finder::is_corner_pair(const c2d_zone& zone, size_t pair) const {
+bool PlaceFinder::is_corner_pair(const c2d_zone& zone, size_t pair) const {
   return curve(zone.side2.body).is_corner_node(static_cast<int32_t>(node2_[pair])) || faces_corner(zone, pair);
 }
 
 // Pairs of an element of side 2 that begins at s, and the parts of its shape functions.
-void Finder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const {
+void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const {
   const int32_t nodes = s_.function_nodes;
   const ElementCurve& element = curve(side.body).element(e);
   line.pieces.push_back({s, up, element});
@@ -132,7 +132,7 @@ void Finder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool u
 }
 
 // Is the element a straight one along an axis that slides along a fixed line without friction, in every load case?
-bool Finder::is_guided(int32_t body, int32_t element) const {
+bool PlaceFinder::is_guided(int32_t body, int32_t element) const {
   const ElementCurve& c = curve(body).element(element);
   double size = 0, off[2] = {0, 0};
   for (int32_t k = 1; k < c.count; ++k) {
@@ -153,7 +153,7 @@ bool Finder::is_guided(int32_t body, int32_t element) const {
 }
 
 // Does a side end on a line of symmetry, by images or by its elements?
-bool Finder::is_mirror(const c2d_side& side, int32_t element, bool at_end) const {
+bool PlaceFinder::is_mirror(const c2d_side& side, int32_t element, bool at_end) const {
   const ElementCurve& c = curve(side.body).element(element);
   double at[2];
   c.point(at_end ? 1 : -1, at);
@@ -179,7 +179,7 @@ const double kOpposite = 0.1, kLeftOut = 1.5; // over the length of the element
 
 // Corners and lines of symmetry of side 1 where it ends opposite an end of side 2. Both bodies have to be mirrored there; a
 // rigid one has no conditions that could tell.
-void Finder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const {
+void PlaceFinder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const {
   const bool rigid[2] = {s_.body[zone.side1.body - 1].unknowns == 0, s_.body[zone.side2.body - 1].unknowns == 0};
   const BodyCurve &one = curve(zone.side1.body), &two = curve(zone.side2.body);
   for (int k = 0; k < 2; ++k)
@@ -200,7 +200,7 @@ void Finder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, c
     }
 }
 
-void Finder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) const {
+void PlaceFinder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) const {
   for (int k = 0; k < 2; ++k) {
     const bool at_end = (k == 1) == w.up;
     const int32_t last = k == 0 ? w.elements.front() : w.elements.back();
@@ -210,7 +210,7 @@ void Finder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) cons
   if (curve(zone.side1.body).elements() > 0) compare_ends(line, zone, w, walk(zone.side1));
 }
 
-ZoneLine Finder::line_of(int32_t number) const {
+ZoneLine PlaceFinder::line_of(int32_t number) const {
   const c2d_zone& zone = s_.zone[static_cast<size_t>(number) - 1];
   ZoneLine line;
   line.zone = number;
@@ -232,7 +232,7 @@ ZoneLine Finder::line_of(int32_t number) const {
   return line;
 }
 
-c2d_status Finder::find(std::vector<ZoneLine>& out) {
+c2d_status PlaceFinder::find(std::vector<ZoneLine>& out) {
   const c2d_status status = read();
   if (status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) out.push_back(line_of(z));
@@ -243,7 +243,7 @@ c2d_status Finder::find(std::vector<ZoneLine>& out) {
 
 c2d_status find_zone_lines(c2d_solver* solver, const Summary& summary, std::vector<ZoneLine>& out) {
   out.clear();
-  return summary.pairs > 0 ? Finder(solver, summary).find(out) : C2D_OK;
+  return summary.pairs > 0 ? PlaceFinder(solver, summary).find(out) : C2D_OK;
 }
 
 } // namespace app

@@ -6,8 +6,6 @@
 namespace drawing {
 namespace {
 
-const double kHalfTurn = std::acos(-1.0);
-constexpr double kRound = 1e-8;       // of the size: what digits of files leave open
 constexpr double kCorner = 40;        // degrees
 constexpr double kArcStep = 52;       // degrees: meshes have seven elements to a circle at least
 constexpr size_t kArcPoints = 5;      // with fewer an arc is a guess

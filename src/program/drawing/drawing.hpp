@@ -12,6 +12,8 @@ using sketch::Point;
 
 // Ends of curves are one if they are nearer than this share of the drawing's size.
 constexpr double kJoin = 1e-6;
+constexpr double kRound = 1e-8; // of the size: what digits of files leave open
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 // What is wrong with a file. Thrown while it is read; line 0: the whole file.
 struct Fault {

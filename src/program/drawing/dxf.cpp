@@ -11,8 +11,6 @@
 namespace drawing {
 namespace {
 
-const double kHalfTurn = std::acos(-1.0);
-
 double degrees(double radians) { return radians * 180 / kHalfTurn; }
 
 // What $INSUNITS means; empty: no unit, or one that hardly is that of a drawing.
@@ -42,9 +40,9 @@ struct Vertex {
   double bulge = 0;
 };
 
-class Reader {
+class DxfReader {
 public:
-  explicit Reader(std::string_view text) : groups_(groups_of(text)) {}
+  explicit DxfReader(std::string_view text) : groups_(groups_of(text)) {}
   Drawing read();
 
 private:
@@ -75,7 +73,7 @@ private:
   std::map<std::string, int> passed_over_;
 };
 
-Reader::Plane Reader::plane_of(const Entity& e) {
+DxfReader::Plane DxfReader::plane_of(const Entity& e) {
   const double x = e.number(210, 0, "the normal of a plane"), y = e.number(220, 0, "the normal of a plane");
   const double z = e.number(230, 1, "the normal of a plane");
   if (std::fabs(x) > 1e-9 || std::fabs(y) > 1e-9 || z == 0) return Plane::kOther;
@@ -83,7 +81,7 @@ Reader::Plane Reader::plane_of(const Entity& e) {
 }
 
 // `own_plane`: coordinates are those of the plane in which the entity lies.
-void Reader::add(Curve curve, const Entity& e, bool own_plane) {
+void DxfReader::add(Curve curve, const Entity& e, bool own_plane) {
   if (e.number(30, 0, "z") != e.number(31, e.number(30, 0, "z"), "z") && e.type == "LINE") ++slanting_;
   if (own_plane && plane_of(e) == Plane::kBack) curve = mirrored(curve);
   curve.name = e.text(8) == "0" ? std::string() : std::string(e.text(8));
@@ -91,7 +89,7 @@ void Reader::add(Curve curve, const Entity& e, bool own_plane) {
   drawing_.curves.push_back(std::move(curve));
 }
 
-void Reader::polyline(const std::vector<Vertex>& v, bool closed, const Entity& e) {
+void DxfReader::polyline(const std::vector<Vertex>& v, bool closed, const Entity& e) {
   const size_t n = v.size();
   for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
     const Point from = v[i].at, to = v[(i + 1) % n].at;
@@ -100,7 +98,7 @@ void Reader::polyline(const std::vector<Vertex>& v, bool closed, const Entity& e
   }
 }
 
-void Reader::light_polyline(const Entity& e) {
+void DxfReader::light_polyline(const Entity& e) {
   std::vector<Vertex> vertices;
   for (const Group* g = e.first; g != e.last; ++g) {
     if (g->code == 10) vertices.push_back({{real(g->value, g->line, "x of a corner"), NAN}, 0});
@@ -116,7 +114,7 @@ void Reader::light_polyline(const Entity& e) {
 }
 
 // POLYLINE with its VERTEX entities; returns where SEQEND is.
-size_t Reader::old_polyline(const std::vector<Entity>& all, size_t at) {
+size_t DxfReader::old_polyline(const std::vector<Entity>& all, size_t at) {
   const Entity& e = all[at];
   std::vector<Vertex> vertices;
   size_t i = at + 1;
@@ -133,7 +131,7 @@ size_t Reader::old_polyline(const std::vector<Entity>& all, size_t at) {
   return i;
 }
 
-void Reader::ellipse(const Entity& e) {
+void DxfReader::ellipse(const Entity& e) {
   const Point centre = e.point(10, "the centre"), axis = e.point(11, "the end of the major axis");
   const double ratio = e.number(40, "the ratio of the axes"), a = sketch::length(axis);
   if (!(ratio > 0)) throw Fault{e.line, "ELLIPSE: ratio of the axes " + told(ratio) + ", expected one above 0"};
@@ -149,7 +147,7 @@ void Reader::ellipse(const Entity& e) {
   add(elliptic(centre, a, a * ratio, tilt, side * degrees(from), side * degrees(sweep)), e, false);
 }
 
-void Reader::spline(const Entity& e) {
+void DxfReader::spline(const Entity& e) {
   Nurbs n;
   n.degree = static_cast<int>(std::clamp<int64_t>(e.flags(71), 0, 99));
   n.knots = e.numbers(40, "a knot");
@@ -172,7 +170,7 @@ void Reader::spline(const Entity& e) {
   for (Curve& curve : curves_of(n, 1e-7 * size)) add(std::move(curve), e, false);
 }
 
-bool Reader::take(const Entity& e) {
+bool DxfReader::take(const Entity& e) {
   const bool flat = plane_of(e) != Plane::kOther;
   if (e.type == "LINE") {
     const Point first = e.point(10, "the first end"), last = e.point(11, "the last end");
@@ -200,7 +198,7 @@ bool Reader::take(const Entity& e) {
   return true;
 }
 
-std::vector<Entity> Reader::entities(size_t first, size_t last) const {
+std::vector<Entity> DxfReader::entities(size_t first, size_t last) const {
   std::vector<Entity> all;
   for (size_t i = first; i < last; ++i) {
     if (groups_[i].code != 0) continue;
@@ -216,7 +214,7 @@ std::vector<Entity> Reader::entities(size_t first, size_t last) const {
 }
 
 // BLOCK, its entities and ENDBLK, one block behind the other.
-void Reader::blocks(size_t first, size_t last) {
+void DxfReader::blocks(size_t first, size_t last) {
   Block* open = nullptr;
   for (const Entity& e : entities(first, last)) {
     if (e.type == "BLOCK") {
@@ -230,7 +228,7 @@ void Reader::blocks(size_t first, size_t last) {
   }
 }
 
-void Reader::draw(const std::vector<Entity>& all, int depth) {
+void DxfReader::draw(const std::vector<Entity>& all, int depth) {
   for (size_t i = 0; i < all.size(); ++i) {
     if (all[i].type == "VERTEX" || all[i].type == "SEQEND" || all[i].type == "ATTRIB") continue; // of what was passed over
     if (all[i].flags(67) == 1)
@@ -243,7 +241,7 @@ void Reader::draw(const std::vector<Entity>& all, int depth) {
 }
 
 // A block, perhaps several times in rows and columns. One that is stretched in one direction is passed over.
-bool Reader::insert(const Entity& e, int depth) {
+bool DxfReader::insert(const Entity& e, int depth) {
   constexpr int kDeepest = 16;
   constexpr int64_t kMostCopies = 10000;
   constexpr int kMostInserts = 1000000;
@@ -275,13 +273,13 @@ bool Reader::insert(const Entity& e, int depth) {
   return true;
 }
 
-void Reader::header(size_t first, size_t last) {
+void DxfReader::header(size_t first, size_t last) {
   for (size_t i = first; i + 1 < last; ++i)
     if (groups_[i].code == 9 && groups_[i].value == "$INSUNITS" && groups_[i + 1].code == 70)
       drawing_.unit = unit_of(whole_number(groups_[i + 1].value, groups_[i + 1].line, "$INSUNITS"));
 }
 
-Drawing Reader::read() {
+Drawing DxfReader::read() {
   drawing_.kind = "DXF";
   bool found = false;
   for (size_t i = 0; i + 1 < groups_.size(); ++i) {
@@ -315,6 +313,6 @@ bool is_dxf(std::string_view text) {
   return false;
 }
 
-Drawing read_dxf(std::string_view text) { return Reader(text).read(); }
+Drawing read_dxf(std::string_view text) { return DxfReader(text).read(); }
 
 } // namespace drawing

@@ -24,9 +24,9 @@ const Kind* kind_of(int type) {
   return nullptr;
 }
 
-class Reader {
+class MshReader {
 public:
-  explicit Reader(std::string_view text) : lines_(text) {}
+  explicit MshReader(std::string_view text) : lines_(text) {}
   Mesh read();
 
 private:
@@ -60,7 +60,7 @@ private:
   bool many_ = false;                                   // an entity of several groups
 };
 
-Reader::Words Reader::row(const char* section, size_t least) {
+MshReader::Words MshReader::row(const char* section, size_t least) {
   std::string_view line;
   do {
     if (!lines_.next(line)) throw Fault{number(), std::string("the file ends within ") + section + ": it is cut off"};
@@ -73,14 +73,14 @@ Reader::Words Reader::row(const char* section, size_t least) {
   return words;
 }
 
-int64_t Reader::count(const Words& words, size_t i, const char* what) const {
+int64_t MshReader::count(const Words& words, size_t i, const char* what) const {
   const int64_t n = integer(words, i, what);
   if (n < 0 || n > 100000000)
     throw Fault{number(), std::string(what) + " is " + std::to_string(n) + ", expected 0 to 100000000"};
   return n;
 }
 
-void Reader::format() {
+void MshReader::format() {
   const Words words = row("$MeshFormat", 3);
   mesh_.format = std::string(words[0]);
   is_4_ = words[0] == "4.1";
@@ -89,7 +89,7 @@ void Reader::format() {
   if (integer(words, 1, "the kind of file") != 0) throw Fault{number(), "this MSH file is binary, expected an ASCII file"};
 }
 
-void Reader::names() {
+void MshReader::names() {
   const int64_t n = count(row("$PhysicalNames", 1), 0, "the number of names");
   for (int64_t i = 0; i < n; ++i) {
     const Words words = row("$PhysicalNames", 3);
@@ -102,13 +102,13 @@ void Reader::names() {
   }
 }
 
-void Reader::add_node(int64_t tag, const Words& words, size_t first) {
+void MshReader::add_node(int64_t tag, const Words& words, size_t first) {
   mesh_.tags.push_back(tag);
   mesh_.nodes.push_back({real(words[first], number(), "x of a node"), real(words[first + 1], number(), "y of a node")});
   height_.push_back(real(words[first + 2], number(), "z of a node"));
 }
 
-void Reader::nodes_2() {
+void MshReader::nodes_2() {
   const int64_t n = count(row("$Nodes", 1), 0, "the number of nodes");
   for (int64_t i = 0; i < n; ++i) {
     const Words words = row("$Nodes", 4);
@@ -116,7 +116,7 @@ void Reader::nodes_2() {
   }
 }
 
-void Reader::nodes_4() {
+void MshReader::nodes_4() {
   const int64_t blocks = count(row("$Nodes", 4), 0, "the number of blocks");
   for (int64_t b = 0; b < blocks; ++b) {
     const int64_t n = count(row("$Nodes", 4), 3, "the number of nodes");
@@ -127,7 +127,7 @@ void Reader::nodes_4() {
 }
 
 // Physical groups of entities: behind the box around them, of points behind their place.
-void Reader::entities() {
+void MshReader::entities() {
   const Words counts = row("$Entities", 4);
   for (int dimension = 0; dimension < 4; ++dimension)
     for (int64_t i = count(counts, static_cast<size_t>(dimension), "the number of entities"); i > 0; --i) {
@@ -142,7 +142,7 @@ void Reader::entities() {
     }
 }
 
-void Reader::add_element(Element element, const Words& words, size_t first) {
+void MshReader::add_element(Element element, const Words& words, size_t first) {
   const Kind* kind = kind_of(element.type);
   if (kind == nullptr) {
     constexpr int kPoint = 15;
@@ -157,7 +157,7 @@ void Reader::add_element(Element element, const Words& words, size_t first) {
   (kind->corners == 0 ? mesh_.lines : mesh_.faces).push_back(std::move(element));
 }
 
-void Reader::elements_2() {
+void MshReader::elements_2() {
   const int64_t n = count(row("$Elements", 1), 0, "the number of elements");
   for (int64_t i = 0; i < n; ++i) {
     const Words words = row("$Elements", 3);
@@ -171,7 +171,7 @@ void Reader::elements_2() {
   }
 }
 
-void Reader::elements_4() {
+void MshReader::elements_4() {
   const int64_t blocks = count(row("$Elements", 4), 0, "the number of blocks");
   for (int64_t b = 0; b < blocks; ++b) {
     const Words head = row("$Elements", 4);
@@ -183,7 +183,7 @@ void Reader::elements_4() {
   }
 }
 
-void Reader::end(const std::string& section) {
+void MshReader::end(const std::string& section) {
   std::string_view line;
   while (lines_.next(line))
     if (!trimmed(line).empty()) {
@@ -193,14 +193,14 @@ void Reader::end(const std::string& section) {
   throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
 }
 
-void Reader::skip(const std::string& section) {
+void MshReader::skip(const std::string& section) {
   std::string_view line;
   while (lines_.next(line))
     if (trimmed(line) == "$End" + section.substr(1)) return;
   throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
 }
 
-void Reader::sort_nodes() {
+void MshReader::sort_nodes() {
   std::vector<size_t> order(mesh_.tags.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return mesh_.tags[i] < mesh_.tags[j]; });
@@ -216,7 +216,7 @@ void Reader::sort_nodes() {
 }
 
 // Nodes of elements are there, and lie in a plane.
-void Reader::check() {
+void MshReader::check() {
   sort_nodes();
   for (const std::vector<Element>* list : {&mesh_.lines, &mesh_.faces})
     for (const Element& element : *list)
@@ -232,7 +232,7 @@ void Reader::check() {
                 "the mesh is not flat: z runs from " + told(*low) + " to " + told(*high) + ", expected a plane of constant z"};
 }
 
-Mesh Reader::read() {
+Mesh MshReader::read() {
   std::string_view line;
   bool has_nodes = false, has_elements = false;
   while (lines_.next(line)) {
@@ -296,6 +296,6 @@ bool is_msh(std::string_view text) {
   return false;
 }
 
-Mesh read_mesh(std::string_view text) { return Reader(text).read(); }
+Mesh read_mesh(std::string_view text) { return MshReader(text).read(); }
 
 } // namespace drawing

@@ -6,8 +6,6 @@
 namespace drawing {
 namespace {
 
-constexpr double kRound = 1e-8; // of the size: what digits of files leave open
-
 bool goes_on(const Curve& a, const Curve& b, double tolerance) {
   if (a.kind != b.kind || a.name.empty() || a.name != b.name || a.whole || b.whole) return false;
   if (a.kind == Curve::kLine) {

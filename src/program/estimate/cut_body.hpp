@@ -4,6 +4,7 @@
 #include <contact2d.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace estimate {
 struct Point {
   double x, y;
 };
+inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 // What the calls of the interface return, as an exception: they fail only if the solver has no model.
 void need(c2d_status status);

@@ -17,8 +17,6 @@ struct Circle {
   double radius; // 0: none
 };
 
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
 double turn(Point a, Point b, Point c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
   return std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);

@@ -6,8 +6,8 @@
 namespace estimate {
 namespace {
 
-constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
-constexpr double kLargest = 0.3;           // of the largest share: what is marked in any case
+constexpr double kEdge = 2.8, kSmoothShare = 8; // by how much a share falls if its element is bisected
+constexpr double kLargest = 0.3;                // of the largest share: what is marked in any case
 constexpr int kMostLevels = 2;
 
 } // namespace
@@ -47,7 +47,7 @@ sketch::Levels marks(const Distance& distance, double pressure, double energy) {
     out.push_back({});
     for (const Share& s : shares) {
       const double e = excess(s);
-      const int more = e > 1 ? static_cast<int>(std::log(e) / std::log(s.edge ? kEdge : kSmooth)) : 0;
+      const int more = e > 1 ? static_cast<int>(std::log(e) / std::log(s.edge ? kEdge : kSmoothShare)) : 0;
       out.back().push_back(e > least ? std::min(1 + more, kMostLevels) : 0);
     }
   }

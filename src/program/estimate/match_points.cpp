@@ -9,9 +9,8 @@ namespace {
 
 // Of the length of an element: ends that are so near to each other coincide, as where the library counts all gaps of a zone as
 // none (METHOD 8.3).
-constexpr double kCoincident = 1e-5;
+constexpr double kOnePoint = 1e-5;
 
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 Point between(Point a, Point b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
 // One element of either side and its boundary points, those of side 2 backwards.
@@ -34,7 +33,7 @@ double gap(const Facing& f, Point a, Point b) {
 }
 
 void match(const Facing& f, int32_t i, bool overlaps, Point& a, bool sure_a, Point& b, bool sure_b) {
-  const double near = kCoincident * distance(f.p[0].front(), f.p[0].back());
+  const double near = kOnePoint * distance(f.p[0].front(), f.p[0].back());
   const size_t k = CutBody::at(i);
   const bool one = distance(f.p[0][k], f.p[1][k]) <= near && distance(f.p[0][k + 1], f.p[1][k + 1]) <= near;
   const bool overlap = !overlaps && gap(f, a, b) < 0;

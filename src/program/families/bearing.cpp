@@ -16,7 +16,7 @@ struct Contact {
   double at_race() const { return race.back() * 180 / kPi; }
 };
 
-struct Sizes {
+struct BearingSizes {
   double radius, shaft, bore, depth; // of the rollers, of the races, of the ring
   double pitch, ratio, load;         // the load: on the half
   Contact inner, outer;
@@ -31,12 +31,12 @@ Contact contact_of(const std::vector<double>& x, double radius, double race) {
 }
 
 // Elements of a surface of a radius over so many degrees, fine where it goes on as a contact.
-std::vector<double> beside(const Sizes& z, double radius, double degrees, double from, double to) {
+std::vector<double> beside(const BearingSizes& z, double radius, double degrees, double from, double to) {
   return graded(degrees * kPi / 180 * radius, from, to, z.ratio, radius / 6);
 }
 
 // Right half of a race, from its lowest point upwards; sides[i]: that of roller i. `downwards`: the other way.
-void add_race(Outline& out, const Sizes& z, const Contact& c, double radius, bool downwards, std::vector<int>& sides) {
+void add_race(Outline& out, const BearingSizes& z, const Contact& c, double radius, bool downwards, std::vector<int>& sides) {
   const double fine = radius * (c.race.back() - c.race[c.race.size() - 2]), edge = c.at_race();
   struct Part {
     double from, to;
@@ -63,7 +63,7 @@ void add_race(Outline& out, const Sizes& z, const Contact& c, double radius, boo
 }
 
 // Right half of the roller under the load. Sides: 0 ring, 1 arc, 2 shaft, 3 axis.
-Outline half_roller(const Sizes& z) {
+Outline half_roller(const BearingSizes& z) {
   const double r = z.radius, low = -z.middle() - r;
   const double fine[2] = {r * last_size(z.outer.roller), r * last_size(z.inner.roller)};
   const double from = z.outer.at_roller() - 90, to = 90 - z.inner.at_roller();
@@ -77,7 +77,7 @@ Outline half_roller(const Sizes& z) {
 
 // A whole one. Its contacts are smooth: that it neither rolls nor turns is left to two points on one side, which carry
 // nothing. Sides: 0 ring, 1, 2, 3 arc, 4 shaft, 5 arc.
-Outline whole_roller(const Sizes& z, double place) {
+Outline whole_roller(const BearingSizes& z, double place) {
   const double r = z.radius, way = place - 90, out_edge = z.outer.at_roller(), in_edge = z.inner.at_roller();
   const double fine[2] = {r * last_size(z.outer.roller), r * last_size(z.inner.roller)};
   const Point centre{z.middle() * std::cos(way * kPi / 180), z.middle() * std::sin(way * kPi / 180)};
@@ -95,7 +95,7 @@ Outline whole_roller(const Sizes& z, double place) {
   return out;
 }
 
-void add_bodies(ProblemModel& m, const Sizes& z, const Values& v, bool rigid) {
+void add_bodies(ProblemModel& m, const BearingSizes& z, const Values& v, bool rigid) {
   std::vector<int> inner, outer;
   Outline shaft({0, -z.shaft}), ring({0, -z.depth});
   add_race(shaft, z, z.inner, z.shaft, false, inner);
@@ -127,7 +127,7 @@ void add_bodies(ProblemModel& m, const Sizes& z, const Values& v, bool rigid) {
   }
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_bearing(const Values& v) {
   const int rollers = v.count("Z"), n = v.count("n");
   const bool rigid = v.word("rings") == "rigid", between = v.word("place") == "between";
   const double r = v.number("r"), a = v.number("a"), shaft = v.number("R") * r, bore = shaft + 2 * r;
@@ -139,7 +139,7 @@ ProblemModel build(const Values& v) {
   const double own = (1 - std::pow(v.number("nu2"), 2)) / v.number("E2"),
                other = rigid ? 0 : (1 - std::pow(v.number("nu1"), 2)) / v.number("E1");
   const double most = kPi * a * a / (4 * narrow) / (own + other); // force on the roller whose inner contact is 2 a wide
-  Sizes z{r, shaft, bore, v.number("depth") * bore, 360.0 / rollers, v.number("ratio"), most * rollers / 8, {}, {}, {}};
+  BearingSizes z{r, shaft, bore, v.number("depth") * bore, 360.0 / rollers, v.number("ratio"), most * rollers / 8, {}, {}, {}};
   const double h = a / (n - 1 + v.number("edge")), wider = std::sqrt(wide / narrow);
   const int elements = n + (n + 3) / 4 + 2;
   z.inner = contact_of(cylinder_zone(r, {{h, elements}}), r, shaft);
@@ -183,7 +183,7 @@ Family bearing_family() {
            {"edge", Kind::kFraction, "0.5", "where in its element the edge of that contact lies"},
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contacts"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_bearing};
 }
 
 } // namespace families

@@ -33,7 +33,7 @@ Outline strip(double bottom, double height, double length, int along, int up, do
   return out;
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_bimaterial(const Values& v) {
   const double E1 = v.number("E1"), E2 = v.number("E2"), nu1 = v.number("nu1"), nu2 = v.number("nu2");
   const double h1 = v.number("h1"), h2 = v.number("h2"), depth = h1 + h2, moment = v.number("M");
   const double length = v.number("L") * depth;
@@ -84,7 +84,7 @@ Family bimaterial_family() {
            {"bond", Kind::kChoice, "matching", "matching|free: whether the meshes match at the bond"},
            {"n", Kind::kCount, "8", "elements over the height; half as dense along the strips"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_bimaterial};
 }
 
 } // namespace families

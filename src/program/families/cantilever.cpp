@@ -8,7 +8,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_cantilever(const Values& v) {
   const double L = v.number("L"), c = v.number("c"), P = v.number("P");
   const bool stress = v.word("plane") == "stress";
   const double E0 = v.number("E"), nu0 = v.number("nu");
@@ -57,7 +57,7 @@ Family cantilever_family() {
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
            {"n", Kind::kCount, "4", "elements over the depth; along the beam they are twice as long"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_cantilever};
 }
 
 } // namespace families

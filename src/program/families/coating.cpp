@@ -40,7 +40,7 @@ std::vector<double> bond_nodes(double near, double fine, double size, double rat
   return out;
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_coating(const Values& v) {
   const double R = v.number("R"), a = v.number("a"), size = v.number("L") * a, thickness = v.number("t") * a;
   const double ratio = v.number("ratio");
   const int n = v.count("n");
@@ -98,7 +98,7 @@ Family coating_family() {
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_coating};
 }
 
 } // namespace families

@@ -83,7 +83,7 @@ std::vector<std::string> edge_formulas(double alpha, double root) {
 
 const char* const kHandbook = "Reference: H. Tada, P. C. Paris, G. R. Irwin, The Stress Analysis of Cracks Handbook";
 
-ProblemModel build(const Values& v) {
+ProblemModel build_crack(const Values& v) {
   const double a = v.number("a"), W = v.number("W") * a, tip = a / v.count("n"), ratio = v.number("ratio");
   const bool edge = v.word("shape") == "edge";
   if (v.number("W") < 1.2) return unfit("W is below 1.2");
@@ -147,7 +147,7 @@ Family crack_family() {
            {"n", Kind::kCount, "200", "a over the length of the element at a tip"},
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from a tip"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_crack};
 }
 
 } // namespace families

@@ -23,7 +23,7 @@ std::vector<double> zone_of(double radius, double h, int n, const std::string& s
                        {{1.25 * h, first}, {h, second}, {0.75 * h, finer}, {0.5 * h, count(n + outside - reached, 0.5)}});
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_cylinder_friction(const Values& v) {
   const double radius = v.number("R"), a = v.number("a"), E = v.number("E"), nu = v.number("nu");
   const double size = v.number("L") * a, ratio = v.number("ratio");
   const int n = v.count("n");
@@ -75,7 +75,7 @@ Family cylinder_friction_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_cylinder_friction};
 }
 
 } // namespace families

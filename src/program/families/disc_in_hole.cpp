@@ -7,7 +7,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_disc_in_hole(const Values& v) {
   const double R = v.number("R"), size = v.number("L") * R, ratio = v.number("ratio");
   const double Sx = v.number("Sx"), Sy = v.number("Sy");
   if (size < 2 * R) return unfit("L is below 2");
@@ -60,7 +60,7 @@ Family disc_in_hole_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the hole"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_disc_in_hole};
 }
 
 } // namespace families

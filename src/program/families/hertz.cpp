@@ -7,7 +7,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_hertz(const Values& v) {
   const double radius = v.number("R"), a = v.number("a"), size = v.number("L") * a;
   const int n = v.count("n");
   if (a > 0.1 * radius) return unfit("a is above R/10: the formulas of Hertz are for small contacts");
@@ -56,7 +56,7 @@ Family hertz_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_hertz};
 }
 
 } // namespace families

@@ -18,7 +18,7 @@ std::array<double, 3> kirsch(Point at, double radius, double S) {
            (rr - tt) * s * c + rt * (c * c - s * s)}};
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_hole(const Values& v) {
   const double R = v.number("R"), size = v.number("L") * R, S = v.number("S"), ratio = v.number("ratio");
   if (size < 1.5 * R) return unfit("L is below 1.5");
   const bool exact = v.word("outer") == "exact";
@@ -65,7 +65,7 @@ Family hole_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the hole"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_hole};
 }
 
 } // namespace families

@@ -5,7 +5,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v, bool lifted) {
+ProblemModel build_layers(const Values& v, bool lifted) {
   const double h = v.number("h"), pe = v.number("pe"), E = v.number("E"), nu = v.number("nu");
   const double end = v.number("L") * h, fine = v.number("zone") * h, strip = v.number("strip") * h;
   const double ratio = v.number("ratio"), lambda = v.number("lambda");
@@ -65,13 +65,13 @@ std::vector<Parameter> parameters(const char* lambda, const char* limit) {
 
 Family layer_lifted_family() {
   return {"layer_lifted", "a layer clamped to a smooth rigid base by pressure and lifted by a line load",
-          parameters("2", "P / (h pe); the layer lifts above 1.0876"), [](const Values& v) { return build(v, true); }};
+          parameters("2", "P / (h pe); the layer lifts above 1.0876"), [](const Values& v) { return build_layers(v, true); }};
 }
 
 Family layer_pressed_family() {
   return {"layer_pressed", "a layer clamped to a smooth rigid base by pressure and pressed by a line load",
           parameters("100", "P / (h pe); the layer lifts beside the load above 44.14"),
-          [](const Values& v) { return build(v, false); }};
+          [](const Values& v) { return build_layers(v, false); }};
 }
 
 } // namespace families

@@ -54,7 +54,7 @@ std::vector<ZoneRun> zone_runs(double a, int n, double Q) {
   return out;
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_mindlin(const Values& v) {
   const double radius = v.number("R"), a = v.number("a"), size = v.number("L") * a, ratio = v.number("ratio");
   const double E = v.number("E"), nu = v.number("nu"), mu = v.number("mu"), Q = v.number("Q");
   if (a > 0.1 * radius) return unfit("a is above R/10: the formulas are for small contacts");
@@ -117,7 +117,7 @@ Family mindlin_family() {
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_mindlin};
 }
 
 } // namespace families

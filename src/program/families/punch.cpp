@@ -7,7 +7,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_punch(const Values& v) {
   const double a = v.number("a"), E = v.number("E"), load = v.number("P"), unload = v.number("unload");
   const double size = v.number("L") * a, edge = v.number("edge") * a, ratio = 1 / v.number("grading");
   const int n = v.count("n");
@@ -67,7 +67,7 @@ Family punch_family() {
            {"ratio", Kind::kAboveOne, "1.4", "growth of the elements outside"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_punch};
 }
 
 } // namespace families

@@ -5,7 +5,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_receding_layer(const Values& v) {
   const double h = v.number("h"), load = v.number("P"), size = v.number("L") * h;
   const double width = v.number("zone") * h, end = width + h, strip = v.number("strip") * h;
   const double ratio = v.number("ratio");
@@ -57,7 +57,7 @@ Family receding_layer_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the zone"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_receding_layer};
 }
 
 } // namespace families

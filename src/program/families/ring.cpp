@@ -8,7 +8,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_ring(const Values& v) {
   const double a = v.number("a"), b = v.number("b"), pi = v.number("pi"), po = v.number("po");
   if (b <= a) return unfit("b is not above a");
   const int n = v.count("n");
@@ -50,7 +50,7 @@ Family ring_family() {
            {"n", Kind::kCount, "8", "elements over each quarter circle"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_ring};
 }
 
 } // namespace families

@@ -7,7 +7,7 @@
 namespace families {
 namespace {
 
-struct Sizes {
+struct RollerSizes {
   std::vector<double> zone; // nodes of a contact, distances from its middle
   double radius, size, ratio, load;
   double edge() const { return std::asin(zone.back() / radius) * 180 / std::acos(-1.0); } // degrees
@@ -20,13 +20,13 @@ struct Sizes {
 };
 
 // An arc outside the contacts, of so many degrees; fine at its ends where it meets one.
-std::vector<double> outside(const Sizes& z, double degrees, bool from_zone, bool to_zone) {
+std::vector<double> outside(const RollerSizes& z, double degrees, bool from_zone, bool to_zone) {
   const double fine = last_size(z.zone);
   return graded(degrees * std::acos(-1.0) / 180 * z.radius, from_zone ? fine : 0, to_zone ? fine : 0, z.ratio, z.coarse());
 }
 
 // Right half of a cylinder that touches y = 0 and y = 2 R. Sides: 0 lower zone, 1 arc, 2 upper zone, 3 axis.
-Outline half_roller(const Sizes& z) {
+Outline half_roller(const RollerSizes& z) {
   const double R = z.radius, edge = z.edge(), fine = first_size(z.zone);
   Outline out({0, 0});
   out.arc({0, R}, R, -90, edge - 90, z.angles());
@@ -44,7 +44,7 @@ double outwards(double load, double E, double nu) {
 
 // A whole one about x = at. Its contacts are smooth: what would let it roll is held at two points, which move as they would
 // anyway, and so carry nothing. Sides: 0 lower zone, 1, 2, 3 right arc, 4 upper zone, 5 left arc.
-Outline whole_roller(const Sizes& z, double at, double move) {
+Outline whole_roller(const RollerSizes& z, double at, double move) {
   const double R = z.radius, edge = z.edge(), w = z.zone.back();
   const Point centre{at, R};
   Outline out({at - w, R - R * std::cos(std::asin(w / R))});
@@ -58,7 +58,7 @@ Outline whole_roller(const Sizes& z, double at, double move) {
 }
 
 // The half plane above y = foot, pressed at its top. Sides: 0 zone, 1 surface, 2 right, 3 top, 4 axis.
-Outline upper_block(const Sizes& z, double foot) {
+Outline upper_block(const RollerSizes& z, double foot) {
   const double w = z.zone.back(), size = z.size, coarse = size / 4;
   Outline out({0, foot});
   out.line({w, foot}, z.zone);
@@ -71,7 +71,7 @@ Outline upper_block(const Sizes& z, double foot) {
 
 // A rigid platen with the surface y = `at`, which touches rollers at `places`: below the surface, or above. `zones`: the sides
 // of the contacts in the order of the places.
-Outline rigid_platen(const Sizes& z, double at, bool above, const std::vector<double>& places, std::vector<int>& zones) {
+Outline rigid_platen(const RollerSizes& z, double at, bool above, const std::vector<double>& places, std::vector<int>& zones) {
   const double w = z.zone.back(), end = places.back() + z.radius, way = above ? 1 : -1; // in x along the surface
   const int count = static_cast<int>(places.size());
   Outline out({-way * end, at});
@@ -89,7 +89,7 @@ Outline rigid_platen(const Sizes& z, double at, bool above, const std::vector<do
   return out;
 }
 
-void add_rigid(ProblemModel& m, const Sizes& z, int rollers, double pitch, double E, double nu) {
+void add_rigid(ProblemModel& m, const RollerSizes& z, int rollers, double pitch, double E, double nu) {
   std::vector<double> places;
   for (int i = 0; i < rollers; ++i) places.push_back((i - (rollers - 1) / 2.0) * pitch);
   std::vector<int> below, above;
@@ -106,7 +106,7 @@ void add_rigid(ProblemModel& m, const Sizes& z, int rollers, double pitch, doubl
   m.bodies.push_back({E, nu, {0, 0}, {upper}, "the upper platen", pressed});
 }
 
-void add_elastic(ProblemModel& m, const Sizes& z, const Values& v) {
+void add_elastic(ProblemModel& m, const RollerSizes& z, const Values& v) {
   const double R = z.radius, E = v.number("E1"), nu = v.number("nu1");
   if (v.word("platens") == "cylinders") {
     Outline lower({0, -R}), upper({0, 2 * R});
@@ -133,7 +133,7 @@ void add_elastic(ProblemModel& m, const Sizes& z, const Values& v) {
   m.zones = {{{0, 3}, {1, 0}}, {{2, 0}, {1, 2}}};
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_rollers(const Values& v) {
   const double R = v.number("R"), a = v.number("a"), size = v.number("L") * a, pitch = v.number("pitch") * R;
   const int n = v.count("n"), rollers = v.count("rollers");
   const bool rigid = v.word("platens") == "rigid", cylinders = v.word("platens") == "cylinders";
@@ -147,7 +147,7 @@ ProblemModel build(const Values& v) {
   const double curvature = cylinders ? 2 / R : 1 / R;
   const double load = std::acos(-1.0) * a * a / 4 * curvature / (own + other);
   const double h = a / (n - 1 + v.number("edge"));
-  const Sizes z{cylinder_zone(R, {{h, n + (n + 3) / 4 + 2}}), R, size, v.number("ratio"), load};
+  const RollerSizes z{cylinder_zone(R, {{h, n + (n + 3) / 4 + 2}}), R, size, v.number("ratio"), load};
 
   ProblemModel m;
   m.heading = {rigid ? show(rollers) + " smooth cylinders between two rigid platens, the upper one free to move down."
@@ -186,7 +186,7 @@ Family rollers_family() {
        {"L", Kind::kPositive, "200", "half width and depth of half planes, over a"},
        {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the contact"},
        {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-      build};
+      build_rollers};
 }
 
 } // namespace families

@@ -7,7 +7,7 @@
 namespace families {
 namespace {
 
-ProblemModel build(const Values& v) {
+ProblemModel build_rough_plates(const Values& v) {
   const double h = v.number("h"), height = v.number("height") * h, E = v.number("E");
   const int n = v.count("n");
   const double ratio = v.number("ratio"), smallest = v.number("edge") * h;
@@ -59,7 +59,7 @@ Family rough_plates_family() {
            {"ratio", Kind::kAboveOne, "1.3", "growth of the elements away from the corner"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
-          build};
+          build_rough_plates};
 }
 
 } // namespace families

@@ -19,7 +19,7 @@ Outline quarter(double a, double b, int around) {
   return out;
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_shrink(const Values& v) {
   const double a = v.number("a"), b = v.number("b"), c = v.number("c"), d = v.number("d"), delta = v.number("delta") * c;
   if (!(a < b && b < c && c < d)) return unfit("a, b, c, d are to rise");
   if (delta > 0.01 * c) return unfit("delta is above 0.01: strains are to be small");
@@ -65,7 +65,7 @@ Family shrink_family() {
            {"bond", Kind::kChoice, "matching", "matching|free: whether the meshes match at the bond"},
            {"n", Kind::kCount, "12", "elements over each quarter circle"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_shrink};
 }
 
 } // namespace families

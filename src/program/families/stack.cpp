@@ -28,7 +28,7 @@ Outline plate(double width, double bottom, double height, int along, int up, con
   return out;
 }
 
-ProblemModel build(const Values& v) {
+ProblemModel build_stack(const Values& v) {
   const Field f{v.number("p"), v.number("q"), v.number("E"), v.number("nu")};
   const double width = v.number("w"), height = v.number("h"), mu = v.number("mu");
   if (std::fabs(f.q) >= mu * f.p) return unfit("q is not below mu p: the plates slide");
@@ -69,7 +69,7 @@ Family stack_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"n", Kind::kCount, "5", "elements over the width of the upper plate; others have up to 6 more"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
-          build};
+          build_stack};
 }
 
 } // namespace families

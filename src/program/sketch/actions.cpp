@@ -119,7 +119,7 @@ void ActionCheck::check_joints(int b, const Outline& outline) {
 // Nothing but contact, and what its statement says, acts on a rigid body.
 void ActionCheck::check_rigid() {
   const auto check = [&](int b, Place at, const std::string& text) {
-    if (body(b).rigid) fault(at, "body " + quoted(body(b).name) + " is rigid: " + text);
+    if (body(b).rigid) fault(at, "body " + in_quotes(body(b).name) + " is rigid: " + text);
   };
   const char* const moves = "drive moves and loads it, without that it stands still";
   for (const Condition& c : s_.conditions) check(c.side.body, c.at, moves);
@@ -182,7 +182,7 @@ void ActionCheck::check_case(size_t load_case) {
   if (one.name.empty())
     fault(at, "this stands before the first case, which the history cannot name, expected a statement 'case' before it");
   else
-    fault(at, "load case " + quoted(one.name) + " never acts, expected a statement 'history' that gives it a factor");
+    fault(at, "load case " + in_quotes(one.name) + " never acts, expected a statement 'history' that gives it a factor");
 }
 
 // A load that has no value at some place of its curves.
@@ -202,7 +202,7 @@ void ActionCheck::check_place(int b, Point p, Place at, const std::string& what)
   const Region region(s_, body(b));
   const double depth = region.depth(p);
   if (depth <= kJoint * region.size())
-    fault(at, what + " (" + show(p.x) + ", " + show(p.y) + ") is not inside body " + quoted(body(b).name) + ": " +
+    fault(at, what + " (" + show(p.x) + ", " + show(p.y) + ") is not inside body " + in_quotes(body(b).name) + ": " +
                   (depth < 0 ? rounded(-depth) + " from it" : "on its boundary"));
 }
 
@@ -247,7 +247,7 @@ void ActionCheck::check_supports() {
   for (size_t b = 0; b < s_.bodies.size(); ++b)
     if (!held[b])
       fault(s_.bodies[b].at,
-            "nothing holds body " + quoted(s_.bodies[b].name) +
+            "nothing holds body " + in_quotes(s_.bodies[b].name) +
                 ", expected fix, move or platen on one of its curves, or contact or tie with a body that is held");
 }
 

@@ -96,7 +96,7 @@ private:
   [[noreturn]] void fail(size_t first, size_t last, const std::string& text) const {
     const int begin = word_.at.column + (word_.quoted ? 1 : 0);
     throw Fault{{word_.at.line, begin + static_cast<int>(first), begin + static_cast<int>(last)},
-                quoted(word_.text) + ": " + text};
+                in_quotes(word_.text) + ": " + text};
   }
   char peek() {
     while (at_ < word_.text.size() && (word_.text[at_] == ' ' || word_.text[at_] == '\t')) ++at_;
@@ -175,15 +175,16 @@ private:
     else if (name == "pi" || name == "deg")
       steps_.push_back({Expression::Step::kConstant, std::acos(-1.0) / (name == "pi" ? 1 : 180), 0});
     else
-      fail(first, at_ - 1, "no parameter is called " + quoted(name) + ", expected a number, a parameter or arithmetic on them");
+      fail(first, at_ - 1,
+           "no parameter is called " + in_quotes(name) + ", expected a number, a parameter or arithmetic on them");
   }
   void call(const std::string& name, size_t first) {
     const int index = find_function(name, 0);
-    if (index < 0) fail(first, first + name.size() - 1, "no function is called " + quoted(name));
+    if (index < 0) fail(first, first + name.size() - 1, "no function is called " + in_quotes(name));
     accept('(');
     sum();
     for (int i = 1; i < kFunctions[index].arguments; ++i) {
-      if (!accept(',')) fail(at_, at_, quoted(name) + " takes two values, with a comma between them");
+      if (!accept(',')) fail(at_, at_, in_quotes(name) + " takes two values, with a comma between them");
       sum();
     }
     if (!accept(')')) fail(at_, at_, "expected a closing bracket");

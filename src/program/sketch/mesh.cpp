@@ -17,16 +17,16 @@ size_t MeshedOutline::elements() const {
 
 namespace {
 
-constexpr double kGrowth = 0.35;   // how much larger elements may become per length
-constexpr double kTurn = 0.3;      // radians that an element may turn
-constexpr double kCorner = 0.05;   // the size at a corner, of the shorter curve there
-constexpr double kThinWall = 0.7;  // the size, of the distance to the other side
-constexpr double kLargest = 0.1;   // the size, of the outline's
-constexpr double kTouching = 2e-3; // the least size by gaps, of the shorter side's length
-constexpr double kAlong = 0.025;   // the same, of the length that lies on the other side already
-constexpr double kTied = 0.08;     // the size along a bond, of its length
-constexpr int kSamples = 160;      // of sizes, on a curve
-constexpr double kFinest = 2;      // fineness up to which sides that face each other nowhere are tried again
+constexpr double kGrowth = 0.35;     // how much larger elements may become per length
+constexpr double kTurn = 0.3;        // radians that an element may turn
+constexpr double kCorner = 0.05;     // the size at a corner, of the shorter curve there
+constexpr double kThinWall = 0.7;    // the size, of the distance to the other side
+constexpr double kLargest = 0.1;     // the size, of the outline's
+constexpr double kTouching = 2e-3;   // the least size by gaps, of the shorter side's length
+constexpr double kAlongSide = 0.025; // the same, of the length that lies on the other side already
+constexpr double kTied = 0.08;       // the size along a bond, of its length
+constexpr int kSamplesOfSide = 160;  // of sizes, on a curve
+constexpr double kFinest = 2;        // fineness up to which sides that face each other nowhere are tried again
 
 // Sizes wanted along a curve, at equal steps of its length.
 struct Sizes {
@@ -67,7 +67,7 @@ void Mesher::sample(const MeshedOutline& outline) {
   const size_t first = sizes_.size(), n = outline.curves.size();
   for (const MeshedCurve& curve : outline.curves) {
     const double length = curve.measure.length();
-    const int samples = kSamples + 4 * curve.curve->shape->pieces();
+    const int samples = kSamplesOfSide + 4 * curve.curve->shape->pieces();
     Sizes sizes{{}, {}, length / samples};
     for (int i = 0; i <= samples; ++i) {
       const double u = curve.measure.u_at(length * i / samples);
@@ -162,7 +162,7 @@ void Mesher::gaps(const Interface& interface) {
   double unused = 0, touching = 0; // how much of side 2 lies on side 1 already
   for (const size_t c : sides[1])
     for (const Point& p : sizes_[c].at) touching += nearest(1, p, unused) < sizes_[c].step ? sizes_[c].step : 0;
-  const double least = std::max(kTouching * whole, kAlong * touching);
+  const double least = std::max(kTouching * whole, kAlongSide * touching);
   for (int round = 0; round < 2; ++round) // first by gaps, then as small as the elements opposite
     for (int side = 0; side < 2; ++side)
       for (const size_t c : sides[side])

@@ -20,7 +20,7 @@ int corners_on(const Shape& shape) { return shape.form() == Form::kLine ? 1 : 48
 
 std::string told(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
 
-std::string told(const Curve& curve) { return curve.name.empty() ? std::string("a curve") : "curve " + quoted(curve.name); }
+std::string told(const Curve& curve) { return curve.name.empty() ? std::string("a curve") : "curve " + in_quotes(curve.name); }
 
 // A side of a polygon and the curve it belongs to.
 struct Chord {
@@ -101,14 +101,14 @@ void Check::check_outline(const Body& body, const Outline& outline) {
   const double size = size_of(polygon);
   for (const Curve& curve : outline.curves)
     if (!(Measure(curve.shape).length() > kJoint * size))
-      return fault(curve.at, "body " + quoted(body.name) + ": " + told(curve) + " has no length");
+      return fault(curve.at, "body " + in_quotes(body.name) + ": " + told(curve) + " has no length");
   for (size_t i = 0; i < outline.curves.size(); ++i) {
     const bool last = i + 1 == outline.curves.size();
     if (last && outline.open) continue;
     const Curve &from = outline.curves[i], &to = outline.curves[last ? 0 : i + 1];
     const Point end = from.shape->at(1), begin = to.shape->at(0);
     if (length(end - begin) <= kJoint * size) continue;
-    return fault(last ? from.at : to.at, "body " + quoted(body.name) + ": the outline is open: " + told(from) + " ends at " +
+    return fault(last ? from.at : to.at, "body " + in_quotes(body.name) + ": the outline is open: " + told(from) + " ends at " +
                                              told(end) + ", " + told(to) + " begins at " + told(begin) + ", " +
                                              rounded(length(end - begin)) + " from there");
   }
@@ -117,7 +117,7 @@ void Check::check_outline(const Body& body, const Outline& outline) {
 void Check::check_direction(const Body& body, const Outline& outline) {
   const double area = outline.open ? Region(s_, body).area() : area_of(polygon_of(outline)); // of several open ones the whole
   if ((area > 0) == (outline.hole && !outline.open))
-    fault(outline.at, "body " + quoted(body.name) + ": " +
+    fault(outline.at, "body " + in_quotes(body.name) + ": " +
                           (outline.hole ? "the hole runs counter-clockwise, expected clockwise"
                                         : "the outline runs clockwise, expected counter-clockwise") +
                           ", with the material on the left");
@@ -129,7 +129,7 @@ void Check::check_crossings(const Body& body) {
     for (size_t j = i + 1; j < chords.size(); ++j) {
       Point at;
       if (!cross_at(chords[i], chords[j], at)) continue;
-      return fault(chords[j].curve->at, "body " + quoted(body.name) + ": " + told(*chords[j].curve) + " crosses " +
+      return fault(chords[j].curve->at, "body " + in_quotes(body.name) + ": " + told(*chords[j].curve) + " crosses " +
                                             (chords[i].curve == chords[j].curve ? "itself" : told(*chords[i].curve)) +
                                             " near " + told(at));
     }
@@ -145,7 +145,7 @@ void Check::check_holes(const Body& body) {
     const bool inside = std::any_of(body.outlines.begin(), body.outlines.end(), [&](const Outline& outline) {
       return !outline.hole && (outline.open || holds(polygon_of(outline), p));
     });
-    if (!inside) fault(hole.at, "body " + quoted(body.name) + ": the hole lies outside its outline");
+    if (!inside) fault(hole.at, "body " + in_quotes(body.name) + ": the hole lies outside its outline");
   }
 }
 
@@ -153,7 +153,7 @@ void Check::check_holes(const Body& body) {
 void Check::check_nesting(const Body& body, const Outline& inner) {
   for (const Outline& outer : body.outlines)
     if (&outer != &inner && !outer.open && !outer.hole && holds(polygon_of(outer), inner.curves.front().shape->at(0.5)))
-      return fault(inner.at, "body " + quoted(body.name) + ": the outline lies inside that of line " +
+      return fault(inner.at, "body " + in_quotes(body.name) + ": the outline lies inside that of line " +
                                  std::to_string(outer.at.line) + ", expected a statement 'hole' before it");
 }
 
@@ -171,12 +171,12 @@ void Check::check_symmetry(const Body& body, const Outline& outline) {
       above = above || across(p, axis) > *s_.symmetry[axis] + near;
     }
     if (below && above)
-      return fault(outline.at, "body " + quoted(body.name) + ": the outline crosses the line of symmetry " + line +
+      return fault(outline.at, "body " + in_quotes(body.name) + ": the outline crosses the line of symmetry " + line +
                                    ", expected what lies on one side of it");
     for (const Curve& curve : outline.curves) {
       const auto is_on = [&](double u) { return std::fabs(across(curve.shape->at(u), axis) - *s_.symmetry[axis]) <= near; };
       if (is_on(0) && is_on(0.5) && is_on(1))
-        return fault(curve.at, "body " + quoted(body.name) + ": " + told(curve) + " lies on the line of symmetry " + line +
+        return fault(curve.at, "body " + in_quotes(body.name) + ": " + told(curve) + " lies on the line of symmetry " + line +
                                    ", which is not drawn: the outline begins and ends on it");
     }
   }
@@ -197,8 +197,8 @@ void Check::check_overlap(const Body& a, const Region& first, const Body& b, con
       if (depth > deepest) deepest = depth, where = p;
     }
   if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)
-    fault(b.at,
-          "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + rounded(deepest) + " at " + told(where));
+    fault(b.at, "bodies " + in_quotes(a.name) + " and " + in_quotes(b.name) + " overlap by " + rounded(deepest) + " at " +
+                    told(where));
 }
 
 } // namespace

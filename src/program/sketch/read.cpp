@@ -78,9 +78,9 @@ void Reader::statement(Statement& s) {
     }
   is_lost_ = true;
   const std::string near = nearest(s.keyword().text, words());
-  throw Fault{s.at(),
-              quoted(s.keyword().text) + ": expected a statement, " +
-                  (near.empty() ? "such as body, line, contact, fix, platen, pressure or history" : "perhaps " + quoted(near))};
+  throw Fault{s.at(), in_quotes(s.keyword().text) + ": expected a statement, " +
+                          (near.empty() ? "such as body, line, contact, fix, platen, pressure or history"
+                                        : "perhaps " + in_quotes(near))};
 }
 
 void Reader::read(const std::string& text) {
@@ -109,7 +109,7 @@ void Reader::finish() {
   if (!faults_.empty()) return;
   if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
   for (const auto& [name, value] : given_)
-    if (used_.count(name) == 0) faults_.push_back({{}, "no parameter of this sketch is called " + quoted(name)});
+    if (used_.count(name) == 0) faults_.push_back({{}, "no parameter of this sketch is called " + in_quotes(name)});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
 }
@@ -133,7 +133,7 @@ void Reader::units(Statement& s) {
   once(s, "a statement of units");
   for (std::string& unit : s_.units) {
     unit = s.take("the names of the units of length and force").text;
-    if (unit.size() > 15) s.fail(quoted(unit) + ": expected at most 15 characters");
+    if (unit.size() > 15) s.fail(in_quotes(unit) + ": expected at most 15 characters");
     if (unit.empty() || !is_ascii(unit) || unit.find_first_of(" ,!") != std::string::npos)
       s.fail("the name of a unit is not one word of plain ASCII text, expected such as mm, N or lbf");
   }
@@ -153,9 +153,9 @@ void Reader::functions(Statement& s) {
 void Reader::parameter(Statement& s) {
   do {
     const std::string name = s.name("the name of a parameter");
-    if (name.find('-') != std::string::npos) s.fail(quoted(name) + ": expected letters, digits and _, as - is arithmetic");
-    if (used_.count(name) > 0) s.fail("parameter " + quoted(name) + " is there already");
-    if (name == "pi" || name == "deg") s.fail(quoted(name) + " has a value already");
+    if (name.find('-') != std::string::npos) s.fail(in_quotes(name) + ": expected letters, digits and _, as - is arithmetic");
+    if (used_.count(name) > 0) s.fail("parameter " + in_quotes(name) + " is there already");
+    if (name == "pi" || name == "deg") s.fail(in_quotes(name) + " has a value already");
     used_.insert(name);
     const double value = s.number("the value of " + name);
     const auto given = given_.find(name);

@@ -10,7 +10,7 @@ int Reader::body_named(const Word& word) const {
   for (size_t b = 0; b < s_.bodies.size(); ++b)
     if (s_.bodies[b].name == word.text) return static_cast<int>(b);
   if (is_lost_ || std::any_of(s_.bodies.begin(), s_.bodies.end(), [](const Body& b) { return b.name.empty(); })) throw Fault{};
-  throw Fault{word.at, "no body is called " + quoted(word.text)};
+  throw Fault{word.at, "no body is called " + in_quotes(word.text)};
 }
 
 // body.curve, body.curve+curve: every curve that bears one of the names. Where `part` may be told: body.curve.start as well.
@@ -18,7 +18,7 @@ Side Reader::side(Statement& s, Condition::Part* part) {
   const Word word = s.take("curves of a body, such as pad.tip or pad.tip+flank");
   const size_t dot = word.text.find('.');
   if (dot == std::string::npos || word.quoted)
-    throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
   Side out;
   out.at = word.at;
   out.body = body_named({word.text.substr(0, dot), word.at, false});
@@ -26,19 +26,20 @@ Side Reader::side(Statement& s, Condition::Part* part) {
   for (size_t at = dot + 1, end; at <= names_end; at = end + 1) {
     end = std::min(word.text.find('+', at), names_end);
     const std::string name = word.text.substr(at, end - at);
-    if (out.has(name)) throw Fault{word.at, quoted(name) + " stands there twice"};
+    if (out.has(name)) throw Fault{word.at, in_quotes(name) + " stands there twice"};
     out.names.push_back(name);
     if (curves_named(out.body, name) == 0 && broken_bodies_.count(out.body) == 0)
-      throw Fault{word.at, "body " + quoted(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " + quoted(name) +
-                               ", expected " + names_of(out.body)};
+      throw Fault{word.at, "body " + in_quotes(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " +
+                               in_quotes(name) + ", expected " + names_of(out.body)};
   }
   if (second == std::string::npos) return out;
   const std::string end = word.text.substr(second + 1);
-  if (part == nullptr) throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+  if (part == nullptr)
+    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
   if (end != "start" && end != "end")
-    throw Fault{word.at, quoted(word.text) + ": expected start or end behind the curve, such as pad.tip.start"};
+    throw Fault{word.at, in_quotes(word.text) + ": expected start or end behind the curve, such as pad.tip.start"};
   if (out.names.size() > 1 || curves_named(out.body, out.names[0]) > 1)
-    throw Fault{word.at, quoted(word.text) + ": there are several of these curves, expected one that has the name alone"};
+    throw Fault{word.at, in_quotes(word.text) + ": there are several of these curves, expected one that has the name alone"};
   *part = end == "start" ? Condition::kStart : Condition::kEnd;
   return out;
 }
@@ -59,7 +60,7 @@ std::string Reader::names_of(int body) const {
   if (names.empty()) return "names behind the words line, arc, ... that draw it";
   std::string out;
   for (size_t i = 0; i < names.size() && i < 8; ++i)
-    out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + quoted(names[i]);
+    out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + in_quotes(names[i]);
   return out + (names.size() > 8 ? ", ..." : "");
 }
 
@@ -75,11 +76,11 @@ void Reader::interface(Statement& s, bool tied) {
     if (kind == 1) {
       out.name = s.take("the name of the interface").text;
       if (out.name.size() > kLongestName)
-        s.fail(quoted(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
-      if (out.name.find('!') != std::string::npos) s.fail(quoted(out.name) + ": expected a name without '!'");
+        s.fail(in_quotes(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
+      if (out.name.find('!') != std::string::npos) s.fail(in_quotes(out.name) + ": expected a name without '!'");
       if (!is_one_line(out.name)) s.fail("the name of the interface is not text in UTF-8, or has control characters");
       if (out.name.empty() || out.name[0] == ' ' || out.name[0] == ',')
-        s.fail(quoted(out.name) + ": expected a name that begins with neither a blank nor a comma");
+        s.fail(in_quotes(out.name) + ": expected a name that begins with neither a blank nor a comma");
     } else if (s.accept("inf")) {
       out.friction = HUGE_VAL;
     } else {
@@ -242,7 +243,7 @@ void Reader::platen(Statement& s) {
   d.side = side(s);
   d.body = d.side->body;
   if (s_.bodies[static_cast<size_t>(d.body)].rigid)
-    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is rigid, expected drive and its name");
+    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) + " is rigid, expected drive and its name");
   drive_of(s, d);
 }
 
@@ -251,14 +252,14 @@ void Reader::drive(Statement& s) {
   Drive d;
   d.body = body_named(s.take("the name of a rigid body"));
   if (!s_.bodies[static_cast<size_t>(d.body)].rigid)
-    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid, expected platen and its curves");
+    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid, expected platen and its curves");
   drive_of(s, d);
 }
 
 std::string Reader::names_of_cases() const {
   std::string out;
   for (const LoadCase& c : s_.cases)
-    if (!c.name.empty()) out += (out.empty() ? ", expected " : " or ") + quoted(c.name);
+    if (!c.name.empty()) out += (out.empty() ? ", expected " : " or ") + in_quotes(c.name);
   return out;
 }
 
@@ -271,7 +272,7 @@ void Reader::history(Statement& s) {
     const Word word = s.take("the name of a load case");
     const auto found = std::find_if(s_.cases.begin(), s_.cases.end(),
                                     [&](const LoadCase& c) { return !word.text.empty() && c.name == word.text; });
-    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text) + names_of_cases()};
+    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + in_quotes(word.text) + names_of_cases()};
     double factor = s.number("a load factor");
     do {
       now[static_cast<size_t>(found - s_.cases.begin())] = factor;

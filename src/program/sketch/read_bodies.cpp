@@ -30,8 +30,8 @@ Motion reflection(size_t axis, double at) {
 std::string Reader::new_body_name(Statement& s, const std::string& expected) {
   const std::string name = s.name(expected);
   for (const Body& other : s_.bodies)
-    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
-  if (name.size() > kLongestName) s.fail(quoted(name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
+    if (other.name == name) s.fail("a body is called " + in_quotes(name) + " already");
+  if (name.size() > kLongestName) s.fail(in_quotes(name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
   return name;
 }
 
@@ -53,12 +53,13 @@ void Reader::body(Statement& s) {
         s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and below 0.5");
     }
   }
-  if (body.youngs_modulus == 0 && !body.rigid) s.fail("body " + quoted(body.name) + ": expected E and a value, or rigid");
+  if (body.youngs_modulus == 0 && !body.rigid) s.fail("body " + in_quotes(body.name) + ": expected E and a value, or rigid");
 }
 
 Body& Reader::current_body(Statement& s) {
   if (!in_body_ && is_lost_) throw Fault{};
-  if (!in_body_) throw Fault{s.at(), quoted(s.keyword().text) + " stands outside a body, expected behind a statement 'body'"};
+  if (!in_body_)
+    throw Fault{s.at(), in_quotes(s.keyword().text) + " stands outside a body, expected behind a statement 'body'"};
   return s_.bodies.back();
 }
 
@@ -225,7 +226,7 @@ std::vector<Point> Reader::listed_points(Statement& s) {
 std::vector<Point> Reader::points_of_file(Statement& s) {
   const std::string name = s.take("the name of a file with points").text;
   std::string text;
-  if (!file_(name, text)) s.fail("the file " + quoted(name) + " cannot be read");
+  if (!file_(name, text)) s.fail("the file " + in_quotes(name) + " cannot be read");
   std::vector<Point> out;
   std::istringstream lines(text);
   std::string card;
@@ -241,7 +242,7 @@ std::vector<Point> Reader::points_of_file(Statement& s) {
       Statement numbers(words, s_.parameters);
       out.push_back(numbers.point("a point"));
     } catch (const Fault& fault) {
-      s.fail("file " + quoted(name) + ", line " + std::to_string(line) + ": " + fault.text);
+      s.fail("file " + in_quotes(name) + ", line " + std::to_string(line) + ": " + fault.text);
     }
   }
   return out;
@@ -267,7 +268,7 @@ void Reader::spline(Statement& s) {
 
 void Reader::ask_corner(Statement& s, bool round) {
   Outline& outline = current_outline(s);
-  if (outline.curves.empty() || corner_) throw Fault{s.at(), quoted(s.keyword().text) + " stands between two curves"};
+  if (outline.curves.empty() || corner_) throw Fault{s.at(), in_quotes(s.keyword().text) + " stands between two curves"};
   const std::string name = curve_name(s);
   if (!s.accept(round ? "radius" : "cut")) s.missing(round ? "radius and a value" : "cut and a value");
   corner_ = Corner{round, name, s.positive(round ? "the radius" : "the length that is cut off"), s.at()};
@@ -367,7 +368,7 @@ void Reader::end_body() {
   }
   in_body_ = false;
   const Body& body = s_.bodies.back();
-  if (body.outlines.empty() && !broken) faults_.push_back({body.at, "body " + quoted(body.name) + " has no outline"});
+  if (body.outlines.empty() && !broken) faults_.push_back({body.at, "body " + in_quotes(body.name) + " has no outline"});
 }
 
 } // namespace sketch

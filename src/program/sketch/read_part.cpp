@@ -96,10 +96,10 @@ std::vector<Curve*> Reader::pieces_named(Statement& s, const std::string& name) 
   for (Outline& outline : current_body(s).outlines)
     for (Curve& curve : outline.curves)
       if (curve.name == name) out.push_back(&curve);
-  if (out.empty()) s.fail("body " + quoted(s_.bodies.back().name) + " has no curve " + quoted(name) + " yet");
+  if (out.empty()) s.fail("body " + in_quotes(s_.bodies.back().name) + " has no curve " + in_quotes(name) + " yet");
   for (const Curve* curve : out)
     if (out.size() > 1 && (!curve->drawn || curve->drawn != out[0]->drawn))
-      s.fail("several curves are called " + quoted(name) + ", expected one");
+      s.fail("several curves are called " + in_quotes(name) + ", expected one");
   return out;
 }
 

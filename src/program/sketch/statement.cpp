@@ -47,7 +47,7 @@ std::string Statement::name(const std::string& expected) {
   const Word& word = take(expected);
   bool fits = !word.text.empty() && std::isalpha(static_cast<unsigned char>(word.text[0])) != 0;
   for (const char c : word.text) fits = fits && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-');
-  if (!fits || word.quoted) throw Fault{word.at, quoted(word.text) + ": expected " + expected};
+  if (!fits || word.quoted) throw Fault{word.at, in_quotes(word.text) + ": expected " + expected};
   return word.text;
 }
 
@@ -62,14 +62,14 @@ Expression Statement::field(const std::string& what) {
 
 Expression Statement::arithmetic(const std::string& what, const Expression::Variables& variables) {
   const Word& word = take(what);
-  if (!begins_number(word)) throw Fault{word.at, quoted(word.text) + ": expected " + what};
+  if (!begins_number(word)) throw Fault{word.at, in_quotes(word.text) + ": expected " + what};
   return Expression(word, parameters_, variables);
 }
 
 double Statement::finite(const Expression& expression, const std::string& what) const {
   const double value = expression.value();
-  if (!std::isfinite(value)) fail(quoted(words_[next_ - 1].text) + " is not a finite number, expected " + what);
-  if (std::fabs(value) >= kMostInDeck) fail(quoted(words_[next_ - 1].text) + " is not less than 1e100 in size: " + what);
+  if (!std::isfinite(value)) fail(in_quotes(words_[next_ - 1].text) + " is not a finite number, expected " + what);
+  if (std::fabs(value) >= kMostInDeck) fail(in_quotes(words_[next_ - 1].text) + " is not less than 1e100 in size: " + what);
   return std::fabs(value) < std::numeric_limits<double>::min() ? 0.0 : value; // as cards are read
 }
 
@@ -110,7 +110,7 @@ size_t Statement::choice(std::initializer_list<const char*> words) {
     if (word.is(one)) return index;
     ++index;
   }
-  throw Fault{word.at, quoted(word.text) + ": expected " + expected};
+  throw Fault{word.at, in_quotes(word.text) + ": expected " + expected};
 }
 
 std::string Statement::rest() {
@@ -120,11 +120,11 @@ std::string Statement::rest() {
 }
 
 void Statement::end() const {
-  if (has_more()) throw Fault{words_[next_].at, quoted(words_[next_].text) + ": expected nothing more"};
+  if (has_more()) throw Fault{words_[next_].at, in_quotes(words_[next_].text) + ": expected nothing more"};
 }
 
 void Statement::missing(const std::string& expected) const {
-  if (has_more()) throw Fault{words_[next_].at, quoted(words_[next_].text) + ": expected " + expected};
+  if (has_more()) throw Fault{words_[next_].at, in_quotes(words_[next_].text) + ": expected " + expected};
   const Place last = words_.back().at;
   throw Fault{{last.line, last.end + 1, last.end + 1}, "the statement ends here, expected " + expected};
 }

@@ -32,7 +32,7 @@ std::string show(double value);    // as few digits as read as the same double
 std::string rounded(double value); // to six digits, for what was computed
 // The word that differs from `word` by two letters at most, capitals aside; empty: none does.
 std::string nearest(const std::string& word, const std::vector<std::string>& words);
-std::string quoted(const std::string& text); // 'text'
+std::string in_quotes(const std::string& text); // 'text'
 // What cards of a deck hold: printable ASCII; in names one line of UTF-8.
 bool is_ascii(const std::string& text);
 bool is_one_line(const std::string& text);

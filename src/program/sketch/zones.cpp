@@ -116,7 +116,7 @@ private:
 };
 
 // What an element takes part in: the interface that is nearest there.
-struct Part {
+struct ZonePart {
   size_t interface = 0;
   int side = -1; // 0: that of side 1 of the zones, 1: the other; -1: none
   double gap = HUGE_VAL;
@@ -155,7 +155,7 @@ private:
 
   const Sketch& s_;
   std::vector<Elements> elements_;
-  std::vector<std::vector<Part>> parts_; // of every body's elements
+  std::vector<std::vector<ZonePart>> parts_; // of every body's elements
   std::vector<Pair> pairs_;
 };
 
@@ -170,7 +170,7 @@ Numbers Pairing::named(size_t k, int which) const {
 Numbers Pairing::chosen(size_t k, int which) const {
   Numbers out;
   for (const int e : named(k, which)) {
-    const Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
+    const ZonePart& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
     if (part.side == which && part.interface == k) out.push_back(e);
   }
   return out;
@@ -190,7 +190,7 @@ void Pairing::choose(size_t k) {
       const Element& own = body(k, which)[static_cast<size_t>(e)];
       if (which == 1 && own.is_far && !all) continue;
       const double gap = which == 1 ? walls[1].gap_to(own) : walls[0].distance(0.5 * (own.from + own.to));
-      Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
+      ZonePart& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
       if (gap < part.gap) part = {k, which, gap};
     }
 }

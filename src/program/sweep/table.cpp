@@ -26,9 +26,9 @@ std::vector<Cell> cells_of(const std::string& line) {
   return cells;
 }
 
-class Reader {
+class TableReader {
 public:
-  explicit Reader(Messages& messages) : messages_(messages) {}
+  explicit TableReader(Messages& messages) : messages_(messages) {}
   void heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
   void row(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
   void fault(int32_t line, const Cell& cell, const std::string& text);
@@ -39,7 +39,7 @@ private:
   bool sound_ = true;
 };
 
-void Reader::fault(int32_t line, const Cell& cell, const std::string& text) {
+void TableReader::fault(int32_t line, const Cell& cell, const std::string& text) {
   c2d_error entry = C2D_INIT(c2d_error);
   entry.status = C2D_ERR_INPUT, entry.severity = C2D_FAULT;
   entry.line = line, entry.column = cell.column, entry.column_end = cell.column_end;
@@ -48,7 +48,7 @@ void Reader::fault(int32_t line, const Cell& cell, const std::string& text) {
   sound_ = false;
 }
 
-void Reader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
+void TableReader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
   Setting setting;
   for (const Cell& cell : cells) {
     if (!read_setting(cell.text + "=0", setting))
@@ -59,7 +59,7 @@ void Reader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& t
   }
 }
 
-void Reader::row(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
+void TableReader::row(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
   if (cells.size() != table.names.size())
     return fault(line, cells.back(), std::to_string(cells.size()) + " values, expected " + std::to_string(table.names.size()));
   table.rows.emplace_back();
@@ -73,7 +73,7 @@ void Reader::row(const std::vector<Cell>& cells, int32_t line, SweepTable& table
 } // namespace
 
 bool read_table(const DeckFile& file, Messages& messages, SweepTable& table) {
-  Reader reader(messages);
+  TableReader reader(messages);
   for (size_t i = 1; i <= file.cards(); ++i) {
     std::string line(file.card(i));
     if (i == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0) line.erase(0, 3); // a byte order mark
