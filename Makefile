@@ -278,9 +278,9 @@ list:
 	   echo 'src/sources.mk lists every source file')
 relist:
 	@export LC_ALL=C; { sed -n '/^#/p' src/sources.mk; \
-	   ls port/*/*.cpp | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
+	   ls port/*/*.cpp | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' -e '^port/windows/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
-	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' | sed 's/^/PORT_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' -e '^port/windows/' | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
 	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk

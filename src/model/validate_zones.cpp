@@ -136,10 +136,12 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   }
   if (count > 0) {
     Finding f(in_zone(m, zone, b, first));
-    say(f, "element ", first + 1, " of body ", body_named(m, b), " is in zones ", zone_named(m, other), " and ",
-        zone_named(m, zone));
-    if (count > 1) say(f, ", the first of ", count, " elements in two zones");
-    say(f, ", expected in one");
+    const bool both = other == zone; // sides of one zone, on one body
+    say(f, "element ", first + 1, " of body ", body_named(m, b), both ? " is on both sides of zone " : " is in zones ",
+        zone_named(m, other));
+    if (!both) say(f, " and ", zone_named(m, zone));
+    if (count > 1) say(f, ", the first of ", count, both ? " elements on both" : " elements in two zones");
+    say(f, both ? ", expected on one" : ", expected in one");
     return report(reporter, f);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
