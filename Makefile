@@ -114,7 +114,7 @@ all: $(LIBRARY) $(if $(filter-out $(PORT_SOURCES),$(ALL_PORT_SOURCES)),,$(PROGRA
 
 # ---------------------------------------------------------------- objects
 # A stamp that changes with compiler and flags, so that other flags mean other objects.
-FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
+FLAGS_NOW := $(BATCH) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
@@ -132,7 +132,7 @@ endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))) $(KERNEL_ANYWHERE))
 # $(1) file, or files with commas, $(2) flags
 define compile
-$(call batch_object,$(1)): $(call files,$(1)) $(BUILD)/flags Makefile
+$(call batch_object,$(1)): $(call files,$(1)) $(if $(findstring $(comma),$(1)),src/sources.mk) $(BUILD)/flags Makefile
 	$(call write_batch,$(1))
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(call files,$(1))),-fprofile-update=atomic) \
@@ -195,11 +195,13 @@ COMPILE_TEST = $(CXX) $(CPPFLAGS) -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS $(COMMON) 
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(COMPILE_TEST) $(if $(filter paths,$*),$(TEST_PATHS)) -c $< -o $@
 define compile_tests
-$(BUILD)/tests/$(basename $(notdir $(firstword $(call files,$(1)))))_etc.o: $(call files,$(1)) tests/batch.sh $(BUILD)/flags $(BUILD)/tests/doctest Makefile
+$(2:.o=.list): FORCE | $(BUILD)/flags
+	@echo $(1) | cmp -s - $$@ || echo $(1) > $$@
+$(2): $(call files,$(1)) $(2:.o=.list) tests/batch.sh $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	@sh tests/batch.sh $(call files,$(1)) > $$(@:.o=.cpp)
 	$$(COMPILE_TEST) -c $$(@:.o=.cpp) -o $$@
 endef
-$(foreach b,$(TEST_BATCHES),$(if $(findstring $(comma),$(b)),$(eval $(call compile_tests,$(b)))))
+$(foreach b,$(TEST_BATCHES),$(if $(findstring $(comma),$(b)),$(eval $(call compile_tests,$(b),$(call test_objects,$(b))))))
 ALL_TEST_OBJECTS := $(TEST_OBJECTS) $(RANDOM_JUDGE) $(FAULTS_JUDGE) $(FUZZ_OBJECTS)
 ifneq ($(TESTS_FROM),$(BUILD))
 # (counters change nothing that tests see)
