@@ -54,10 +54,11 @@ objects = $(foreach s,$(1),$(call object,$(s)))
 # them; so names that are private to a file of the first two are unique in their folder. BATCH=1: each file by itself.
 BATCH ?= 10
 comma := ,
-# words -> words of up to BATCH of them with commas; such a word -> its files; the line of a recipe that writes them as one source; what
-# is compiled; and its object, named after the first.
+# words -> words of up to BATCH of them with commas; such a word -> its files; what its object depends on; the line of a recipe that
+# writes them as one source; what is compiled; and its object, named after the first.
 batches = $(if $(1),$(shell echo $(1) | xargs -n $(BATCH) | tr ' ' ,))
 files = $(subst $(comma), ,$(1))
+batch_needs = $(call files,$(1)) $(if $(findstring $(comma),$(1)),src/sources.mk)
 write_batch = $(if $(findstring $(comma),$(1)),@printf '\043include "%s"\n' $(call files,$(1)) > $$(@:.o=.cpp))
 batch_source = $(if $(findstring $(comma),$(1)),-I. $$(@:.o=.cpp),$(1))
 batch_object = $(patsubst %.o,%$(if $(findstring $(comma),$(1)),_etc).o,$(call object,$(firstword $(call files,$(1)))))
@@ -75,8 +76,8 @@ CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
 STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
 # Tests that are compiled again where the core's configuration is another, or for sanitizers, go with their like.
 TEST_SOURCES    := $(wildcard tests/*.cpp)
-CORE_TESTS      := $(shell grep -l -E '^\#include "((bie|contact|deck|elimination|interface|linalg|memory|model|quadrature|results|solver|store)/[a-z0-9_]*|fuzz/calls|deck_recorder|gauss_points|hand_tableau|model_fixture)\.hpp' tests/test_*.cpp)
-SANITIZER_TESTS := $(filter-out $(CORE_TESTS),$(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/test_*.cpp))
+SANITIZER_TESTS := $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/test_*.cpp)
+CORE_TESTS      := $(filter-out $(SANITIZER_TESTS),$(shell grep -l -E '^\#include "((bie|contact|deck|elimination|interface|linalg|memory|model|quadrature|results|solver|store)/[a-z0-9_]*|fuzz/calls|deck_recorder|gauss_points|hand_tableau|model_fixture)\.hpp' tests/test_*.cpp))
 OTHER_TESTS     := $(filter-out $(CORE_TESTS) $(SANITIZER_TESTS),$(filter tests/test_%,$(TEST_SOURCES)))
 test_objects = $(foreach b,$(1),$(patsubst $(BUILD)/obj/tests_%,$(BUILD)/tests/%,$(call batch_object,$(b))))
 SANITIZER_BATCHES := $(call batches,$(SANITIZER_TESTS))
@@ -132,7 +133,7 @@ endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))) $(KERNEL_ANYWHERE))
 # $(1) file, or files with commas, $(2) flags
 define compile
-$(call batch_object,$(1)): $(call files,$(1)) $(if $(findstring $(comma),$(1)),src/sources.mk) $(BUILD)/flags Makefile
+$(call batch_object,$(1)): $(call batch_needs,$(1)) $(BUILD)/flags Makefile
 	$(call write_batch,$(1))
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(if $(filter $(COUNTED_EACH),$(call files,$(1))),-fprofile-update=atomic) \
@@ -190,7 +191,7 @@ TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD)
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
-# (compiling them takes longer than running them)
+# (Compiling them takes longer than running them: no code is optimised, and checks are calls that leave exceptions to the test case.)
 COMPILE_TEST = $(CXX) $(CPPFLAGS) -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS $(COMMON) -Itests $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(DEPS)
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(COMPILE_TEST) $(if $(filter paths,$*),$(TEST_PATHS)) -c $< -o $@

@@ -74,6 +74,8 @@ TEST_CASE("model edges: the sides of a notch share no node and no element") {
   CHECK(solve(m).told_of("node 6 of body 1 is in pairs 3 and 1 of zone 1, expected in one"));
   m.zones[0].side[1] = {1, 5, 6};
   CHECK(solve(m).told_of("element 5 of body 1 is on both sides of zone 1, expected on one"));
+  m.zones[0].side[1] = {1, 4, 5};
+  CHECK(solve(m).told_of("element 4 of body 1 is on both sides of zone 1, the first of 2 elements on both, expected on one"));
 }
 
 TEST_CASE("model edges: an open curve meets itself, its line and its last corner as any other does") {

@@ -17,7 +17,7 @@ $(WEB)/flags: FORCE
 	@mkdir -p $(WEB)/obj
 	@echo '$(WEB_CXX) $(WEB_COMMON)' | cmp -s - $@ || echo '$(WEB_CXX) $(WEB_COMMON)' > $@
 define web_compile
-$(call web_object,$(1)): $(call files,$(1)) src/sources.mk $(WEB)/flags port/web/web.mk
+$(call web_object,$(1)): $(call batch_needs,$(1)) $(WEB)/flags port/web/web.mk
 	$(call write_batch,$(1))
 	$(WEB_CXX) $(WEB_COMMON) $(2) -MMD -MP -c $(call batch_source,$(1)) -o $$@
 endef
