@@ -117,6 +117,7 @@ struct Compressed : Body {
   struct Trouble {
     uint64_t block_bytes = 0, bytes_beyond = 2000000;
     int64_t fails_at = -1, stops_at = -1;
+    bool watched = true;
   };
   int64_t steps = 0, stops = -1;
   static c2d_status step(void* context, int32_t) {
@@ -135,8 +136,8 @@ struct Compressed : Body {
     c2d::PivotStats pivot;
     stops = trouble.stops_at;
     fail(trouble.fails_at);
-    status =
-        c2d::eliminate_compressed(plan, system, {this, take}, tapes, work.at, &pivot, &stats, {this, step}, c2d::kPlainEngine);
+    const c2d::Watch watch = {this, trouble.watched ? step : nullptr};
+    status = c2d::eliminate_compressed(plan, system, {this, take}, tapes, work.at, &pivot, &stats, watch, c2d::kPlainEngine);
   }
   Numbers solve(const Numbers& coefficient) {
     Numbers x(static_cast<size_t>(pivots));
@@ -416,6 +417,13 @@ TEST_CASE("compressed: double nodes") {
   check_agreement(d, 100, 5, kNear);
 }
 
+TEST_CASE("compressed: an element of which nothing is unknown, between two that are held") {
+  ModelData d = disc(2, 2, 60);
+  for (int l = 1; l <= 2; ++l) d.condition(1, 9, l, "1100", 0.002, -0.001);
+  for (size_t i = 4 * 7; i < 4 * 8; ++i) d.end_traction[0][i] = 0.3; // of element 8
+  check_agreement(d, 100, 5, kNear);
+}
+
 TEST_CASE("compressed: squares graded to 1e-6, thin layers, rings, many holes") {
   Points graded;
   graded_line(graded, 0, 0, 1, 0, 1e-6), graded_line(graded, 1, 0, 1, 1, 1e-6);
@@ -439,6 +447,44 @@ TEST_CASE("compressed: squares graded to 1e-6, thin layers, rings, many holes") 
   }
   ModelData holes = held(plate, 30);
   check_agreement(holes, 220, 12, kNear);
+}
+
+// The centroid of such a hole is too near its neck.
+TEST_CASE("compressed: a hole with two places inside") {
+  const std::vector<double> corners = {-2, -0.5, -2, 0.5,  -1, 0.5,  -1, 0.05,  1,  0.05,  1,  0.5,
+                                       2,  0.5,  2,  -0.5, 1,  -0.5, 1,  -0.05, -1, -0.05, -1, -0.5};
+  Points hole;
+  for (size_t i = 0; i < corners.size(); i += 2) {
+    const size_t next = (i + 2) % corners.size();
+    line_to(hole, corners[i], corners[i + 1], corners[next], corners[next + 1], 3);
+  }
+  ModelData d = held({rectangle(-4, -2, 8, 4, 16, 8), hole}, 16);
+  check_agreement(d, 120, 6, kNear);
+  c2d::HoleWalk walk{};
+  c2d::Hole found;
+  REQUIRE(c2d::next_hole(d.view(), 0, walk, found));
+  CHECK(found.points == 2);
+}
+
+// What a line of symmetry cuts off between two teeth of a comb is a hole of the whole body.
+TEST_CASE("compressed: a body with more holes than are allowed for is eliminated dense") {
+  for (const int teeth : {4, 5, 6}) {
+    CAPTURE(teeth);
+    ModelData d(2);
+    d.head.images = 1;
+    Points p = {0, 0, 3, 0, 3, 2.0 * teeth + 1};
+    for (int i = teeth; i >= 0; --i) {
+      p.insert(p.end(), {0, 2.0 * i + 1, 0, 2.0 * i});
+      if (i > 0) p.insert(p.end(), {1, 2.0 * i, 1, 2.0 * i - 1});
+    }
+    p.resize(p.size() - 2); // (0, 0) is there
+    d.body(2, {p});
+    for (int e = 4; e <= d.bodies[0].elements; e += 4) d.conditions(1, e, 1, e, 2, "1001");
+    d.conditions(1, 1, 1, 1, 2, "1100");
+    const bool complete = d.complete();
+    REQUIRE_MESSAGE(complete, d.all());
+    CHECK(c2d::may_compress(d.view(), 0) == (teeth <= c2d::most_holes(1)));
+  }
 }
 
 TEST_CASE("compressed: ranks beyond what is allowed for, and memory below what is needed") {
@@ -478,6 +524,46 @@ TEST_CASE("compressed: in the least memory") {
 }
 
 // Of a body nearly all of whose nodes are in contact the border is what is large.
+TEST_CASE("compressed: nobody need watch") {
+  ModelData d = disc(2, 2, 60);
+  REQUIRE(d.complete());
+  Compressed::Trouble trouble;
+  Compressed watched(d, 0, 100, 5, trouble);
+  trouble.watched = false;
+  Compressed alone(d, 0, 100, 5, trouble);
+  REQUIRE(alone.status == C2D_OK);
+  CHECK(watched.steps > 5);
+  CHECK(alone.steps == 0);
+  CHECK(alone.s == watched.s);
+}
+
+TEST_CASE("compressed: a node whose equations say nothing makes a body singular") {
+  ModelData d = disc(2, 2, 60);
+  REQUIRE(d.complete());
+  Compressed whole(d, 0, 100, 5);
+  REQUIRE(whole.status == C2D_OK);
+  whole.twin[30] = c2d::kAxisNode; // passed over
+  whole.system.some_passed_over = true;
+  c2d::PivotStats pivot;
+  Aligned work(c2d::compressed_bytes(whole.plan));
+  CHECK(c2d::eliminate_compressed(whole.plan, whole.system, {&whole, Body::take}, whole.tapes, work.at, &pivot, &whole.stats,
+                                  {nullptr, nullptr}, c2d::kPlainEngine) == C2D_ERR_SINGULAR);
+}
+
+TEST_CASE("compressed: sizes that no machine has are told as such") {
+  ModelData d = disc(2, 2, 60);
+  REQUIRE(d.complete());
+  const c2d::CompressedPlan plan = c2d::plan_compressed(d.view(), 0, 100, 5);
+  c2d::CompressedPlan long_blocks = plan, wide_border = plan;
+  long_blocks.block_bytes = UINT64_MAX - 200;
+  wide_border.border.panel_columns = wide_border.border.rows = INT32_MAX;
+  for (const auto bytes : {c2d::compressed_bytes, c2d::compressed_back_bytes, c2d::compressed_check_bytes}) {
+    CHECK(bytes(plan) < uint64_t{1} << 32);
+    CHECK(bytes(long_blocks) == UINT64_MAX);
+  }
+  CHECK(c2d::compressed_bytes(wide_border) == UINT64_MAX);
+}
+
 TEST_CASE("compressed: plans for bodies that are large, or nearly all in contact") {
   const c2d::CompressedPlan wide = c2d::plan_compressed(c2d::CompressedLimits{1, 100000, 200000, 1, 0}, 160, 12);
   const uint64_t rows = static_cast<uint64_t>(wide.border.rows), pivots = static_cast<uint64_t>(wide.border.pivots);
@@ -610,12 +696,22 @@ TEST_CASE("compressed: streams of records") {
   }
 }
 
+namespace {
+
+// So few nodes that the equations of all of them are looked at; those at two corners of a hole are double.
+ModelData with_double_nodes() {
+  Points hole = {1, 1, 1, 1, 1, 1.5, 1, 2, 1.5, 2, 2, 2, 2, 2, 2, 1.5, 2, 1, 1.5, 1};
+  return held({rectangle(0, 0, 3, 3, 3, 3), hole}, 3);
+}
+
+} // namespace
+
 // Equations assembled anew, of the dense form, at the true solution and beside it.
 TEST_CASE("compressed: what a solution leaves of the equations is seen") {
-  for (int32_t holes : {0, 2}) {
-    ModelData d = boxes(2, 2, holes, 60, 0.1);
+  for (int32_t holes : {0, 2, -1}) {
+    ModelData d = holes < 0 ? with_double_nodes() : boxes(2, 2, holes, 60, 0.1);
     REQUIRE(d.complete());
-    for (int b = 0; b < 2; ++b) {
+    for (int b = 0; b < d.head.bodies; ++b) {
       CAPTURE(holes);
       CAPTURE(b);
       Dense dense(d, b);
@@ -691,6 +787,39 @@ TEST_CASE("compressed: records of a stranger lead nowhere") {
   refused = 0;
   use();
   CHECK(refused == 0);
+}
+
+// What the length of the first record says reaches beyond it, where the samples are.
+TEST_CASE("compressed: a record that begins before the first one is none") {
+  ModelData d = disc(2, 2, 100);
+  REQUIRE(d.complete());
+  Compressed::Trouble trouble;
+  trouble.block_bytes = 8192;
+  Compressed compressed(d, 0, 100, 8, trouble);
+  REQUIRE(compressed.status == C2D_OK);
+  const c2d::CompressedPlan& plan = compressed.plan;
+  std::vector<char> buffer(c2d::kBlockHeaderBytes + trouble.block_bytes);
+  uint64_t end = 0, length = 0;
+  c2d::Stream records = c2d::open_records(plan, compressed.tapes, buffer.data(), &end);
+  while (end > c2d::sample_bytes(plan)) { // from the last one on
+    REQUIRE(c2d::read_at(records, end - sizeof length, &length, sizeof length) == C2D_OK);
+    end -= length + sizeof length;
+  }
+  REQUIRE(end == c2d::sample_bytes(plan));
+  const uint64_t at = end + length, place = at % trouble.block_bytes;
+  REQUIRE(place + sizeof length <= trouble.block_bytes);
+  Numbers x(static_cast<size_t>(compressed.pivots));
+  const Numbers c(static_cast<size_t>(compressed.trailing), 0);
+  Aligned work(c2d::compressed_back_bytes(plan));
+  const auto back = [&](uint64_t told) {
+    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes + place, &told, sizeof told);
+    REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, records.first_block + at / trouble.block_bytes, buffer.data(),
+                             trouble.block_bytes) == C2D_OK);
+    return c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at);
+  };
+  CHECK(back(at + sizeof length) == C2D_ERR_INTERNAL);
+  CHECK(back(at + sizeof length - 1) == C2D_ERR_INTERNAL);
+  CHECK(back(length) == C2D_OK);
 }
 
 // Records in blocks of 512 bytes, so that each piece of them is written and read by itself.

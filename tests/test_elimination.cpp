@@ -585,6 +585,31 @@ TEST_CASE("zero columns are reported as singular, without a trap") {
   }
 }
 
+TEST_CASE("zeros on the diagonal of a stranger's factors are not divided by") {
+  Problem p(30, 25, 15, 41);
+  const EliminationPlan plan = plan_of(p, 8, 4);
+  Store store;
+  REQUIRE(open_for(plan, store.tapes) == C2D_OK);
+  REQUIRE(run(p, plan, store.tapes, nullptr) == C2D_OK);
+  for (Chunk chunk = first_chunk(plan); chunk.count > 0; chunk = next_chunk(plan, chunk)) {
+    const uint64_t bytes = upper_bytes(plan, chunk);
+    std::vector<unsigned char> block(kBlockHeaderBytes + bytes, 0);
+    REQUIRE(write_block(store.tapes, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, block.data(), bytes) == C2D_OK);
+  }
+  Numbers f(25, 1), w(15, 1), x(25, 1);
+  const Numbers c(15, 1);
+  Work work(back_substitution_bytes(plan));
+  feclearexcept(FE_ALL_EXCEPT);
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+  const c2d_status forward = transposed_functional(plan, store.tapes, f.data(), w.data(), work.start);
+  const c2d_status back = back_substitute(plan, store.tapes, c.data(), x.data(), work.start);
+  fedisableexcept(FE_ALL_EXCEPT);
+  CHECK(forward == C2D_OK);
+  CHECK(back == C2D_OK);
+  for (const Numbers& numbers : {f, w, x})
+    for (Real number : numbers) CHECK(number == 0);
+}
+
 TEST_CASE("pivot statistics do not depend on the panels and name the weak column") {
   for (int32_t width : {1, 3, 8, 60}) {
     Problem p(45, 40, 20, 43);

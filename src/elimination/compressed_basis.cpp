@@ -5,7 +5,6 @@
 
 #include "bie/kernels.hpp"
 #include "elimination/compressed_work.hpp"
-#include "model/symmetry.hpp"
 
 namespace c2d {
 
@@ -22,23 +21,13 @@ Circle circle_of(const Compression& t, int32_t cell) {
 
 const double* point_of(const Compression& t, int32_t node) { return t.system.point + 2 * static_cast<int64_t>(node); }
 
-// Least distance from the centre of a circle to the images of a point.
-double distance(const Compression& t, const Circle& circle, const double p[2]) {
-  const int32_t lines = t.system.model.body[t.system.body].lines;
-  double least = hypot(p[0] - circle.x, p[1] - circle.y);
-  for (int image = 1; image <= lines; ++image) {
-    if (!is_image(lines, image)) continue;
-    const Source s = mirrored_source(*t.system.model.head, image, p);
-    const double d = hypot(s.x - circle.x, s.y - circle.y);
-    if (d < least) least = d;
-  }
-  return least;
-}
+// From the centre of a circle to a point. Images of the point are no nearer, as both lie on the body's side of the line.
+double distance(const Circle& circle, const double p[2]) { return hypot(p[0] - circle.x, p[1] - circle.y); }
 
 double proxy_radius(const Circle& circle) { return kProxyRadius * circle.radius; }
 
 bool is_near(const Compression& t, const Circle& circle, int32_t node, double reach) {
-  return distance(t, circle, point_of(t, node)) < proxy_radius(circle) + reach;
+  return distance(circle, point_of(t, node)) < proxy_radius(circle) + reach;
 }
 
 struct Range {
@@ -60,14 +49,12 @@ template <class Visit> void visit_near_cells(const Compression& t, const Depth& 
     if (other == cell) continue;
     const Circle c = circle_of(t, other);
     const double at[2] = {c.x, c.y};
-    if (distance(t, own, at) < proxy_radius(own) + c.radius) visit(other);
+    if (distance(own, at) < proxy_radius(own) + c.radius) visit(other);
   }
 }
 
 // visit(column, node) for the unknowns near a cell: those of other cells, and all that the border has there.
 template <class Visit> void visit_near_columns(const Compression& t, const Depth& d, int32_t cell, Visit visit) {
-  const Model& m = t.system.model;
-  const int b = t.system.body;
   const Circle own = circle_of(t, cell);
   visit_near_cells(t, d, cell, [&](int32_t other) {
     const Range range = columns_of(t, d, other);
@@ -79,14 +66,7 @@ template <class Visit> void visit_near_columns(const Compression& t, const Depth
   for (int32_t i = 0; i < t.plan.nodes - t.plan.tree; ++i) {
     const int32_t node = t.w.border[i];
     if (!is_near(t, own, node, t.w.reach[node])) continue;
-    for (int32_t j = m.node_column[b][node]; j < m.node_column[b][node + 1]; ++j) visit(j, node);
-    const PairSide at = pair_of_node(m, b, node);
-    if (at.pair < 0) continue;
-    const int32_t first = t.plan.columns + dof_on(m, m.pair[at.pair], at.side);
-    for (int32_t k = 0; k <= m.pair[at.pair].tangential; ++k) {
-      visit(first + k, node);
-      visit(first + t.plan.contact + k, node);
-    }
+    visit_columns(t.plan, t.system.model, t.system.body, node, [&](int32_t j) { visit(j, node); });
   }
 }
 
@@ -266,7 +246,7 @@ void add_sums(Compression& t, const ChosenColumns& columns, const Circle& circle
   for (int32_t k = 0; k < t.plan.holes; ++k) {
     const Hole& hole = t.w.hole[k];
     bool near = false;
-    for (int32_t p = 0; p < hole.points; ++p) near = near || distance(t, circle, hole.at[p]) < proxy_radius(circle);
+    for (int32_t p = 0; p < hole.points; ++p) near = near || distance(circle, hole.at[p]) < proxy_radius(circle);
     if (!near) continue;
     fill_hole_row(t.system, hole, columns, out, 1);
     add_sample(sum, out, 1, true);

@@ -98,17 +98,9 @@ void list_column(Check& c, int32_t column, Real value) {
 
 // Columns of a node, and what the solution says of them.
 void list_columns(Check& c, int32_t node) {
-  const Model& m = c.system.model;
-  const int b = c.system.body;
-  for (int32_t j = m.node_column[b][node]; j < m.node_column[b][node + 1]; ++j) list_column(c, j, c.x[j]);
-  const PairSide at = pair_of_node(m, b, node);
-  if (at.pair < 0) return;
-  const int32_t dof = dof_on(m, m.pair[at.pair], at.side);
-  for (int32_t k = 0; k <= m.pair[at.pair].tangential; ++k)
-    for (int32_t part = 0; part < 2; ++part) {
-      const int32_t j = dof + k + part * c.plan.contact;
-      list_column(c, c.plan.columns + j, -c.coefficient[j]);
-    }
+  const int32_t own = c.plan.columns;
+  visit_columns(c.plan, c.system.model, c.system.body, node,
+                [&](int32_t j) { list_column(c, j, j < own ? c.x[j] : -c.coefficient[j - own]); });
 }
 
 int32_t list_elements_at(Check& c, int32_t first, int32_t end) {
@@ -154,7 +146,7 @@ void add_rest(Check& c) {
   const CheckWork& w = c.w;
   for (int32_t i = 0; i < 2 * c.samples; ++i) {
     const int32_t s = i / 2, hole = w.hole[s];
-    if (hole >= 0 && w.twin[s] >= kSingle && !is_held_by_symmetry(c.system.model, c.system.body, w.node[s], i % 2)) {
+    if (hole >= 0 && !is_held_by_symmetry(c.system.model, c.system.body, w.node[s], i % 2)) {
       double n[2];
       hole_normal(c.system.model, c.system.body, w.node[s], n);
       w.sum[i] += n[i % 2] * w.trace[hole];

@@ -1,6 +1,7 @@
 // The work area of compressed elimination, and what it costs.
 #include "elimination/compressed_work.hpp"
 #include "elimination/cells.hpp"
+#include "memory/hostile.hpp"
 #include "memory/sizes.hpp"
 #include "model/symmetry.hpp"
 
@@ -111,7 +112,9 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
 bool is_tree_node(const Model& m, int b, int32_t node) {
-  return m.node_column[b][node + 1] - m.node_column[b][node] == 2 && pair_of_node(m, b, node).pair < 0;
+  const bool inside = pair_of_node(m, b, node).pair < 0;
+  C2D_ASSERT(!inside || m.node_column[b][node + 1] - m.node_column[b][node] == 2);
+  return inside;
 }
 
 namespace {
@@ -210,8 +213,8 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
   // Blocks are no longer than those of the records, so that bounds of their number are none of much larger ones.
   const uint64_t column = static_cast<uint64_t>(narrow.rows) * sizeof(Real);
   cut.block_rows = 0;
-  cut.block_columns = smaller(cut.block_columns, static_cast<int32_t>(column > 0 ? plan.block_bytes / column : 1));
-  while (elimination_bytes(cut) > room) --cut.block_columns;
+  while (static_cast<uint64_t>(cut.block_columns) * column > plan.block_bytes || elimination_bytes(cut) > room)
+    --cut.block_columns; // (one is as long as it may be)
   return C2D_OK;
 }
 

@@ -102,6 +102,17 @@ struct Compression {
 inline int32_t column_of(const Compression& t, int32_t id) {
   return t.system.model.node_column[t.system.body][id / 2] + id % 2;
 }
+// visit(column) for the columns of a node: its unknowns and, if it makes a pair, what the contact brings.
+template <class Visit> void visit_columns(const CompressedPlan& plan, const Model& m, int b, int32_t node, Visit visit) {
+  for (int32_t j = m.node_column[b][node]; j < m.node_column[b][node + 1]; ++j) visit(j);
+  const PairSide at = pair_of_node(m, b, node);
+  if (at.pair < 0) return;
+  const int32_t first = plan.columns + dof_on(m, m.pair[at.pair], at.side);
+  for (int32_t k = 0; k <= m.pair[at.pair].tangential; ++k) {
+    visit(first + k);
+    visit(first + k + plan.contact);
+  }
+}
 // The nodes of these ids as sources, each once: how many. position[] tells where; forget_sources clears it.
 int32_t list_sources(Compression& t, const int32_t* ids, int32_t count, int32_t* sources);
 void forget_sources(Compression& t, const int32_t* sources, int32_t count);

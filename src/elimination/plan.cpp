@@ -1,4 +1,5 @@
 #include "elimination/plan.hpp"
+#include "memory/hostile.hpp"
 #include "store/block.hpp"
 
 namespace c2d {
@@ -71,7 +72,8 @@ bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
     if (static_cast<int64_t>(strips.block_rows) * width < plan.rows) continue; // room for a column, and for the exchanges
     const int32_t widest = forced > 0 ? forced : widest_panel(bytes, strips, width);
     strips.panel_columns = forced > 0 ? forced : widest - widest % kTileColumns;
-    if (strips.panel_columns < width || elimination_bytes(strips) > bytes) continue;
+    if (strips.panel_columns < width) continue;
+    C2D_ASSERT(elimination_bytes(strips) <= bytes);
     plan = strips;
     return true;
   }

@@ -28,7 +28,7 @@ void append(Stream& s, const void* data, uint64_t bytes) {
 
 c2d_status finish_block(Stream& s) {
   const uint64_t at = s.end % s.block_bytes;
-  if (at == 0 || s.status != C2D_OK) return s.status;
+  if (s.status != C2D_OK || at == 0) return s.status;
   memset(s.buffer + kBlockHeaderBytes + at, 0, static_cast<size_t>(s.block_bytes - at));
   const uint64_t block = s.first_block + s.end / s.block_bytes;
   s.end += s.block_bytes - at;

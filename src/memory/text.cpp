@@ -1,6 +1,7 @@
 #include "memory/text.hpp"
 
 #include "memory/config.hpp"
+#include "memory/hostile.hpp"
 #include "memory/wide_integer.hpp"
 
 #include <string.h>
@@ -104,7 +105,7 @@ uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) 
     wide_shift_left(below, -exponent);
   // Only as many binary digits of the quotient are developed as it can have.
   const int32_t bits = wide_bits(above) - wide_bits(below) + 1;
-  if (bits < 0) return 0;
+  C2D_ASSERT(bits >= 0);
   const uint64_t quotient = wide_divide(above, below, bits);
   wide_multiply(above, 2); // the remainder against one half
   const int32_t half = wide_compare(above, below);
