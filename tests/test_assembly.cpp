@@ -337,8 +337,9 @@ TEST_CASE("assembly: any range of columns gives the same bits: all orders, slant
     if (functions == 1) {
       d.zone(3, 3, 6, 1, 6, 3, -1, 3);
     } else {
-      const int32_t per = functions - 1;
-      d.zone(3 * per + 1, 3, 6, 1, 5 * per + 1, 3, -1, 3 * per + 1);
+      const int32_t per = functions - 1, without = trial % 3 == 0 ? 1 : 0; // the last node makes no pair, and may be loaded
+      d.zone(3 * per + 1 - without, 3, 6, 1, 5 * per + 1, 3, -1, 3 * per + 1);
+      if (without != 0) d.end_traction[1][0] = 0.4, d.end_traction[1][1] = -0.2;
     }
     d.point_load(2, c * 0.2 - s * 1.8, s * 0.2 + c * 1.8, 0.3, -1);
     REQUIRE_MESSAGE(d.complete(), d.all());

@@ -1,4 +1,5 @@
 // Which points of two surfaces face each other: what bounds leave out is nowhere near, against all points of all elements.
+#include "bie/transfer.hpp"
 #include "model/facing.hpp"
 #include "model_fixture.hpp"
 #include "random/dice.hpp"
@@ -304,4 +305,92 @@ TEST_CASE("facing: an end that misses by less than 1e-9 of an element's length i
           CHECK(((pair.data.end_code[0][2 * (5 + e) + l] & kFacesNothing) != 0) == none);
         }
     }
+}
+
+namespace {
+
+// Flats: elements 5 ... 8 of body 1 from x = 4 to 0, above them 0 ... 2 of body 2 from `left` to `right`.
+Pair2 flats(int32_t functions, double left, double right) {
+  Pair2 pair{ModelData(functions)};
+  Points q;
+  fixture::line_to(q, left, 0.5, right, 0.5, 3);
+  fixture::line_to(q, right, 0.5, right, 2, 1);
+  fixture::line_to(q, right, 2, left, 2, 1);
+  fixture::line_to(q, left, 2, left, 0.5, 1);
+  pair.data.body(2, {fixture::rectangle(0, -1, 4, 1, 4, 1)});
+  pair.data.body(2, {q});
+  pair.join(5, 4, 0, 3);
+  return pair;
+}
+
+} // namespace
+
+// Elements of side 1 from x = 5 to 3, which faces nothing where it begins, from 3 to 1, and from 1 to -1.
+TEST_CASE("facing: an element has pieces as far as it faces something, from its start on") {
+  Pair2 pair = flats(1, -1, 5);
+  const Model m = pair.data.view();
+  const size_t expected[3] = {0, 4, 2}; // cut at nodes and ends
+  for (int32_t place = 0; place < 3; ++place) {
+    CAPTURE(place);
+    PieceWalk walk = start_pieces(m, m.zone[0], place);
+    FacingPiece piece;
+    std::vector<double> x;
+    while (next_piece(walk, piece))
+      for (int i = 0; i < 2; ++i) {
+        const SurfacePoint p = surface_point(m, 0, piece.element1, piece.eta1[i]),
+                           q = surface_point(m, 1, 2 - place, piece.eta2[i]);
+        CHECK(p.x == doctest::Approx(q.x));
+        x.push_back(p.x);
+      }
+    REQUIRE(x.size() == 2 * expected[place]);
+    for (size_t i = 0; i < x.size(); ++i)
+      CHECK(x[i] == doctest::Approx(5 - 2 * place - 0.5 * static_cast<double>((i + 1) / 2)));
+  }
+}
+
+TEST_CASE("facing: an end that nothing faces takes nothing, whether that has been noted or not") {
+  Pair2 pair = flats(2, 0, 3);
+  const Model m = pair.data.view();
+  for (const bool noted : {false, true}) {
+    if (noted) facing::mark_unfaced_ends(m, 0);
+    TransferredEnd end;
+    CHECK(!transferred_end(m, 0, 5, 0, end)); // at x = 4
+  }
+}
+
+// The upper side of a body above: lines along its normal meet it from behind.
+TEST_CASE("facing: a surface that is averted hands its traction over as it is") {
+  Pair2 pair = flats(2, 0, 4);
+  pair.join(5, 4, 4, 1);
+  Zone& z = pair.data.zones[0];
+  z.pairs = 2, z.first_node[1] = 5, z.node_step[1] = -1;
+  pair.data.pairs.resize(2);
+  const Model m = pair.data.view();
+  for (int32_t element = 5; element <= 8; ++element)
+    for (int l = 0; l < 2; ++l) {
+      TransferredEnd end;
+      REQUIRE(transferred_end(m, 0, element, l, end));
+      CHECK(end.ratio == 1);
+      CHECK(end.weight[0] + end.weight[1] == doctest::Approx(1));
+    }
+}
+
+TEST_CASE("facing: beside a pair at the end of a zone there is no element, at other ends the next one") {
+  Pair2 pair = flats(1, 0, 4);
+  const Model m = pair.data.view();
+  const int32_t expected[4][3] = {{-1, -1, 6}, {5, -1, 7}, {6, -1, 8}, {7, -1, -1}};
+  Pair at = {};
+  for (int32_t e = 0; e < 4; ++e)
+    for (int32_t k = 0; k < 3; ++k) {
+      at.element = 5 + e, at.eta = k - 1;
+      CHECK(element_beside_pair(m, at) == expected[e][k]);
+    }
+}
+
+TEST_CASE("facing: between ends of one value no zero is looked for") {
+  Pair2 pair = flats(2, 0, 4);
+  const Model m = pair.data.view();
+  const facing::Place from = facing::place_at(m, m.zone[0], 0, FacePoint{6, 1, 0.0});
+  const facing::Search off = facing::search_in(m, m.zone[0], from, 1, 0);
+  CHECK(facing::zero_between(-0.5, 1.0, 0.25, 0.25, off) == -0.5);
 }

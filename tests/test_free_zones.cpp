@@ -363,6 +363,23 @@ TEST_CASE("free zones: symmetry by images, patch test on the line x = 0") {
     }
 }
 
+// The left side stays in the deck, and images take its place: of the nodes inside it nothing is left.
+TEST_CASE("free zones: symmetry by images of bodies with elements on the line") {
+  for (int32_t functions : {2, 3}) {
+    Blocks b;
+    b.lower = 5, b.upper = 8, b.function_nodes = functions;
+    const Problem p = pressed_blocks(b);
+    Setup images;
+    images.symmetry = C2D_SYMMETRY_IMAGES;
+    const Result r = solve(p, images);
+    INFO(functions, " ", r.messages());
+    REQUIRE(r.status == C2D_OK);
+    REQUIRE(r.outcome == C2D_REACHED);
+    for (int i = 0; i < r.steps.back().pairs(); ++i)
+      CHECK(r.steps.back().at(i, C2D_TN) == doctest::Approx(b.pressure).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
   // Outer ring 1 < r < 2 under pressure 5, inner ring 0.5 < r < 1 held inside, nu = 0.3: with sigma_r = A -
   // B/r^2 and u = k (0.4 A r + B/r) on either, u is the same at r = 1 for this pressure.

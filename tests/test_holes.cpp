@@ -441,3 +441,26 @@ TEST_CASE(
         CHECK(!c2d::next_hole(m, 0, walk, none));
       }
 }
+
+// Two rooms with a neck between them, in which the centroid lies too near to the edge; the points of a slit of no breadth see
+// nothing before them.
+TEST_CASE("holes: one has a place in either room beside a neck, and a slit of no breadth its centroid") {
+  using fixture::ModelData;
+  const fixture::Points rooms = {-2, -0.5, -2, 0.5,  -1, 0.5,  -1, 0.05,  1,  0.05,  1,  0.5,
+                                 2,  0.5,  2,  -0.5, 1,  -0.5, 1,  -0.05, -1, -0.05, -1, -0.5};
+  const fixture::Points slit = {-2, 0, -1, 4e-10, 0, 1e-10, 1, 4e-10, 2, 0, 1, -4e-10, 0, -1e-10, -1, -4e-10};
+  for (const fixture::Points& curve : {rooms, slit}) {
+    ModelData d(2);
+    d.body(2, {fixture::rectangle(-3, -2, 6, 4, 3, 2), curve});
+    d.head.length_unit = 1;
+    c2d::HoleWalk walk{};
+    c2d::Hole hole;
+    REQUIRE(c2d::next_hole(d.view(), 0, walk, hole));
+    REQUIRE(hole.points == (curve == rooms ? 2 : 1));
+    for (int k = 0; k < hole.points; ++k) {
+      CHECK(hole.at[k][0] == doctest::Approx(curve == rooms ? 3 * k - 1.5 : 0.0));
+      CHECK(std::fabs(hole.at[k][1]) < 1e-12);
+    }
+    CHECK(!c2d::next_hole(d.view(), 0, walk, hole));
+  }
+}

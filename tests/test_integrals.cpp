@@ -267,6 +267,17 @@ TEST_CASE("curved elements: blocks at all distances and directions against grade
   check_around(curved_elements()[0], 0.5, 1e-12);
 }
 
+// The search for the nearest point goes by the zeros of the curve's complex polynomial; seen from there, its first step ends
+// where the polynomial's slope is none.
+TEST_CASE("curved elements: a source at the centre of curvature of a parabola") {
+  const double x[] = {-1.0, 0.0, 1.0}, y[] = {0.0, 1.0, 0.0};
+  for (int functions = 1; functions <= 4; ++functions) {
+    Integrator in;
+    prepare(in, make_element(3, x, y), functions, 0.3, Quadrature::accurate);
+    check_place(in, 0.3, 0.0, {0.0, 0.5}, 1e-12);
+  }
+}
+
 TEST_CASE("straight elements: a source on the line beyond the ends, near and far") {
   const double x[] = {0.0, 2.0}, y[] = {0.0, 0.0};
   const Element e = make_element(2, x, y);

@@ -222,6 +222,23 @@ TEST_CASE("model edges: overlaps that chords explain count as touching, unless o
   }
 }
 
+// A hole that goes all round a block, told from the middle of where they touch. Its other elements begin and end beside the
+// block.
+TEST_CASE("model edges: a free zone that begins in the middle of what is faced is one of two runs") {
+  Model m;
+  m.add(rectangle(0, -3, 1, 0, {2, 2, 4, 2}));
+  m.add(rectangle(-4, -8, 5, 3, {4, 4, 4, 4}));
+  add_polygon(m.body(2), {{-2, -5, 1}, {-2, 0, 20}, {3, 0, 1}, {3, -5, 1}});
+  m.body(2).ends.resize(static_cast<size_t>(2 * m.body(2).elements()));
+  m.set(1, 1, end_of(kHeld));
+  for (const int32_t from : {37, 27}) { // 26 ... 29 are faced, the zone goes down
+    m.zones = {{C2D_ZONE_FREE, {{1, 5, 8}, {2, from, from + 1, 23}}}};
+    const Result r = solve(m);
+    const char* several = "body 1 faces elements of body 2 in several places, expected one run of elements";
+    CHECK_MESSAGE(r.told_of(several) == (from == 27), r.messages());
+  }
+}
+
 TEST_CASE("model edges: a kink of the side whose nodes make the pairs of a free zone is told with its node and pair") {
   for (int side = 0; side < 2; ++side) {
     CAPTURE(side);
@@ -505,6 +522,15 @@ TEST_CASE("model edges: bodies apart that nothing has moved yet have no results 
     for (const std::vector<EndResult>& body : r.boundary)
       for (const EndResult& e : body) CHECK((e.ux == 0 && e.uy == 0 && e.tx == 0 && e.ty == 0));
     for (const c2d_body_state& state : r.states) CHECK((state.motion[1] == 0 && state.contact[1] == 0));
+    Machine machine(m);
+    machine.run();
+    const double xy[4] = {1, -0.5, 1, 0.6};
+    double inside[2 * C2D_POINT_FIELDS];
+    REQUIRE(c2d_interior(machine.solver, 0, 2, xy, 2, inside, C2D_POINT_FIELDS) == C2D_OK);
+    for (const double* row : {inside, inside + C2D_POINT_FIELDS}) {
+      CHECK(row[C2D_POINT_FLAG] == C2D_POINT_INSIDE);
+      for (int c = 0; c < C2D_POINT_FLAG; ++c) CHECK(row[c] == 0);
+    }
   }
 }
 
@@ -607,5 +633,76 @@ TEST_CASE("model edges: in a ring that touches all round the zones of slip are s
     CHECK(open == 0);
     CHECK((slip > 0) == (shear > 0.3)); // against 0.3 of a pressure of about 1; the supports take their part
     CHECK(slip < 16);
+  }
+}
+
+// ---- parts of the model by themselves ---------------------------------------------------------------------------------
+
+TEST_CASE("model edges: an open curve on no line closes straight, and may end with a double node") {
+  ModelData d(2);
+  d.body(2, {{0, 0, 2, 0, 2, 1, 0, 1, 0, 1}});
+  d.bodies[0].elements -= 1, d.regions[0][0].last -= 1, d.regions[0][0].open = 1, d.bodies[0].open_regions = 1;
+  d.head.length_unit = 1;
+  for (int32_t symmetry = 0; symmetry < 4; ++symmetry) {
+    d.head.symmetry = symmetry;
+    CHECK(c2d::region_area(d.view(), 0, 0) == 2);
+  }
+  c2d::Reporter reporter = {&d, ModelData::keep, 0};
+  const c2d::Model m = d.view();
+  CHECK(c2d::validate_geometry(m, reporter));
+  CHECK_MESSAGE(d.told.empty(), d.all());
+  for (int32_t node = 0; node < 5; ++node) {
+    CHECK(c2d::twin_node(m, 0, node) == (node < 3 ? -1 : 7 - node));
+    CHECK(c2d::is_second_twin(m, 0, node) == (node == 4));
+  }
+}
+
+TEST_CASE("model edges: how far an element of no length is away") {
+  ModelData d(2);
+  d.body(2, {{0, 0, 1, 0, 1, 0, 1, 1}});
+  d.head.length_unit = 1;
+  CHECK(c2d::distance_to_element(d.view(), 0, 1, 4, 4) == 5);
+}
+
+TEST_CASE("model edges: motions are told along an axis, along a slope, or about a point") {
+  ModelData d(2);
+  d.body(2, {fixture::unit_square()});
+  d.head.length_unit = 2;
+  const auto told = [&](double x, double y, double turn) {
+    char room[200];
+    c2d::Text text = c2d::text_in(room);
+    const double motion[3] = {x, y, turn};
+    c2d::put_motion(text, d.view(), 0, motion);
+    return std::string(room);
+  };
+  CHECK(told(-1, 0, 0) == "along x");
+  CHECK(told(0, 1, 0) == "along y");
+  CHECK(told(3, -4, 0) == "along (0.6, -0.8)");
+  CHECK(told(0, 1, 1) == "rotation about (-2, 0)");
+}
+
+TEST_CASE("model edges: two curved elements make a body, whose stress turns with it") {
+  const auto lens = [](double turn, double grow) {
+    Model m;
+    m.function_nodes = 3;
+    Body b;
+    b.element_nodes = 3;
+    add_curve(b, 2, [&](double s, double& x, double& y) {
+      const double angle = 2 * std::acos(-1.0) * (s + turn);
+      x = std::cos(angle), y = std::sin(angle);
+    });
+    b.ends.resize(6);
+    m.add(b);
+    m.set(1, 1, [&](double x, double y) { return end_of(kHeld, 0, 0, grow * x, grow * y); });
+    return solved(m);
+  };
+  const Result a = lens(0, 1e-3), b = lens(0.25, 1e-3), half = lens(0, 5e-4);
+  for (size_t i = 0; i < 6; ++i) {
+    const EndResult &p = a.boundary[0][i], &q = b.boundary[0][i];
+    CHECK(p.sxx > 0);
+    CHECK(p.sxx == doctest::Approx(q.syy).epsilon(1e-9));
+    CHECK(p.syy == doctest::Approx(q.sxx).epsilon(1e-9));
+    CHECK(p.sxy == doctest::Approx(-q.sxy).epsilon(1e-9));
+    CHECK(p.sxx == doctest::Approx(2 * half.boundary[0][i].sxx).epsilon(1e-9));
   }
 }

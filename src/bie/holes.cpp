@@ -46,7 +46,7 @@ template <class Visit> void visit_chords(const Model& m, int b, const Hole& run,
 struct Outline {
   double area; // negative: a hole
   double length;
-  double centroid[2];
+  double centroid[2];       // of a hole
   double first[2], last[2]; // where it begins and ends
 };
 
@@ -70,7 +70,8 @@ Outline outline_of(const Model& m, int b, const Hole& run) {
     }
     element = element_after(m, b, element);
   }
-  for (int i = 0; i < 2 && out.area != 0.0; ++i) out.centroid[i] = at[i] + moment[i] / out.area;
+  if (!(out.area < 0.0)) return out;
+  for (int i = 0; i < 2; ++i) out.centroid[i] = at[i] + moment[i] / out.area;
   // Images complete a run that begins or ends on a line: their common centroid lies on it.
   if (out.first[0] == out.last[0] && out.first[1] == out.last[1]) return out;
   for (int i = 0; i < 2; ++i) {
@@ -133,6 +134,7 @@ double touching_circle(const Model& m, int b, const Hole& run, const double a[2]
 
 // Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the centroid. A
 // hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and both count.
+// False: none, in a slit with no more breadth than rounding leaves.
 bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   double best = -1.0, centre[2][2] = {};
   run.points = 0;
@@ -162,15 +164,14 @@ bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   return run.points > 0;
 }
 
-// The centroid of the area, if it lies well inside. No rotation, reflection or numbering changes what is found.
-bool find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
+// The centroid of the area, if it lies well inside or nothing does. No rotation, reflection or numbering changes what is found.
+void find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
   constexpr double kWell = 0.31; // of the radius that a circle of this area and length has
   const double radius = -2.0 * outline.area / outline.length, unit = m.head->length_unit;
   run.length = 2.0 * radius / unit;
-  if (!is_well_inside(m, b, run, outline.centroid, kWell * radius)) return find_widest(m, b, outline, run);
+  if (!is_well_inside(m, b, run, outline.centroid, kWell * radius) && find_widest(m, b, outline, run)) return;
   run.points = 1;
   for (int i = 0; i < 2; ++i) run.at[0][i] = outline.centroid[i] / unit;
-  return true;
 }
 
 // The next run of a region, whatever it encloses; false at the region's end.
@@ -200,7 +201,9 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
       continue;
     }
     const Outline outline = outline_of(m, b, out);
-    if (outline.area < 0.0 && find_inside(m, b, outline, out)) return true;
+    if (!(outline.area < 0.0)) continue;
+    find_inside(m, b, outline, out);
+    return true;
   }
   return false;
 }

@@ -25,20 +25,18 @@ using namespace facing;
 
 namespace {
 
-bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
-  const int f = m.head->function_nodes;
-  for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
-    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, z.body[1], at2.element, l).pair : -1;
-    if (pair < 0) continue;
-    ZonePlace faced;
-    out.element = m.pair[pair].element;
-    out.eta = m.pair[pair].eta;
-    const bool in_zone = find_contact_element(m, z.body[0], out.element, &faced);
-    if (C2D_NEVER(!in_zone)) return false; // what a pair's node faces is
-    out.place = faced.place;
-    return true;
-  }
-  return face_point(m, z, at2, out);
+// What the `stop`-th of these places faces.
+bool face_own_cut(const Model& m, const Zone& z, int32_t stop, const FacePoint& at2, FacePoint& out) {
+  const int32_t f = m.head->function_nodes, local = z.element_step[1] > 0 ? stop : f - 1 - stop;
+  const int32_t pair = f > 1 ? pair_of_end(m, z.body[1], at2.element, local).pair : -1;
+  if (pair < 0) return face_point(m, z, at2, out); // else its point has been found
+  ZonePlace faced;
+  out.element = m.pair[pair].element;
+  out.eta = m.pair[pair].eta;
+  const bool in_zone = find_contact_element(m, z.body[0], out.element, &faced);
+  if (C2D_NEVER(!in_zone)) return false; // what a pair's node faces is
+  out.place = faced.place;
+  return true;
 }
 
 // The next node or end of side 0 behind `now` within its element, in the order of the zone.
@@ -67,7 +65,7 @@ double next_cut(const Model& m, const Zone& z, double eta) {
 PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
   PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), place2, 1, {}, {}, 0, 0};
   own_cut(m, z, 0, &walk.eta2);
-  if (!face_own_cut(m, z, FacePoint{walk.element2, place2, walk.eta2}, walk.now)) walk.stop = INT32_MAX - 1;
+  if (!face_own_cut(m, z, 0, FacePoint{walk.element2, place2, walk.eta2}, walk.now)) walk.stop = INT32_MAX - 1;
   walk.target = walk.now;
   walk.target_eta2 = walk.eta2;
   return walk;
@@ -78,8 +76,8 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   const Zone& z = *w.z;
   const int32_t count = zone_elements(z, 0);
   if (w.eta2 == w.target_eta2) { // on to the next node of its own
-    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, FacePoint{w.element2, w.place2, w.target_eta2}, w.target))
-      return false;
+    if (!own_cut(m, z, w.stop, &w.target_eta2)) return false;
+    if (!face_own_cut(m, z, w.stop, FacePoint{w.element2, w.place2, w.target_eta2}, w.target)) return false;
     ++w.stop;
   }
   if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of side 0

@@ -81,7 +81,7 @@ void facing::mark_unfaced_ends(const Model& m, int32_t zone) {
     const int32_t element = zone_element(m, z, 0, place);
     const bool in_zone = find_contact_element(m, b, element, &found);
     if (C2D_NEVER(!in_zone)) continue; // it is one of a zone's
-    if (found.zone != zone || found.side != 0) continue;
+    if (found.zone != zone) continue;
     for (int l = 0; l < f; ++l) {
       FacePoint faced;
       uint8_t& code = m.end_code[b][element * f + l];

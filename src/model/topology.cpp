@@ -174,10 +174,8 @@ int32_t twin_node(const Model& m, int b, int32_t node) {
 }
 
 bool is_second_twin(const Model& m, int b, int32_t node) {
-  if (m.head->function_nodes != 2) return false;
-  const int32_t twin = twin_node(m, b, node);
-  const NodePlace at = place_of_node(m, b, node);
-  return twin >= 0 && !(at.local == 0 && joins_twins(m, b, at.element));
+  const int32_t twin = twin_node(m, b, node); // the first's element ends here
+  return twin >= 0 && functional_node(m, b, place_of_node(m, b, twin).element, 1) == node;
 }
 
 void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]) {

@@ -48,10 +48,9 @@ bool is_contact_component(const Pair& pair, int component) {
 
 namespace {
 
-// The conditions of a contact pair stand for one equation more: the displacement must be free, and the ends
+// The conditions of a contact pair stand for one equation more: the displacement is free (build_frames), and the ends
 // outside the contact must bring no unknown of their own.
-UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, int component, bool fixed) {
-  if (fixed) return UnknownKind::none;
+UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, int component) {
   const int32_t f = m.head->function_nodes;
   for (int i = 0; i < count; ++i) {
     const bool in_contact = pair_of_end(m, b, ends[i] / f, ends[i] % f).pair >= 0;
@@ -82,7 +81,7 @@ Unknown find_unknown(const Model& m, int b, int32_t node, const NodeEnds& at, in
   if (is_held_by_symmetry(m, b, node, component)) return unknown;
   const bool fixed = at.fixed[component];
   if (at.pair >= 0 && is_contact_component(m.pair[at.pair], component)) {
-    unknown.kind = contact_kind(m, b, at.ends, at.count, component, fixed);
+    unknown.kind = contact_kind(m, b, at.ends, at.count, component);
     return unknown;
   }
   // Across a pair's symmetry direction a contact end carries no traction, unless a card says it is unknown.
