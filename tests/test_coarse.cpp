@@ -1,4 +1,5 @@
 // Warnings about meshes that are too coarse for the contact that came out (tests/data/coarse).
+#include "many_bodies.hpp"
 #include "paths.hpp"
 #include "problem.hpp"
 #include "shell.hpp"
@@ -6,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using problem::Problem;
@@ -94,6 +96,30 @@ TEST_CASE("coarse contact: one or two pairs that slip up to a corner, and no oth
   CHECK(holds(coarse(problem::solve(block(1))), "the zone of slip of pairs 1 to 1 holds only 1 element"));
   const Result beside = problem::solve_text(test::read_file(paths::root() + "/examples/sliding_block.dat"));
   CHECK(coarse(beside) == ""); // nine slip at one corner, one at the other
+}
+
+// A strip of two flats is the zone, at whose ends both go on: one pair slips at one of them.
+TEST_CASE("coarse contact: nothing is said of what slips up to the end of a zone that is no corner") {
+  for (const bool right : {false, true}) {
+    many::Model m;
+    m.friction = 0.6;
+    m.cases = 2;
+    m.add(many::rectangle(-4, -2, 4, 0, {4, 2, 32, 2}));
+    m.add(many::rectangle(-4, 0, 4, 2, {32, 2, 8, 2}));
+    m.set(1, 1, many::end_of(many::kHeld));
+    m.set(2, 3, [](double x, double) { return many::end_of(many::kPulled, 0, std::fabs(x) < 1.01 ? -1 : 0); });
+    m.set_second(2, right ? 2 : 4, many::end_of(many::kPulled, right ? -1 : 1));
+    m.zones.push_back({C2D_ZONE_MATCHING, {{1, 15, 30}, {2, 24, 9}}});
+    m.paths = {{1, 1, 0}, {1, 1, 0.4132}};
+    const many::Result r = many::solve(m);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    const std::vector<many::Row> rows = r.zone_rows(1);
+    int slip = 0;
+    for (const many::Row& row : rows) slip += row[C2D_STATUS] == C2D_SLIP ? 1 : 0;
+    CHECK(slip == 1);
+    CHECK((right ? rows.front() : rows.back())[C2D_STATUS] == C2D_SLIP);
+    CHECK(!r.told_of("the zone of slip"));
+  }
 }
 
 // Spence: the pressure of a sharp punch has no bound. Equal elements are 30 to 70 % wrong near its edge, those that shrink

@@ -518,3 +518,46 @@ TEST_CASE("deck edges: of the first 128 zones none is named twice; beyond them n
   cards.emplace_back("*NAME ZONE 128 b");
   CHECK(contains_text(the_fault(behind(cards)).text, "zone 128 is named twice, expected one name"));
 }
+
+// The model cannot be told where a card stands, and then refuses what is on it.
+TEST_CASE("deck edges: of two errors on a card the first is what the reading returns") {
+  static int until;
+  int met = 0;
+  for (int n = 0; n < 40; ++n) {
+    CAPTURE(n);
+    Bytes deck;
+    List cards = squares();
+    cards.insert(cards.end(), {"*UNITS mm N", "*NAME BODY 1 low", "*POINTS", "LINE 1 0.1 0.1 0.9 0.9 3", "*INTERFERENCE 1"});
+    deck.bytes = joined(cards);
+    Recorder model;
+    c2d::DeckSink sink = recording_sink(model);
+    until = n;
+    sink.set_line = [](c2d_solver* s, int32_t, int32_t, int32_t) -> c2d_status {
+      if (until-- > 0) return C2D_OK;
+      recorder(s)->refuse_call = static_cast<int>(recorder(s)->calls.size());
+      recorder(s)->refusal = C2D_ERR_MEMORY;
+      return C2D_ERR_STATE;
+    };
+    c2d_limits sizes = C2D_INIT(c2d_limits);
+    c2d_body_limits room[2] = {};
+    sizes.body = room, sizes.bodies = 2;
+    const c2d_status status = c2d::read_deck_cards(&sink, read_bytes, &deck, nullptr, nullptr, &sizes);
+    CHECK(status == (until < 0 ? C2D_ERR_STATE : C2D_OK));
+    met += until < 0 ? 1 : 0;
+  }
+  CHECK(met > 5);
+  CHECK(met < 40);
+}
+
+TEST_CASE("deck edges: lines beyond what there is room for are told as the last one") {
+  c2d::Deck deck = {};
+  c2d_body_limits room[2] = {};
+  deck.body = room;
+  for (const int32_t line : {1, (1 << 28) - 2, (1 << 28) - 1, INT32_MAX}) {
+    CAPTURE(line);
+    deck.cards.line = line;
+    c2d::keep_body_card(deck, 1, 4);
+    CHECK(c2d::element_nodes(deck, 1) == 4);
+    CHECK(c2d::body_line(deck, 1) == std::min(line, (1 << 28) - 2));
+  }
+}

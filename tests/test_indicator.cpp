@@ -120,13 +120,13 @@ Problem with_free_zone(Problem p) {
   p.zones.clear();
   return p;
 }
-// A cylinder of radius 100 on a half plane, of whose bodies one has four elements for one of the other.
-Problem with_fine_body(int body, const char* n = "n=6") {
+// A cylinder of radius 100 on a half plane, of whose bodies one has four elements for one of the other, or 2^cuts.
+Problem with_fine_body(int body, const char* n = "n=6", int cuts = 2) {
   std::string deck, error;
   REQUIRE(families::make_deck("hertz", {n, "symmetry=line"}, deck, error));
   const Problem coarse = from_text(deck);
   Problem fine = coarse;
-  for (int i = 0; i < 2; ++i)
+  for (int i = 0; i < cuts; ++i)
     fine = cut_in_two(fine, [](int, const double* from, const double* to, double* middle) {
       const auto is_on_arc = [](const double* p) { return std::fabs(std::hypot(p[0], p[1] - 100) - 100) < 1e-6; };
       if (!is_on_arc(from) || !is_on_arc(to) || std::fabs(from[1]) + std::fabs(to[1]) == 0) return;
@@ -405,6 +405,18 @@ TEST_CASE("facing meshes: elements of side 1 that are too long for those of side
     CHECK(told(r) > 0.8 * off);
     CHECK(told(r) < 2 * off);
   }
+  // At the edge of contact a few pairs lie on a part of their element, and tell no slope: whether they come first or last.
+  for (const double load : {0.5, 0.7, 0.85, 1.0, 1.15}) {
+    Problem p = with_fine_body(2, "n=2", 3);
+    p.paths = {{1, load}};
+    const Result up = solve(p);
+    for (FreeZone& z : p.free_zones)
+      for (int b = 0; b < 2; ++b) std::swap(z.first_element[b], z.last_element[b]);
+    const Result down = solve(p);
+    REQUIRE(up.status == C2D_OK);
+    CHECK(told(up) > 30);
+    CHECK(told(down) == told(up));
+  }
   CHECK(told(solved(with_fine_body(2, "n=12"))) == 0);
   CHECK(told(solved(with_fine_body(1, "n=3"))) == 0);
   CHECK(told(family("hertz", {"n=3", "symmetry=line"})) == 0);
@@ -479,4 +491,80 @@ TEST_CASE("indicators: one by one the same bits, nothing else changes, a cancel 
   other.cancels = false;
   CHECK(c2d_indicators(s, 1, 11, 20, rows.data(), C2D_OFF_FIELDS) == C2D_OK);
   CHECK(c2d_get_state(s) == C2D_STATE_RUNNING);
+}
+
+// A port that cancels at the n-th time it is asked.
+TEST_CASE("indicators and points: cancelled whenever that is asked, they can be had again") {
+  struct Counting : runs::RamStore {
+    c2d_port port = C2D_INIT(c2d_port);
+    int64_t asked = 0, at = -1;
+    static int32_t cancel(void* context) {
+      Counting& own = static_cast<Counting&>(self(context));
+      return own.asked++ == own.at ? 1 : 0;
+    }
+    Counting() {
+      serve(port);
+      port.cancel = cancel;
+    }
+  } host;
+  runs::Deck deck = runs::deck_named("sample");
+  const host::Limits limits = deck.limits();
+  uint64_t minimum = 0;
+  REQUIRE(c2d_memory_need(&limits, &minimum, nullptr, nullptr) == C2D_OK);
+  runs::Machine machine(limits, minimum, &host.port);
+  c2d_solver* s = machine.solver;
+  REQUIRE(runs::read_deck(s, deck) == C2D_OK);
+  REQUIRE(c2d_prepare(s) == C2D_OK);
+  REQUIRE(c2d_run(s, nullptr, nullptr) == C2D_OK);
+  std::vector<double> rows(10 * C2D_OFF_FIELDS), again = rows, points(2 * C2D_POINT_FIELDS), twice = points;
+  const double xy[4] = {0.5, 0.25, 0.75, 0.5};
+  for (const bool inside : {false, true}) {
+    CAPTURE(inside);
+    const auto ask = [&](std::vector<double>& to) {
+      host.asked = 0;
+      return inside ? c2d_interior(s, 0, 2, xy, 2, to.data(), C2D_POINT_FIELDS)
+                    : c2d_indicators(s, 1, 24, 10, to.data(), C2D_OFF_FIELDS); // in contact
+    };
+    std::vector<double>&whole = inside ? points : rows, &other = inside ? twice : again;
+    host.at = -1;
+    REQUIRE(ask(whole) == C2D_OK);
+    const int64_t times = host.asked;
+    REQUIRE(times > 3);
+    for (host.at = 0; host.at < times; ++host.at) {
+      CAPTURE(host.at);
+      CHECK(ask(other) == C2D_ERR_CANCELLED);
+      CHECK(host.asked == host.at + 1);
+    }
+    host.at = -1;
+    REQUIRE(ask(other) == C2D_OK);
+    CHECK(other == whole);
+  }
+}
+
+TEST_CASE("indicators: an end of a contact element that makes no pair is open") {
+  for (const int32_t without : {0, 1}) {
+    Problem p;
+    p.friction = {0.3};
+    p.bodies.resize(2);
+    add_polygon(p.bodies[0], {{0, 0, 4}, {4, 0, 1}, {4, 1, 4}, {0, 1, 1}});
+    add_polygon(p.bodies[1], {{0, 1, 4}, {4, 1, 1}, {4, 2, 4}, {0, 2, 1}});
+    set_ends(p, 1, [](double, double, double, double ny, End& end) {
+      if (ny < -0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+    });
+    set_ends(p, 2, [](double, double, double, double ny, End& end) {
+      if (ny > 0.5) end.values[1] = -1;
+    });
+    p.zones = {Zone()};
+    Zone& z = p.zones[0];
+    z.elements = 4, z.pairs = 5 - without;
+    z.first_element[0] = 6, z.last_element[0] = 9, z.first_node[0] = 6, z.last_node[0] = 10 - without;
+    z.first_element[1] = 4, z.last_element[1] = 1, z.first_node[1] = 5, z.last_node[1] = 1 + without;
+    const Result r = solved(p);
+    const auto statuses = [&](int b, int32_t e) { return static_cast<int32_t>(off(r, b, e, C2D_OFF_STATUSES)); };
+    for (int b = 1; b <= 2; ++b) {
+      CHECK((statuses(b, b == 1 ? 9 : 1) & 1) == without);
+      CHECK((statuses(b, b == 1 ? 9 : 1) & 6) != 0);
+      CHECK((statuses(b, b == 1 ? 8 : 2) & 1) == 0);
+    }
+  }
 }

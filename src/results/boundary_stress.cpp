@@ -17,10 +17,9 @@ Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step)
   const int lines = lines_through(*m.head, end[0], end[1]);
   if (lines != 0) return Neighbour{element, lines};
   const int32_t count = region.last - region.first + 1;
-  int32_t other = element;
-  do other = region.first + (other - region.first + step + count) % count;
-  while (other != element && is_zero_length(m, b, other));
-  return Neighbour{other, 0};
+  const auto beside = [&](int32_t e) { return region.first + (e - region.first + step + count) % count; };
+  const int32_t next = beside(element);
+  return Neighbour{is_zero_length(m, b, next) ? beside(next) : next, 0}; // (no two of no length follow one another)
 }
 
 namespace {

@@ -75,7 +75,7 @@ template <bool smooths> bool add_element_batches(Acting& acting, const Points& p
   const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
   BatchFieldElement element;
-  if (kSmallCode || !kernel || points.lines(acting.b) != 0 || !batch_field_element(e, element)) return false;
+  if (!kernel || kSmallCode || points.lines(acting.b) != 0 || !batch_field_element(e, element)) return false;
   const double away = 64.0 * e.in.radius;
   BatchPoints at;
   BatchField sum;

@@ -165,10 +165,10 @@ void smooth_at_nodes(const Session& session, int b, int32_t element, const Field
     if (!smoothing.ready) smoothing.end[0].ready = smoothing.end[1].ready = false;
     smoothing.ready = true;
     if (!node.ready) prepare_smoothing(session, b, element, e, end, node);
-    const double part = node.range > 0.0 ? square / (node.range * node.range) : 1.0;
-    if (part >= 1.0) continue;
+    const double range2 = node.range * node.range;
+    if (square >= range2) continue;
     const PointField added = smoothing_at(e, node, x, y);
-    const double weight = (1.0 - part) * (1.0 - part);
+    const double part = square / range2, weight = (1.0 - part) * (1.0 - part);
     sum.trace += weight * added.trace;
     add(sum.deviator, weight * added.deviator);
   }

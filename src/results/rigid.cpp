@@ -16,7 +16,7 @@ void rigid_displacement_now(const Session& session, int b, double x, double y, d
   }
   const Body& body = session.model.body[b];
   const double unit = session.model.head->length_unit;
-  for (int32_t j = 0; j < body.free_motions && body.contact > 0; ++j) {
+  for (int32_t j = 0; j < body.free_motions; ++j) {
     const double* motion = body.free_motion[j];
     const double factor = static_cast<double>(session.area.motion[body.first_border + j]);
     u[0] += factor * (motion[0] * unit - motion[2] * (y - body.centre[1]));
@@ -30,7 +30,7 @@ void rigid_motion_now(const Session& session, int b, double motion[3]) {
   motion[2] = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
     motion[2] += session.follower.load[k] * session.model.rigid_motion[b][k].rotation;
-  for (int32_t j = 0; j < body.free_motions && body.contact > 0; ++j)
+  for (int32_t j = 0; j < body.free_motions; ++j)
     motion[2] += static_cast<double>(session.area.motion[body.first_border + j]) * body.free_motion[j][2];
 }
 

@@ -1,4 +1,5 @@
 // What a user should know about a contact state: each warning once per path (src/report/OUTPUT.md).
+#include <float.h>
 #include <math.h>
 
 #include "contact/let_go.hpp"
@@ -137,12 +138,12 @@ bool is_loaded(const Session& session) {
 
 double without_noise(double number) { return fabs(number) < 1e-9 ? 0.0 : number; }
 
-// In which direction: told of one motion, else of how many there are.
+// In which direction: told of one motion, else of how many there are (which are all: a body slides in one at most).
 void put_free_motion(const Session& session, int32_t count, const double motion[3], Text& text) {
   const FreeBody& body = session.free_body;
   const double turn = motion[2] / session.model.head->length_unit, size = hypot(motion[0], motion[1]);
   if (count > 1)
-    put_all(text, "in any of ", count == body.motions ? "its " : "", count, " free motions");
+    put_all(text, "in any of its ", count, " free motions");
   else if (fabs(motion[2]) < 1e-9 * size)
     put_all(text, "in the direction (", without_noise(motion[0] / size), ", ", without_noise(motion[1] / size), ")");
   else
@@ -216,8 +217,8 @@ void warn_strains(Session& session) {
       double x[kElementNodes], y[kElementNodes], u[2], v[2], t[2];
       element_coordinates(m, b, e, x, y);
       const int last = m.body[b].element_nodes - 1;
-      const double dx = x[last] - x[0], dy = y[last] - y[0], square = dx * dx + dy * dy;
-      if (!is_integrated(m, b, e) || !(square > 0.0)) continue;
+      const double dx = x[last] - x[0], dy = y[last] - y[0], square = fmax(dx * dx + dy * dy, DBL_MIN);
+      if (!is_integrated(m, b, e)) continue;
       get_displacement(session, b, functional_node(m, b, e, 0), u);
       get_displacement(session, b, functional_node(m, b, e, nf - 1), v);
       get_traction(session, b, e * nf, t);
@@ -262,14 +263,13 @@ void warn_contact(Session& session, Moment moment) {
          "an increment did not converge within the iteration limit and was finished by following events");
 }
 
-// (Boards have no room for it.)
+// At a load that has been reached. (Boards have no room for it.)
 void warn_facing_meshes(Session& session) {
   if (kSmallCode) return;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
   int32_t zone = 0, pair = 0;
-  if (!session.solver->blocked && !session.solver->floating && session.model.head->contact > 0 &&
-      tell_facing_meshes(session, text, &zone, &pair))
+  if (!session.solver->floating && session.model.head->contact > 0 && tell_facing_meshes(session, text, &zone, &pair))
     warn(session, C2D_WARN_SIZES, zone + 1, pair + 1, room);
 }
 
