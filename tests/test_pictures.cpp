@@ -239,3 +239,37 @@ TEST_CASE("pictures: where slip at the edges of contact is narrow it is drawn ag
   CHECK(headings == 2);
   CHECK(contains(caption_of(narrow, "edges"), "The same around the first and the last edge of contact"));
 }
+
+TEST_CASE("pictures: a platen is glued, and no contact to look at; a tie neither sticks nor slips") {
+  const Folder folder;
+  write_file(folder / "pad.c2s",
+             "body block E 200e3 nu 0.3\n  from -30 -30\n  line bottom to 30 -30\n  line right to 30 0\n"
+             "  line top to -30 0\n  line left close\nbody pad E 200e3 nu 0.3\n  from -10 1.0102051443364402\n"
+             "  arc face to 10 1.0102051443364402 radius 50\n  line right to 10 20\n  line top to -10 20\n  line left close\n"
+             "contact block.top pad.face mu 0.3\nfix block.bottom\n"
+             "platen pad.top about 0 20 force 0 -200 turn 0\nwant pressure 20 %\n");
+  Shown shown;
+  show(shown, folder / "pad.c2s");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  CHECK(shown.figures.count("status_zone1") == 1);
+  CHECK(shown.figures.count("status_zone2") == 0);
+  REQUIRE(shown.figures.count("tractions_zone2") == 1);
+  CHECK(contains(shown.figures["tractions_zone2"], ">tied</text>"));
+  CHECK(!contains(shown.figures["tractions_zone2"], ">open</text>"));
+  CHECK(contains(shown.figures["tractions_zone1"], ">open</text>"));
+  CHECK(!contains(shown.figures["tractions_zone1"], ">tied</text>"));
+  // The views of the contact end far below the platen, at y = 20.
+  const std::string& deformed = shown.figures["deformed"];
+  CHECK(contains(deformed, "Whole model"));
+  CHECK(!contains(deformed.substr(deformed.find(">Whole model")), ">20</text>"));
+  REQUIRE(shown.figures.count("stress_zone") == 1);
+  for (const char* far : {">10</text>", ">20</text>", ">&#8722;20</text>"})
+    CHECK(!contains(shown.figures["stress_zone"], std::string("text-anchor=\"end\" fill=\"#222222\"") + far));
+
+  Shown tied;
+  show(tied, example("make_bimaterial.dat"));
+  REQUIRE(tied.result.status == 0);
+  for (const auto& figure : tied.figures) CHECK_MESSAGE(figure.first.compare(0, 6, "status") != 0, figure.first);
+  CHECK(contains(tied.figures["tractions"], ">tied</text>"));
+}

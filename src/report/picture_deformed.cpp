@@ -95,18 +95,23 @@ struct Zoom {
 Zoom choose_zoom(const Scene& scene) {
   Zoom out;
   double gap = 0.0, displacement = 0.0;
-  const auto each_pair = [&](auto&& take) {
-    for (const Image& image : scene.zone_images)
-      for (const PairScene& pair : scene.pairs)
-        for (const Point& p : pair.on) take(image.place(p));
+  for (const Image& image : scene.zone_images)
+    for (const PairScene& pair : scene.pairs)
+      for (const Point& p : pair.on)
+        if (is_of_contact(scene, pair)) out.x.include(image.place(p).x), out.y.include(image.place(p).y);
+  // Of a model with platens those ends alone that lie among the pairs.
+  bool any_platen = false;
+  for (const BodyScene& body : scene.bodies) any_platen = any_platen || body.platen;
+  const auto lies_among_them = [near_x = out.x, near_y = out.y](Point p) {
+    return p.x >= near_x.low && p.x <= near_x.high && p.y >= near_y.low && p.y <= near_y.high;
   };
   const auto each_end = [&](auto&& take) {
     for (const Image& image : scene.zone_images)
       for (const BodyScene& body : scene.bodies)
         for (size_t i = 0; i < body.ends.size(); ++i)
-          if (body.status[i] >= 0) take(image.place(body.ends[i]), image.direction(body.displacement[i]));
+          if (body.status[i] >= 0 && (!any_platen || lies_among_them(image.place(body.ends[i]))))
+            take(image.place(body.ends[i]), image.direction(body.displacement[i]));
   };
-  each_pair([&](Point p) { out.x.include(p.x), out.y.include(p.y); });
   for (const PairScene& pair : scene.pairs)
     gap = std::max(gap, std::hypot(pair.on[1].x - pair.on[0].x, pair.on[1].y - pair.on[0].y));
   each_end([&](Point, Point u) { displacement = std::max(displacement, std::hypot(u.x, u.y)); });
@@ -158,7 +163,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   const Extent extent = measure(scene);
   const GapLift lift(scene);
   const double magnification = choose_magnification(extent.size, std::max(extent.displacement, lift.largest()));
-  const bool zoom = !scene.pairs.empty();
+  const bool zoom = has_contact(scene);
   Range x, y;
   for (size_t b = 0; b < scene.bodies.size(); ++b)
     for (const double m : {0.0, magnification})

@@ -91,7 +91,7 @@ void draw_gap_of(const Scene& scene, size_t coefficient, size_t zone_index, Pict
   const double bottom = top + static_cast<double>(panels.size()) * (high + 30.0) - 30.0;
   const std::string name = "gap" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, bottom + 44.0);
-  draw_legend(&svg, {left, 4.0}, right - left, status_legend());
+  draw_legend(&svg, {left, 4.0}, right - left, status_legend(is_tied(record, zone)));
   const Axis axis = make_axis(s, position_name(scene, zone), scene.length_unit, 9);
   for (size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];

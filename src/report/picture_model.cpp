@@ -19,17 +19,6 @@ std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
 
 Stroke platen_stroke(size_t b) { return {style_of(b).edge, 5.0, ""}; }
 
-// The pairs of contact and of ties, without those of platens.
-bool is_of_contact(const Scene& scene, const PairScene& pair) {
-  const ZoneScene& zone = scene.zones[static_cast<size_t>(pair.zone) - 1];
-  return !scene.bodies[static_cast<size_t>(zone.body[0]) - 1].platen;
-}
-bool has_contact(const Scene& scene) {
-  for (const PairScene& pair : scene.pairs)
-    if (is_of_contact(scene, pair)) return true;
-  return false;
-}
-
 class ModelView {
 public:
   ModelView(Svg& svg, const Scene& scene, const Chart& view, bool zoom, Present& present)

@@ -82,6 +82,7 @@ void draw_bands(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::
 
 void draw_status_of(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   const ZoneScene& zone = scene.zones[zone_index];
+  if (is_tied(scene.record->coefficients[coefficient], zone)) return; // everywhere, at every load
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const bool by_load = rises(history);
   std::vector<double> height = positions_by_step(history);

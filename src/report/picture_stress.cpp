@@ -240,7 +240,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   if (status != C2D_OK || scene.pairs.empty()) return status;
   const std::vector<double>& table = scene.record->coefficients.back().table;
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
-    if (static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
+    if (is_of_contact(scene, scene.pairs[p]) && static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
       for (const Image& image : scene.zone_images)
         for (const Point& on : scene.pairs[p].on) zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
   if (zoom_x.empty) return status;

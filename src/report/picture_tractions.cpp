@@ -82,7 +82,7 @@ void draw_earlier(Svg& svg, const Layers& l, size_t column, const Chart& chart) 
   for (const Snapshot* s : l.earlier) svg.polyline(curve_of(l.zone, s->table, column, chart), kEarlier[i++ % 3]);
 }
 
-// Markers tell the status: full circle stick, triangle slip, cross open. Those beyond the axis are left out.
+// Markers tell the status: full circle stick, triangle slip, cross open, square tied. Those beyond the axis are left out.
 void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, const char* ink) {
   const std::vector<Point> places = curve_of(l.zone, l.record.table, column, chart);
   for (size_t i = 0; i < places.size(); ++i) {
@@ -122,7 +122,7 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
         l.by_load ? "load " + figure(s->load) : "step " + std::to_string(s->step) + ": load " + list_of(s->loads);
     out.push_back({when, kEarlier[i++ % 3], Mark::kNone, true, ""});
   }
-  for (const LegendEntry& entry : status_legend()) out.push_back(entry);
+  for (const LegendEntry& entry : status_legend(is_tied(l.record, l.zone))) out.push_back(entry);
   return out;
 }
 

@@ -50,11 +50,28 @@ std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone) {
   return out;
 }
 
+bool is_of_contact(const Scene& scene, const PairScene& pair) {
+  const ZoneScene& zone = scene.zones[static_cast<size_t>(pair.zone) - 1];
+  return !scene.bodies[static_cast<size_t>(zone.body[0]) - 1].platen;
+}
+
+bool has_contact(const Scene& scene) {
+  for (const PairScene& pair : scene.pairs)
+    if (is_of_contact(scene, pair)) return true;
+  return false;
+}
+
+bool is_tied(const CoefficientRecord& record, const ZoneScene& zone) {
+  return static_cast<int>(record.table[zone.first * C2D_PAIR_FIELDS + C2D_STATUS]) == C2D_TIED;
+}
+
 Mark status_mark(int status) {
+  if (status == C2D_TIED) return Mark::kSquare;
   return status == C2D_STICK ? Mark::kCircle : status == C2D_SLIP ? Mark::kTriangle : Mark::kCross;
 }
 
-std::vector<LegendEntry> status_legend() {
+std::vector<LegendEntry> status_legend(bool tied) {
+  if (tied) return {{"tied", Stroke{}, Mark::kSquare, true, ""}};
   return {{"stick", Stroke{}, Mark::kCircle, true, ""},
           {"slip", Stroke{}, Mark::kTriangle, true, ""},
           {"open", Stroke{}, Mark::kCross, true, ""}};

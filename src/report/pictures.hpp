@@ -60,9 +60,13 @@ void draw_charts(const Scene& scene, size_t coefficients,
 std::string chart_title(const Scene& scene, double mu, size_t zone);
 // "_1" and "_1_2": coefficient and zone, numbers only if there are several.
 std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
-// How a status is marked everywhere: stick a full circle, slip a triangle, open a cross.
+// How a status is marked everywhere: stick a full circle, slip a triangle, open a cross, tied a square.
 Mark status_mark(int status);
-std::vector<LegendEntry> status_legend();
+std::vector<LegendEntry> status_legend(bool tied); // of a zone
+bool is_tied(const CoefficientRecord& record, const ZoneScene& zone);
+// The pairs of contact and of ties, without those of platens, which are as long as the end of a body that they move.
+bool is_of_contact(const Scene& scene, const PairScene& pair);
+bool has_contact(const Scene& scene);
 // What s means, for axes.
 std::string position_name(const Scene& scene, const ZoneScene& zone);
 // "pressure tn"; in zones of meshes that do not match "tn per length of body 2".
