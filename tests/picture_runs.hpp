@@ -46,8 +46,13 @@ inline std::string read_xml(const std::string& xml, std::vector<Element>& out) {
     if (!open.empty()) out[open.back()].text += text;
     if (open.empty() && text.find_first_not_of(" \n") != std::string::npos) return "text outside: " + text;
     if (tag == std::string::npos) break;
-    const size_t end = xml.find('>', tag);
+    const bool comment = xml.compare(tag, 4, "<!--") == 0;
+    const size_t last = comment ? xml.find("-->", tag + 4) : tag, end = last == std::string::npos ? last : xml.find('>', last);
     if (end == std::string::npos) return "tag without end";
+    if (comment) {
+      at = end + 1;
+      continue;
+    }
     std::string inside = xml.substr(tag + 1, end - tag - 1);
     at = end + 1;
     if (!inside.empty() && inside[0] == '/') {
@@ -148,6 +153,13 @@ struct Shown {
   std::map<std::string, std::string> figures; // by name without .svg
 };
 
+// A figure's file as the page has it: its last line tells whose it is.
+inline std::string without_mark(const std::string& svg) {
+  const size_t mark = svg.rfind("<!-- contact2d ");
+  REQUIRE(mark != std::string::npos);
+  return svg.substr(0, mark);
+}
+
 inline void show(Shown& out, const std::string& deck, const std::string& options = "") {
   out.result = run_shell("'" + paths::program() + "' run " + quoted(deck) + " --listing /dev/null --csv " +
                          quoted(out.folder / "c.csv") + " --report " + quoted(out.folder / "r.html") + " --figures " +
@@ -157,7 +169,7 @@ inline void show(Shown& out, const std::string& deck, const std::string& options
   out.vtk = read_file(out.folder / "b.vtk");
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(out.folder / "figures", none))
-    out.figures[entry.path().stem().string()] = read_file(entry.path().string());
+    out.figures[entry.path().stem().string()] = without_mark(read_file(entry.path().string()));
 }
 
 inline std::set<std::string> names_of(const Shown& shown) {

@@ -5,6 +5,8 @@
 #include "picture_runs.hpp"
 #include "report/dark.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 using namespace test;
@@ -263,4 +265,61 @@ TEST_CASE("outputs: a ring that was shrunk on lies on its bush in the magnified 
     ++around[(p.x < cx) + 2 * (p.y < cy)];
   }
   for (const size_t quarter : around) CHECK(quarter > 5);
+}
+
+TEST_CASE("outputs: a folder holds nothing of an earlier run's model, and all that the program has not made") {
+  const Folder folder;
+  const std::string program = quoted(paths::program()), out = folder / "o", figures = folder / "o/figures";
+  const auto run = [&](const std::string& deck, const std::string& options) {
+    const Result r = run_shell(program + " run -q " + quoted(example(deck)) + " " + options);
+    REQUIRE_MESSAGE(r.status == 0, r.err);
+  };
+  const auto names_in = [](const std::string& of) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(of)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+  write_file(folder / "points.csv", "body,x,y\n1,0.5,3\n");
+  run("hertz.dat", "--points " + quoted(folder / "points.csv") + " --out " + quoted(out));
+  REQUIRE(std::filesystem::exists(figures + "/tractions_2.svg"));
+  REQUIRE(lines_of(read_file(out + "/interior.csv")).size() == 2);
+
+  // Copied, changed, linked to, of that name alone: not the program's.
+  const std::string drawn = read_file(figures + "/tractions_1.svg");
+  write_file(figures + "/mine.svg", drawn);
+  write_file(figures + "/status_1.svg", read_file(figures + "/status_1.svg") + "<!-- mine -->\n");
+  write_file(figures + "/gap_9.svg", "<svg/>\n");
+  write_file(figures + "/empty.svg", "");
+  write_file(figures + "/note.txt", drawn);
+  write_file(folder / "tractions_2.svg", read_file(figures + "/tractions_2.svg"));
+  std::filesystem::remove(figures + "/tractions_2.svg");
+  std::filesystem::create_symlink("../../tractions_2.svg", figures + "/tractions_2.svg");
+  std::filesystem::create_directory(figures + "/folder.svg");
+
+  run("thick_ring.dat", "--out " + quoted(out));
+  run("thick_ring.dat", "--out " + quoted(folder / "fresh"));
+  std::vector<std::string> expected = names_in(folder / "fresh/figures");
+  for (const char* name : {"mine.svg", "status_1.svg", "gap_9.svg", "empty.svg", "note.txt", "tractions_2.svg", "folder.svg"})
+    expected.push_back(name);
+  std::sort(expected.begin(), expected.end());
+  CHECK(names_in(figures) == expected);
+  CHECK(std::filesystem::exists(folder / "tractions_2.svg"));
+  CHECK(lines_of(read_file(out + "/interior.csv")).size() == 1); // its header
+  CHECK(!std::filesystem::exists(folder / "fresh/interior.csv"));
+
+  // Points of somebody else stay, and so do pictures in a folder that has none of this run's.
+  write_file(out + "/interior.csv", "x\n");
+  run("hertz.dat", "--figures " + quoted(out));
+  run("thick_ring.dat", "--out " + quoted(out));
+  CHECK(read_file(out + "/interior.csv") == "x\n");
+  CHECK(std::filesystem::exists(out + "/tractions_1.svg"));
+  run("thick_ring.dat", "--figures " + quoted(out) + " --out " + quoted(out));
+  CHECK(!std::filesystem::exists(out + "/tractions_1.svg"));
+  CHECK(std::filesystem::exists(out + "/model.svg"));
+
+  // A run that fails takes nothing away.
+  write_file(folder / "deck", "    1\nnot a deck\n");
+  CHECK(run_shell(program + " run " + quoted(folder / "deck") + " --out " + quoted(out)).status == 2);
+  CHECK(names_in(figures) == expected);
 }

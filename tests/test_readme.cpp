@@ -276,8 +276,9 @@ TEST_CASE("pages: the picture is drawn by the program") {
   const Result run = run_shell("cd '" + kRoot + "' && '" + paths::program() +
                                "' run examples/roller.dat --listing /dev/null --figures '" + (folder / "a") + "'");
   REQUIRE(run.status == 0);
-  const std::vector<double> drawn = numbers_of(read_file(folder / "a/tractions_2.svg")),
-                            kept = numbers_of(page("examples/roller.svg"));
+  const std::string svg = read_file(folder / "a/tractions_2.svg");
+  const std::vector<double> drawn = numbers_of(svg.substr(0, svg.rfind("<!--"))), // without its checksum
+      kept = numbers_of(page("examples/roller.svg"));
   CHECK(kept.size() > 500);
   REQUIRE(drawn.size() == kept.size());
   for (size_t i = 0; i < kept.size(); ++i) CHECK(std::fabs(drawn[i] - kept[i]) < 1.0); // a pixel

@@ -1,5 +1,8 @@
 #include "program/outputs.hpp"
 
+#include "program/system_file.hpp"
+#include "report/interior.hpp"
+
 #include <c2d_posix.h>
 
 #include <filesystem>
@@ -85,6 +88,16 @@ std::string folder_clash(const Options& o, const std::vector<Named>& files) {
   return figures_within ? within("--figures") : std::string();
 }
 
+// Does the name have points of a run? In the folder of --out an earlier one may have left them, which this one, without points,
+// then writes anew: with no rows.
+bool is_interior(const std::string& name) {
+  std::string header, there;
+  std::error_code none;
+  append_interior_header(header);
+  return !name.empty() && name != "-" && std::filesystem::is_regular_file(std::filesystem::u8path(name), none) &&
+         read_file(name, there) == 0 && there.compare(0, header.size(), header) == 0;
+}
+
 } // namespace
 
 bool Outputs::open(const Options& o, bool has_points, std::string& error) {
@@ -94,7 +107,8 @@ bool Outputs::open(const Options& o, bool has_points, std::string& error) {
     shows_end_alone = ::isatty(1) == 1;
   }
   for (size_t i = 0; i < kOutputs; ++i) {
-    const bool left_out = o.interior_if_any && !has_points && i == static_cast<size_t>(Output::kInterior);
+    const bool left_out =
+        o.interior_if_any && !has_points && i == static_cast<size_t>(Output::kInterior) && !is_interior(o.files[i]);
     if (!o.files[i].empty() && !left_out && !files[i].open(o.files[i], error)) return false;
   }
   return o.figures.empty() || figures.open(o.figures, error);
@@ -110,7 +124,7 @@ bool Outputs::publish(std::string& error) {
   std::vector<OutputFile*> all = figures.files();
   for (OutputFile& file : files) all.push_back(&file);
   if (!publish_all(all, error)) return false;
-  return figures.keep(error) && out.keep(error);
+  return figures.remove_earlier(error) && figures.keep(error) && out.keep(error);
 }
 
 std::string find_clash(const Options& o, const std::vector<std::string>& also_read) {

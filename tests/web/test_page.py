@@ -301,7 +301,7 @@ class PageTest(unittest.TestCase):
         with zipfile.ZipFile(os.path.join(place, "pictures.zip")) as pictures:
             self.assertIsNone(pictures.testzip())
             self.assertIn("tractions.svg", pictures.namelist())
-            self.assertTrue(pictures.read("tractions.svg").decode().rstrip().endswith("</svg>"))
+            self.assertRegex(pictures.read("tractions.svg").decode(), r"</svg>\n<!-- contact2d tractions.svg [0-9a-f]{16} -->\n$")
 
     def test_every_control_has_a_name_and_the_keyboard_reaches_it(self):
         tree = self.browser.devtools("Accessibility.getFullAXTree")["nodes"]
