@@ -1,6 +1,6 @@
 # contact2d. Targets: all (default) demo chapter9 test random faults bench guard convergence estimate-truth embedded hostile
 #   hostile-blocks small sanitize sanitize-library sanitize-threads msan coverage cross fuzz mutants amalgamation api deb
-#   reproducible web windows install uninstall list relist symbols format format-check clean.
+#   reproducible web python windows install uninstall list relist symbols format format-check clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS HARDENING PORTS BATCH BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE
 #   DOCTEST_SHA256 NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
@@ -154,6 +154,9 @@ EXPORTS := port/packaging/contact2d.map
 $(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(EXPORTS)
 	$(CC) -shared $(HARDENED_LINK) $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
 	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm -pthread
+# What port/python takes from here.
+.PHONY: python
+python: $(SHARED) $(PROGRAM)
 symbols: $(SHARED)
 	sh port/packaging/symbols.sh $(SHARED) port/packaging/contact2d.symbols $(VERSION)
 

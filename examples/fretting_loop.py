@@ -2,7 +2,7 @@
 
     python3 examples/fretting_loop.py [FOLDER]     writes its pictures into FOLDER (default: build/fretting)
 
-It needs the package contact2d alone (pip install ./port/python, or PYTHONPATH=port/python in the built tree).
+It needs the package contact2d alone (pip install ./port/python, or PYTHONPATH=port/python after make python).
 """
 
 import pathlib

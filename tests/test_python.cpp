@@ -80,6 +80,25 @@ TEST_CASE("python: pip builds a wheel without network, and it works where it is 
   }
 }
 
+TEST_CASE("python: what is taken from the tree is built by a target of its own, which is named where it is missing") {
+  const Folder folder;
+  const Result made =
+      run_shell("env -u MAKEFLAGS -u MAKELEVEL make -n -C '" + kRoot + "' python BUILD='" + folder.path() + "'");
+  CHECK_MESSAGE(made.status == 0, made.err);
+  for (const char* file : {"/libcontact2d.so.0.2.0 ", "/contact2d "}) CHECK(contains(made.out, "-o " + folder.path() + file));
+  CHECK(contains(read_file(kPackage + "/README.md"), "`make python`"));
+  if (!can_host("python3")) return;
+  fs::create_directories(folder / "port/python");
+  fs::create_directories(folder / "include");
+  fs::copy(kPackage + "/contact2d", folder / "port/python/contact2d", fs::copy_options::recursive);
+  fs::copy(kRoot + "/include/contact2d.h", folder / "include/contact2d.h");
+  const Result run = run_shell("cd '" + (folder / "port/python") +
+                               "' && env -u CONTACT2D_LIBRARY LD_LIBRARY_PATH= "
+                               "PYTHONDONTWRITEBYTECODE=1 python3 -c 'import contact2d'");
+  CHECK(run.status == 1);
+  CHECK_MESSAGE(contains(run.err, "`make python` in "), run.err);
+}
+
 TEST_CASE("python: the archive of the package holds what it is compiled from") {
   if (!can_host("python3")) return;
   const Folder folder;

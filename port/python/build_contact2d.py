@@ -1,7 +1,7 @@
 """Builds the Python package: a backend for pip (PEP 517) that needs a C++17 compiler and nothing else.
 
 Compiles the library and the program from src/sources.mk, as the Makefile does, and puts them into the package beside its
-modules. CXX, CPPFLAGS, CXXFLAGS and LDFLAGS are those of the environment. CONTACT2D_BUILD names a folder in which `make` has
+modules. CXX, CPPFLAGS, CXXFLAGS and LDFLAGS are those of the environment. CONTACT2D_BUILD names a folder in which `make python` has
 built both already: nothing is compiled then.
 """
 

@@ -46,7 +46,8 @@ def load():
         if found != VERSION:
             raise ImportError("%s is contact2d %s, this package is of %s" % (name, found, VERSION))
         return loaded
-    raise ImportError("there is no shared library of contact2d: " + "; ".join(tried))
+    how = "" if tree() is None else ("`make python` in %s builds it; " % tree().parent)
+    raise ImportError("there is no shared library of contact2d: " + how + "; ".join(tried))
 
 
 def program():
