@@ -252,4 +252,8 @@ TEST_CASE("accuracy: an error that cannot be told is no number") {
   CHECK(out.err.find("contact edge of zone 1" + why) != std::string::npos);
   CHECK(out.err.find("nan") == std::string::npos);
   CHECK(read_file(folder / "j").find("\"relative_error\": null") != std::string::npos);
+  const Result quiet =
+      run_shell("'" + paths::program() + "' run -q " + quoted(name) + " --listing /dev/null --json " + quoted(folder / "j"));
+  CHECK(quiet.status == 0);
+  CHECK(quiet.err.empty());
 }

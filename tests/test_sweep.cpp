@@ -311,7 +311,7 @@ TEST_CASE("sweep: a journal takes whole lines of its own sweep, and belongs to o
     CHECK(journal.add(3, "three", error));
     CHECK(journal.add(0, "", error));
     app::Journal other;
-    CHECK(other.open(path, 5, true, error) == 3);
+    CHECK(other.open(path, 5, true, error) == 75);
     CHECK(contains(error, "another process"));
   }
   const std::string kept = read_file(path);
@@ -331,7 +331,7 @@ TEST_CASE("sweep: a journal takes whole lines of its own sweep, and belongs to o
     CHECK(journal.rows().size() == (cut + 1 >= kept.size() ? 2u : cut >= kept.find("three") + 5 ? 1u : 0u));
     CHECK(journal.add(7, "seven", error));
     app::Journal again;
-    CHECK(again.open(path, 5, true, error) == 3);
+    CHECK(again.open(path, 5, true, error) == 75);
   }
   app::Journal last;
   REQUIRE(last.open(path, 5, true, error) == 0);
@@ -358,6 +358,26 @@ TEST_CASE("sweep: faults of a table have their places") {
   CHECK(contact2d("sweep t").status == 64);
   CHECK(contact2d("sweep t d --response 'max tn' --resume").status == 2); // no such table
   write_file(folder / "table", "load\n1\n");
+  {
+    app::Journal other; // of a process that is at it
+    std::string error;
+    REQUIRE(other.open(folder / "o.rows", 0, false, error) == 0);
+    const std::string sweep = "sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' --results '" +
+                              (folder / "o") + "' --resume";
+    const Result busy = contact2d(sweep);
+    CHECK(busy.status == 75);
+    CHECK(contains(busy.err, "o.rows: another process is at this sweep"));
+    other.remove();
+  }
+  const std::string results = "sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' --results ";
+  fs::create_directory(folder / "d");
+  const Result directory = contact2d(results + "'" + (folder / "d") + "'");
+  CHECK(directory.status == 3);
+  CHECK_MESSAGE(contains(directory.err, "/d: cannot be written: "), directory.err);
+  CHECK_FALSE(fs::exists(folder / "d.rows")); // nothing has been solved
+  CHECK(contact2d(results + "/dev/null").status == 0);
+  CHECK_FALSE(fs::exists("/dev/null.rows"));
+  CHECK(contact2d(results + "/dev/null --resume").status == 64);
   CHECK(contact2d("sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' --resume").status == 64);
   CHECK(contact2d("sweep '" + (folder / "table") + "' '" + (folder / "none") + "' --response 'max tn'").status == 2);
 }

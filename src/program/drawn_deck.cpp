@@ -51,9 +51,10 @@ bool find_text(const std::vector<NamedText>& files, const std::string& name, std
 }
 
 // The numbers whose tolerances were not met.
-void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
+void tell_misses(const DeckFile& deck, const MeshLoop& loop, bool quiet) {
   if (loop.stopped.empty()) return;
-  const Messages messages(deck);
+  Messages messages(deck);
+  messages.quiet = quiet;
   if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
   for (const Stated& s : loop.stated) {
     if (s.is_met()) continue;
@@ -97,7 +98,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
     return kExitFiles;
   }
   deck.replace_by_deck(adapted.deck);
-  tell_misses(deck, adapted.loop);
+  tell_misses(deck, adapted.loop, drawing.quiet);
   loop = std::move(adapted.loop);
   return 0;
 }

@@ -12,7 +12,7 @@ enum ExitCode {
   kExitFiles = 3,
   kExitMemory = 4,
   kExitUsage = 64,
-  kExitBusy = 75, // the store is another process's
+  kExitBusy = 75, // another process is at the store, or at the sweep
   kExitCancelled = 130,
   kExitStopped = 143 // by SIGTERM, and resume goes on
 };

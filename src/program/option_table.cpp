@@ -102,7 +102,7 @@ const char kNotes[] =
     "DECK, and FILE of what is read, may be - for standard input; FILE of what is written - for standard output.\n";
 const char kStatuses[] =
     "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output file failed;\n"
-    "4 workspace too small; 64 bad usage; 75 store in use by another process; 130 cancelled;\n"
+    "4 workspace too small; 64 bad usage; 75 store or sweep in use by another process; 130 cancelled;\n"
     "143 ended by SIGTERM, resume goes on\n";
 constexpr size_t kMargin = 23, kWidth = 110;
 

@@ -281,7 +281,7 @@ int Run::library_failed(c2d_status status) {
 
 // A sketch that is to be solved on mesh after mesh is kept, and what it reads, before that begins.
 int Run::read_deck() {
-  Drawing drawing{options_.settings, true, options_.memory, line_.active()};
+  Drawing drawing{options_.settings, true, options_.memory, line_.active(), options_.quiet};
   drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
   if (options_.store.compare(0, 5, "file:") == 0) {
     drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };

@@ -49,8 +49,9 @@ int Journal::open(const std::string& path, uint64_t inputs, bool resume, std::st
     return kExitInput;
   }
   if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    error = path + ": " + (file_ >= 0 && errno == EWOULDBLOCK ? "another process is at this sweep" : system_text(errno));
-    return kExitFiles;
+    const bool busy = file_ >= 0 && errno == EWOULDBLOCK;
+    error = path + ": " + (busy ? "another process is at this sweep" : system_text(errno));
+    return busy ? kExitBusy : kExitFiles;
   }
   if (const int exit = take_rows(heading, error); exit != 0) return exit;
   return 0;

@@ -17,7 +17,7 @@ public:
 
   // `path` belongs to the sweep whose inputs have the checksum `inputs`. With `resume` the rows that are whole in it are taken
   // up, if there is such a file; else there must be none. 0, or the exit status with an error text. The file is locked: another
-  // sweep that wants it gets kExitFiles.
+  // sweep that wants it gets kExitBusy.
   int open(const std::string& path, uint64_t inputs, bool resume, std::string& error);
   // One line, in one write; what a kill leaves of it is not taken for a row.
   bool add(size_t row, const std::string& text, std::string& error);

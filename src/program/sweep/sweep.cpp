@@ -17,9 +17,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
@@ -164,7 +166,12 @@ int Sweep::write() {
 
 int Sweep::go() {
   if (const int exit = read(); exit != 0) return exit;
-  keeps_ = !options_.results.empty() && options_.results != "-";
+  const bool named = !options_.results.empty() && options_.results != "-";
+  struct stat about = {};
+  const bool there = named && ::stat(options_.results.c_str(), &about) == 0;
+  if (there && S_ISDIR(about.st_mode)) // told before the work
+    return fail(options_.results + ": cannot be written: " + system_text(EISDIR), kExitFiles);
+  keeps_ = named && (!there || S_ISREG(about.st_mode)); // beside a device or a pipe is no place for files
   if (options_.resume && !keeps_) return fail("--resume: expected --results FILE, beside which rows are kept", kExitUsage);
   std::string error;
   if (keeps_)
