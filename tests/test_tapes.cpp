@@ -1,6 +1,7 @@
 // Tapes known beforehand: what c2d_tape_need and the constants tell, against what the store is asked for.
 #include "contact2d_memory.h"
 #include "fuzz/small_model.hpp"
+#include "many_bodies.hpp"
 #include "paths.hpp"
 #include "solver_runs.hpp"
 #include "store/block.hpp"
@@ -8,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 using namespace runs;
@@ -28,7 +30,19 @@ Tapes told(const c2d_limits& limits, const c2d_options& options, uint64_t worksp
   return out;
 }
 
-// The largest shape that each tape is opened with while a deck is solved and saved.
+// The largest shape that each tape was opened with.
+Tapes opened(const RamStore& store) {
+  Tapes out;
+  for (const RamStore::Operation& o : store.done) {
+    if (o.kind != 'o') continue;
+    Shape& shape = out.tape[o.tape];
+    shape.blocks = std::max(shape.blocks, o.block);
+    shape.bytes = std::max(shape.bytes, o.bytes);
+  }
+  return out;
+}
+
+// While a deck is solved and saved.
 Tapes asked(const Deck& deck, const c2d_limits& limits, const c2d_options& options, uint64_t workspace, bool save) {
   RamStore store;
   c2d_port port = C2D_INIT(c2d_port);
@@ -38,14 +52,7 @@ Tapes asked(const Deck& deck, const c2d_limits& limits, const c2d_options& optio
   Numbers numbers;
   REQUIRE(run_all(machine.solver, deck, numbers, &options) == C2D_OK);
   if (save) REQUIRE(c2d_save(machine.solver) == C2D_OK);
-  Tapes out;
-  for (const RamStore::Operation& o : store.done) {
-    if (o.kind != 'o') continue;
-    Shape& shape = out.tape[o.tape];
-    shape.blocks = std::max(shape.blocks, o.block);
-    shape.bytes = std::max(shape.bytes, o.bytes);
-  }
-  return out;
+  return opened(store);
 }
 
 void bounded(const Tapes& need, const Tapes& open) {
@@ -155,6 +162,48 @@ TEST_CASE("tapes: a model far smaller than its limits stays within them, too") {
           bounded(told(limits, options, workspace), asked(deck, limits, options, workspace, false));
         }
       }
+  }
+}
+
+// Pairs of free zones, had it some, would have rows of their own: the largest model within the limits is cut into strips, and
+// this one, cut alike, would have whole blocks that do not fit beside its path.
+TEST_CASE("tapes: a model far smaller than its limits in rows alone, in the least memory") {
+  many::Model m;
+  m.add(many::rectangle(0, -1, 2, 0, {1, 1, 36, 1}));
+  m.add(many::rectangle(0, 0, 2, 1, {36, 1, 1, 1}));
+  m.add(many::rectangle(5, 0, 7, 1, {12, 12, 12, 12}));
+  for (const int32_t body : {1, 3}) m.set(body, 1, many::end_of(many::kHeld));
+  for (const int32_t body : {2, 3}) m.set(body, 3, many::end_of(many::kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.3;
+  std::vector<c2d_body_limits> list;
+  c2d_limits limits = many::limits_of(m, list);
+  const c2d_options options = C2D_INIT(c2d_options);
+  std::vector<double> first;
+  for (const int32_t free_pairs : {0, 6, 12}) {
+    limits.free_pairs = free_pairs;
+    limits.panel_columns = 32;
+    uint64_t least = 0;
+    REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
+    for (const uint64_t more : {0, 2048, 5120, 20000}) {
+      CAPTURE(free_pairs);
+      CAPTURE(more);
+      RamStore store;
+      c2d_port port = C2D_INIT(c2d_port);
+      store.serve(port);
+      Machine machine(limits, least + more, &port, 0);
+      REQUIRE(machine.created == C2D_OK);
+      REQUIRE(many::feed(machine.solver, m) == C2D_OK);
+      Numbers numbers;
+      REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+      REQUIRE(run_prepared(machine.solver, numbers) == C2D_OK);
+      CHECK(machine.guards_are_whole());
+      bounded(told(limits, options, least + more), opened(store));
+      if (first.empty()) first = numbers.boundary;
+      REQUIRE(numbers.boundary.size() == first.size());
+      for (size_t i = 0; i < first.size(); ++i)
+        CHECK(std::fabs(numbers.boundary[i] - first[i]) < (C2D_REAL_BYTES == 8 ? 1e-9 : 1e-2));
+    }
   }
 }
 

@@ -402,9 +402,11 @@ c2d_status write_only_panel(const EliminationPlan& plan, const RowSink& sink, Ta
 
 namespace {
 
-// From one buffer of back substitution to the next.
+// From one buffer of back substitution to the next. Of strips no less than a block of as many numbers as they have, which
+// upper_cut makes of them for some number of rows: so a body of fewer rows that is cut alike takes no more.
 uint64_t back_step(const EliminationPlan& plan) {
-  const uint64_t data = static_cast<uint64_t>(plan.pivots) * static_cast<uint64_t>(plan.block_columns);
+  const int32_t rows = plan.block_rows > 0 && plan.block_rows < plan.pivots ? plan.block_rows : plan.pivots;
+  const uint64_t data = static_cast<uint64_t>(rows) * static_cast<uint64_t>(plan.block_columns);
   return (kBlockHeaderBytes + data * sizeof(Real) + 63) / 64 * 64;
 }
 
@@ -425,7 +427,7 @@ void substitute(const EliminationPlan& plan, const Chunk& chunk, const Real* dat
 } // namespace
 
 uint64_t back_substitution_bytes(const EliminationPlan& plan) {
-  return back_step(upper_cut(plan)) * static_cast<uint64_t>(block_buffers(plan));
+  return back_step(plan) * static_cast<uint64_t>(block_buffers(plan));
 }
 
 c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Real* coefficient, Real* x, void* work) {
@@ -433,7 +435,7 @@ c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Rea
   if (plan.pivots == 0) return C2D_OK;
   for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;
   // x = Y c: chunks of the trailing columns; then x := U^-1 x, by block columns from the last to the first.
-  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
   Pass pass = backward(plan, buffers);
   for (;;) {
     Chunk chunk;
@@ -460,7 +462,7 @@ c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Rea
     for (int32_t j = 0; j < plan.trailing && w != nullptr; ++j) w[j] = 0;
     return C2D_OK;
   }
-  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
   Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + (w != nullptr ? plan.trailing : 0));
   for (;;) {
     Chunk chunk;

@@ -286,11 +286,7 @@ void plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, Elimi
     out[b] = plan_of(s, b, 1, 1);
     if (s.of(b).rows > 0) cut_alike(plan_by(rule, most, b), out[b]);
   }
-  // (Strips of fewer rows are cut into wider blocks of UPPER, which round up otherwise.)
-  if (phases_use(s, out, false) > bytes) {
-    choose_rule(s, bytes, limits.panel_columns, rule);
-    for (int b = 0; b < s.bodies; ++b) out[b] = plan_by(rule, s, b);
-  }
+  C2D_ASSERT(phases_use(s, out, false) <= bytes); // no array of a smaller model is longer
   double_buffers<kHostile>(s, bytes, out);
 }
 
