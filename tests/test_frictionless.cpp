@@ -224,6 +224,15 @@ TEST_CASE("frictionless: friction that is told after the preparation") {
   }
 }
 
+TEST_CASE("frictionless: friction that is told later where no energies are kept") {
+  const Deck deck = deck_of("hertz", {"n=70"}, "1 0");
+  Solver with(deck), without(deck);
+  with.prepared(), without.prepared();
+  without.s->keeps_energy = 0;
+  CHECK(without.follow(0.3) == with.follow(0.3));
+  CHECK(without.s->sliding == 0);
+}
+
 TEST_CASE("frictionless: saved states go with either form of the tape") {
   const Deck deck = deck_of("hertz", {"n=70"}, "1 0");
   Solver plain(deck);
@@ -285,6 +294,21 @@ TEST_CASE("frictionless: a store that fails while the contact system changes its
     CHECK((status == C2D_ERR_STORE_READ || status == C2D_ERR_STORE_WRITE));
     CHECK(c2d_get_state(solver.s) == C2D_STATE_BROKEN);
     solver.store.before = nullptr;
+    REQUIRE(c2d_restore(solver.s) == C2D_OK);
+    solver.advance(1);
+    CHECK(solver.now() == smooth);
+  }
+  // And as a state brings its form back.
+  REQUIRE(c2d_restore(solver.s) == C2D_OK);
+  size_t taken = 0;
+  for (const double part : {1.0, 0.2, 0.5, 0.8, 0.95}) {
+    CAPTURE(part);
+    CHECK(solver.follow(0.3) == rubbing);
+    const size_t before = solver.store.done.size(), at = before + static_cast<size_t>(part * static_cast<double>(taken));
+    if (part < 1) solver.store.before = [=](const RamStore::Operation&, size_t i) { return i >= at ? 7 : 0; };
+    CHECK((c2d_restore(solver.s) == C2D_OK) == (part == 1));
+    solver.store.before = nullptr;
+    taken = std::max(taken, solver.store.done.size() - before);
     REQUIRE(c2d_restore(solver.s) == C2D_OK);
     solver.advance(1);
     CHECK(solver.now() == smooth);

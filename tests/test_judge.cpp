@@ -1,5 +1,6 @@
 // Nothing is shown that is not within its limits: tableaus that were spoilt on purpose, on the way and from outside, decks
 // on which small pivots spoil them, and what is left of a path that cannot be followed within the limits.
+#include "many_bodies.hpp"
 #include "problem.hpp"
 #include "solver/judge.hpp"
 #include "solver_runs.hpp"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 using namespace runs;
 
@@ -180,6 +182,13 @@ void spoil_tableau(c2d_solver* s) {
   const int64_t all = int64_t{session.tableau.m} * c2d::tableau_columns(session.tableau.n, session.tableau.cases);
   for (int64_t i = 0; i < all; ++i) session.area.tableau[i] *= c2d::Real(1.5);
 }
+// What the contact equations are judged by (solver/judge.cpp: Book).
+void spoil_equations(c2d_solver* s) {
+  const c2d::ModelHeader& head = s->model;
+  c2d::Real* const of_unknowns =
+      reinterpret_cast<c2d::Real*>(c2d::array_of<double>(s, c2d::kJudge) + 2 * head.zones + 5 * head.load_cases);
+  for (int32_t i = head.contact; i < 3 * head.contact; ++i) of_unknowns[i] *= c2d::Real(1.1);
+}
 
 } // namespace
 
@@ -230,6 +239,151 @@ TEST_CASE("judge: where no new tableau has pivots the path ends at the last good
     bool said = false;
     for (const std::string& text : run.told) said = said || text.find("equations have no unique solution") != std::string::npos;
     CHECK(said);
+  }
+}
+
+TEST_CASE("judge: a tableau that is spoilt again after every repair ends the path, and not the program") {
+  constexpr int kAt = 5;
+  const Deck deck = deck_named("sample");
+  const Run sound(deck);
+  int64_t repairs = 0;
+  Hooks hooks;
+  hooks.before = [](c2d_solver* s) { s->model.coefficients = 1; };
+  hooks.asked = [&](c2d_solver* s) { // between a repair and the look at what it came to
+    if (s->rebuilds == repairs) return;
+    repairs = s->rebuilds;
+    const c2d::Session session = session_of(s);
+    for (int32_t i = 0; i < session.tableau.m; ++i) session.area.y[i] *= c2d::Real(sizeof(c2d::Real) == 8 ? 1 + 1e-5 : 1.1);
+    --s->built_exchanges; // as if a pair had changed since
+  };
+  const Run run(
+      deck, [](c2d_solver* s, int32_t step) { step == kAt ? spoil_tableau(s) : void(); }, hooks);
+  CHECK(run.status == C2D_OK);
+  REQUIRE(run.steps.size() == kAt + 1);
+  const problem::Step &last = run.steps[kAt - 1], &stop = run.steps[kAt];
+  CHECK(stop.kind == C2D_STEP_STOPPED);
+  CHECK(stop.outcome == C2D_BEYOND_LIMITS);
+  CHECK(stop.load == last.load);
+  CHECK(problem::compare(stop, last).worst() < (sizeof(c2d::Real) == 8 ? 1e-12 : 1e-4));
+  for (int i = 0; i < kAt; ++i) CHECK(run.steps[static_cast<size_t>(i)].table == sound.steps[static_cast<size_t>(i)].table);
+  CHECK(run.summary.breach == C2D_BREACH_TABLEAU);
+  CHECK(run.summary.tableau_rebuilds % 4 == 0); // all rounds of each repair
+  CHECK(run.summary.tableau_rebuilds > 0);
+  CHECK(run.summary.tableau_rebuilds == repairs);
+}
+
+TEST_CASE("judge: a change that is beyond the limits is shown to nobody, and the rows are those of a sound path") {
+  const Deck deck = deck_named("sample");
+  const auto shown = [](const Run& run, bool change) {
+    std::vector<problem::Step> steps;
+    for (const problem::Step& step : run.steps)
+      if ((step.kind == C2D_STEP_CHANGE) == change) steps.push_back(step);
+    return steps;
+  };
+  Hooks hooks;
+  hooks.before = [](c2d_solver* s) { s->model.coefficients = 1, s->options.every_change = 1; };
+  int64_t asked = 0, at = -1;
+  hooks.asked = [&](c2d_solver* s) {
+    if (asked++ == at) spoil_tableau(s);
+  };
+  const Run sound(deck, nullptr, hooks);
+  const std::vector<problem::Step> rows = shown(sound, false), changes = shown(sound, true);
+  REQUIRE(changes.size() > 10);
+  const int64_t all = asked;
+  for (at = 1; at < all; at += 1 + all / 12) {
+    CAPTURE(at);
+    asked = 0;
+    const Run spoilt(deck, nullptr, hooks);
+    CHECK(spoilt.summary.outcome == C2D_REACHED);
+    const std::vector<problem::Step> found = shown(spoilt, false);
+    REQUIRE(found.size() == rows.size());
+    for (size_t i = 0; i < rows.size(); ++i)
+      CHECK(problem::compare(found[i], rows[i]).worst() < (sizeof(c2d::Real) == 8 ? 1e-10 : 1e-3));
+    for (const problem::Step& change : shown(spoilt, true)) { // each is one of the sound path's
+      double nearest = 1;
+      for (const problem::Step& known : changes)
+        if (std::fabs(known.load - change.load) < 1e-6) nearest = std::min(nearest, problem::compare(known, change).worst());
+      CHECK(nearest < (sizeof(c2d::Real) == 8 ? 1e-10 : 1e-3));
+    }
+  }
+}
+
+TEST_CASE("judge: equations that are spoilt at any event end the path there, before a jump too") {
+  for (const char* name : {"sample", "../hard/F5_lets_go_of_friction", "../hard/D2_unload_3-41"}) {
+    CAPTURE(std::string(name));
+    const Deck deck = deck_named(name);
+    int64_t asked = 0, at = -1;
+    Hooks hooks;
+    hooks.before = [](c2d_solver* s) { s->model.coefficients = 1; };
+    hooks.asked = [&](c2d_solver* s) {
+      if (asked++ == at) spoil_equations(s);
+    };
+    const Run sound(deck, nullptr, hooks);
+    const int64_t all = asked;
+    for (at = 0; at < all; at += 1 + all / 40) {
+      CAPTURE(at);
+      asked = 0;
+      const Run spoilt(deck, nullptr, hooks);
+      CHECK(spoilt.status == C2D_OK);
+      REQUIRE(spoilt.steps.size() <= sound.steps.size());
+      if (spoilt.summary.outcome == sound.summary.outcome) continue; // nothing was loaded
+      CHECK(spoilt.summary.outcome == C2D_BEYOND_LIMITS);
+      CHECK(spoilt.summary.breach == C2D_BREACH_EQUATIONS);
+      for (size_t i = 0; i + 1 < spoilt.steps.size(); ++i) CHECK(spoilt.steps[i].table == sound.steps[i].table);
+    }
+  }
+}
+
+TEST_CASE("judge: bodies that float do so again where what they come to is beyond the limits") {
+  many::Model m;
+  m.add(many::rectangle(0, -1, 2, 0, {1, 1, 2, 1}));
+  m.add(many::rectangle(0, 0.1, 2, 1.1, {2, 1, 1, 1}));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.3;
+  std::vector<int32_t> order;
+  std::stringstream text(many::deck_of(m, "hovers", order));
+  Deck deck;
+  for (std::string line; std::getline(text, line);) deck.lines.push_back(line);
+  CHECK(Run(deck).summary.outcome == C2D_REACHED);
+  Hooks hooks;
+  hooks.before = spoil_equations;
+  hooks.after = [](c2d_solver* s) { CHECK(s->floating == 1); };
+  const Run run(deck, nullptr, hooks);
+  CHECK(run.status == C2D_OK);
+  REQUIRE(run.steps.size() == 1);
+  CHECK(run.steps[0].kind == C2D_STEP_STOPPED);
+  CHECK(run.steps[0].outcome == C2D_BEYOND_LIMITS);
+  CHECK(run.steps[0].load == 0);
+  CHECK(run.summary.breach == C2D_BREACH_EQUATIONS);
+}
+
+// What is tried to find rates, and found wanting, is taken back with a new tableau.
+TEST_CASE("judge: the next event where no new tableau has pivots is here, and the path goes nowhere") {
+  for (const char* name : {"../hard/D2_loose_41-21", "../coarse/pad"}) {
+    CAPTURE(std::string(name));
+    Hooks hooks;
+    hooks.after = [&](c2d_solver* s) {
+      const double mu = 0.3;
+      const std::vector<double> way(static_cast<size_t>(summary_of(s).load_cases), -1.0);
+      const int32_t cases = static_cast<int32_t>(way.size());
+      double step = 7, pressure = 7;
+      REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+      lose_matrix(s);
+      CHECK(c2d_next_event(s, way.data(), cases, &step) == C2D_OK);
+      CHECK(s->unsound == 1);
+      CHECK(step == 0.0);
+      CHECK(summary_of(s).load == 0.0);
+      for (int32_t i = 1; i <= summary_of(s).pairs; ++i) {
+        CHECK(c2d_get(s, C2D_TN, 0, i, 1, &pressure, 1) == C2D_OK);
+        CHECK(pressure == 0.0);
+      }
+      c2d_outcome outcome = C2D_REACHED;
+      CHECK(c2d_advance(s, way.data(), cases, &outcome) == C2D_OK);
+      CHECK(outcome == C2D_BEYOND_LIMITS);
+    };
+    Run(deck_named(name), nullptr, hooks);
   }
 }
 

@@ -370,4 +370,53 @@ TEST_CASE("new loads: refused values, failures and cancels; saved states from be
     ++broken;
   }
   CHECK(broken > 8);
+  // Nor does a preparation from the beginning find the tapes of the one before that will not close.
+  Runner victim("hertz_lin_l", false, false);
+  REQUIRE(c2d_prepare(victim.s) == C2D_OK);
+  REQUIRE(c2d_change_loads(victim.s) == C2D_OK);
+  victim.host.before = [](const RamStore::Operation& operation, size_t) { return operation.kind == 'c' ? 9 : 0; };
+  CHECK(c2d_prepare(victim.s) == C2D_ERR_STORE_CLOSE);
+  CHECK(c2d_get_state(victim.s) == C2D_STATE_BROKEN);
+  CHECK(error_of(victim.s).host_code == 9);
+  victim.host.before = nullptr;
+}
+
+TEST_CASE("new loads: a state that is taken up in less memory, and loads changed there, as from the beginning") {
+  Runner kept("hertz_lin_l", true, true);
+  REQUIRE(c2d_prepare(kept.s) == C2D_OK);
+  kept.follow({0.4});
+  REQUIRE(c2d_save(kept.s) == C2D_OK);
+  const host::Limits limits = kept.deck.limits();
+  const uint64_t least = memory_for(limits, false), most = memory_for(limits, true);
+  int through = 0, anew = 0;
+  for (int part = 0; part <= 12; ++part) {
+    CAPTURE(part);
+    Host host;
+    static_cast<RamStore&>(host) = kept.host; // its tapes
+    host.port.context = static_cast<RamStore*>(&host);
+    Machine other(limits, least + (most - least) * static_cast<uint64_t>(part) / 12, &host.port);
+    REQUIRE(other.created == C2D_OK);
+    const c2d_options options = keeping();
+    REQUIRE(c2d_set_options(other.solver, &options) == C2D_OK);
+    REQUIRE(read_deck(other.solver, kept.deck) == C2D_OK);
+    const c2d_status status = c2d_restore(other.solver);
+    if (status == C2D_ERR_MEMORY) continue;
+    REQUIRE(status == C2D_OK);
+    host.columns = 0;
+    REQUIRE(c2d_change_loads(other.solver) == C2D_OK);
+    change_values(other.solver, 0.9, true);
+    REQUIRE(c2d_prepare(other.solver) == C2D_OK);
+    (host.columns > 1 ? anew : through) += 1;
+    const double mu = 0.3, load = 0.7;
+    c2d_outcome outcome = -1;
+    REQUIRE(c2d_begin(other.solver, &mu, 1) == C2D_OK);
+    REQUIRE(c2d_advance(other.solver, &load, 1, &outcome) == C2D_OK);
+    Runner fresh("hertz_lin_l", true, false);
+    change_values(fresh.s, 0.9, true);
+    REQUIRE(c2d_prepare(fresh.s) == C2D_OK);
+    fresh.follow({0.7});
+    CHECK(difference(other.solver, fresh.s) <= kRoundOff);
+  }
+  CHECK(through > 0);
+  CHECK(anew > 0);
 }

@@ -289,6 +289,25 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
     CHECK(contains(without.run("restore deck.dat tapes"), status_line(C2D_ERR_MISMATCH)));
     CHECK(with.run("restore deck.dat tapes") == status_line(C2D_OK));
   }
+  // A program that changed the loads leaves factors that one without new loads does not know to use: it begins anew.
+  SUBCASE("factors of another program") {
+    write_file(with / "deck.dat", read_file(paths::root() + "/examples/hertz.dat"));
+    c2d_posix_store store;
+    c2d_port port = C2D_INIT(c2d_port);
+    REQUIRE(c2d_posix_store_init(&store, (with / "tapes").c_str()) == 0);
+    c2d_posix_store_port(&store, &port);
+    Whole whole(read_file(with / "deck.dat"), &port);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.keep_factors = 1;
+    REQUIRE(c2d_set_options(whole.solver, &options) == C2D_OK);
+    REQUIRE(c2d_prepare(whole.solver) == C2D_OK);
+    REQUIRE(c2d_change_loads(whole.solver) == C2D_OK);
+    whole.write(with / "workspace");
+    REQUIRE(c2d_posix_store_done(&store) == 0);
+    const std::string told = with.run("prepare workspace tapes 0.3 1");
+    CHECK(contains(told, "outcome 0\n"));
+    CHECK(contains(with.run("follow deck.dat others 0.3 1"), told)); // (which reading the deck warns before)
+  }
   // Without search and proofs a path ends undecided where rounds of changes lead nowhere; it never takes another way.
   SUBCASE("paths") {
     const auto follow = [](const Program& program, const char* deck, const char* mu) {

@@ -196,6 +196,9 @@ bool ask_for_an_event(c2d_solver* s, Caller& did, Numbers& to) {
     double step = 0;
     if (!did("c2d_next_event", c2d_next_event(s, direction.data(), summary.load_cases, &step))) return false;
     to.boundary.push_back(step);
+    double ux = 0;
+    if (way < 0 && !did("c2d_get", c2d_get(s, C2D_END_UX, 1, 1, 1, &ux, 1))) return false;
+    to.boundary.push_back(ux);
     c2d_body_state moved = C2D_INIT(c2d_body_state);
     if (!did("c2d_get_body_state", c2d_get_body_state(s, 1, &moved))) return false;
     to.boundary.insert(to.boundary.end(), moved.contact, moved.contact + 3);
@@ -223,7 +226,7 @@ Life live(Machine& machine, const host::Limits& limits, const Told& told, const 
   c2d_solver* const s = machine.solver;
   Caller did{s, life};
   c2d_options options = C2D_INIT(c2d_options);
-  options.keep_factors = 1;
+  options.keep_factors = options.every_change = 1;
   options.symmetry = told.symmetry, options.stepping = told.stepping;
   did("c2d_set_options", c2d_set_options(s, &options));
   if (did("c2d_read_deck", read_deck(s, deck))) did("c2d_prepare", c2d_prepare(s));

@@ -1,5 +1,6 @@
 // Saved states that no solver wrote: right checksums over numbers that no path leaves (tests/fuzz/state.cpp goes on from here).
 #include "fuzz/forged_state.hpp"
+#include "many_bodies.hpp"
 #include "solver/solver.hpp"
 
 #include <doctest/doctest.h>
@@ -140,6 +141,47 @@ TEST_CASE("strangers: statuses of pairs and plans of eliminations, too") {
           refused("plan", state.store, variant,
                   static_cast<size_t>(at[c2d::kPlans]) + body * sizeof(c2d::EliminationPlan) + member, value);
   }
+}
+
+// Half a block upon another: the pair on the line of symmetry has no tangential direction.
+TEST_CASE("strangers: a pair that cannot slide is not said to slide at a given rate") {
+  many::Model m;
+  m.symmetry = 1;
+  m.friction = 0.3;
+  m.add(many::open_polygon({{0, -1, 1}, {2, -1, 1}, {2, 0, 2}, {0, 0, 0}}));
+  m.add(many::open_polygon({{0, 0, 2}, {2, 0, 1}, {2, 1, 1}, {0, 1, 0}}));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  std::vector<unsigned char> memory(static_cast<size_t>(small_model::memory_for(limits)));
+  const auto fed = [&](Store& store) {
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    c2d_solver* s = nullptr;
+    REQUIRE(c2d_create(&s, memory.data(), memory.size(), &limits, &port, nullptr) == C2D_OK);
+    REQUIRE(many::feed(s, m) == C2D_OK);
+    return s;
+  };
+  Store store;
+  c2d_solver* s = fed(store);
+  const double mu = 0.3, load = 1;
+  c2d_outcome outcome = -1;
+  REQUIRE(c2d_prepare(s) == C2D_OK);
+  REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+  REQUIRE(c2d_advance(s, &load, 1, &outcome) == C2D_OK);
+  REQUIRE(c2d_save(s) == C2D_OK);
+  std::vector<bool> may_slide;
+  for (int32_t i = 0; i < s->model.pairs; ++i) may_slide.push_back(c2d::model_of(s).pair[i].tangential != 0);
+  REQUIRE((may_slide.size() == 3 && may_slide[0] && !may_slide[2]) != (may_slide[2] && !may_slide[0]));
+  for (const size_t member : {offsetof(c2d_solver, guided), offsetof(c2d_solver, good_guided)})
+    for (int32_t pair = 1; pair <= 3; ++pair) {
+      CAPTURE(pair);
+      Store forged = with(store, image_offset(member), &pair, sizeof pair);
+      c2d_solver* other = fed(forged);
+      CHECK(c2d_restore(other) == (may_slide[static_cast<size_t>(pair - 1)] ? C2D_OK : C2D_ERR_STORE_FORMAT));
+    }
 }
 
 TEST_CASE("strangers: pieces that are whole but not those the record adds up, and a record in the other's place") {

@@ -1,5 +1,6 @@
 // Assembly, elimination and interior points by several tasks at once: every number is that of one task, bit by bit.
 #include "many_bodies.hpp"
+#include "solver/solver.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -7,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <functional>
 #include <map>
 #include <memory>
 #include <random>
@@ -21,6 +24,7 @@ struct Tasks {
   RamStore store;
   int32_t threads = 1;
   int64_t calls = 0;
+  std::function<void()> before_tasks;
 
   static int32_t open(void* c, int32_t t, uint64_t n, uint64_t bytes) { return RamStore::open(&self(c).store, t, n, bytes); }
   static int32_t read(void* c, int32_t t, uint64_t k, void* d, uint64_t n) {
@@ -34,6 +38,7 @@ struct Tasks {
   static void parallel_for(void* c, int32_t n, void (*task)(void*, int32_t), void* argument) {
     Tasks& tasks = self(c);
     ++tasks.calls;
+    if (tasks.before_tasks) tasks.before_tasks();
     std::vector<std::thread> running;
     for (int32_t t = 0; t < tasks.threads; ++t)
       running.emplace_back([=, &tasks] {
@@ -132,9 +137,9 @@ namespace {
 
 // Blocks in a row, each pressed down and held below, sides touching: of several sizes, one rigid, one so large that it is not
 // one of several.
-many::Model row_of_blocks() {
+many::Model row_of_blocks(int32_t count) {
   many::Model m;
-  const int32_t count = 11, rigid = 4, large = 8;
+  const int32_t rigid = 4, large = 8;
   for (int32_t i = 1; i <= count; ++i) {
     const int32_t along = i == large ? 150 : 3 + i % 4;
     m.add(many::rectangle(i, 0, i + 1, 1, {along, 6, along, 6}, 1000 + 50 * i));
@@ -157,11 +162,11 @@ struct Row {
   Tasks tasks;
   std::vector<c2d_body_limits> list;
   c2d_limits limits;
-  many::Model model = row_of_blocks();
+  many::Model model;
   std::unique_ptr<Machine> machine;
   Numbers numbers;
 
-  Row(int32_t threads, double share, int32_t keep_factors = 0) {
+  Row(int32_t threads, double share, int32_t keep_factors = 0, int32_t count = 11) : model(row_of_blocks(count)) {
     limits = many::limits_of(model, list);
     tasks.threads = threads;
     uint64_t least = 0, most = 0;
@@ -260,4 +265,34 @@ TEST_CASE("tasks: a store that fails while small bodies are written") {
                                    : C2D_ERR_STORE_CLOSE));
     CHECK(why.host_code == 78);
   }
+}
+
+TEST_CASE("tasks: small bodies, more of them than are taken at once") {
+  Row one(1, 1.0, 0, 28), two(2, 1.0, 0, 28);
+  REQUIRE(one.prepare() == C2D_OK);
+  REQUIRE(two.prepare() == C2D_OK);
+  CHECK(two.side_by_side() == 26);
+  CHECK(two.same_store(one));
+  one.run(), two.run();
+  CHECK(one.numbers == two.numbers);
+}
+
+TEST_CASE("tasks: small bodies side by side, one of them without pivots") {
+  Row row(2, 1.0);
+  int calls = 0;
+  row.tasks.before_tasks = [&] { // from the second time on: columns are there, and no factors yet
+    if (calls++ == 0) return;
+    c2d_solver* const s = row.machine->solver;
+    std::memset(c2d::array_of<char>(s, c2d::kPhase), 0, static_cast<size_t>(s->bytes - s->layout.persistent));
+  };
+  CHECK(row.prepare() == C2D_ERR_SINGULAR);
+  CHECK(c2d_get_state(row.machine->solver) == C2D_STATE_MODEL);
+  CHECK(std::string(error_of(row.machine->solver).text).find("the equations are singular") == 0);
+  row.tasks.before_tasks = nullptr;
+  REQUIRE(row.prepare() == C2D_OK);
+  row.run();
+  Row other(2, 1.0);
+  REQUIRE(other.prepare() == C2D_OK);
+  other.run();
+  CHECK(row.numbers == other.numbers);
 }

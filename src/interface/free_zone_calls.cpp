@@ -77,7 +77,8 @@ c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given) {
   z.pairs = static_cast<int32_t>(pairs);
   z.node_step[1] = z.element_step[1];
   z.first_node[1] = functional_node(m, z.body[1], z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
-  return keep_zone(s, z);
+  keep_zone(s, z);
+  return built(s);
 }
 
 } // namespace c2d

@@ -8,7 +8,8 @@ namespace c2d {
 
 namespace {
 
-c2d_status append_path(c2d_solver* s, int32_t increments, const double* load, int32_t given) {
+c2d_status append_path(c2d_solver* s, c2d_status status, int32_t increments, const double* load, int32_t given) {
+  if (status != C2D_OK) return status;
   if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
   for (int32_t k = 0; k < given; ++k)
     if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
@@ -22,8 +23,7 @@ c2d_status append_path(c2d_solver* s, int32_t increments, const double* load, in
 } // namespace
 
 c2d_status add_load_card(c2d_solver* s, int32_t increments, double load) {
-  const c2d_status status = enter_building(s);
-  return status == C2D_OK ? append_path(s, increments, &load, 1) : status;
+  return append_path(s, enter_building(s), increments, &load, 1);
 }
 
 } // namespace c2d
@@ -77,13 +77,12 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
 }
 
 extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
-  const c2d_status status = enter_building(s);
-  if (status != C2D_OK) return status;
-  if (cases != s->sizes.load_cases)
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK && cases != s->sizes.load_cases)
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors (one per load case, that of an interference too)", cases,
                          s->sizes.load_cases, s->sizes.load_cases);
-  if (!load) return check_pointers(s, {{"load", load}});
-  return append_path(s, increments, load, cases);
+  if (status == C2D_OK) status = check_pointers(s, {{"load", load}});
+  return append_path(s, status, increments, load, cases);
 }
 
 extern "C" c2d_status c2d_clear_paths(c2d_solver* s) {

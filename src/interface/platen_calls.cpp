@@ -93,6 +93,6 @@ extern "C" c2d_status c2d_add_platen(c2d_solver* s, int32_t body, int32_t first_
   const int32_t number = platen + 1 - static_cast<int32_t>(s->sizes.bodies - s->sizes.platens);
   name_platen(number, own.name);
   name_platen(number, z.name);
-  status = keep_zone(s, z);
-  return status == C2D_OK ? c2d_set_rigid_load(s, platen + 1, 0, is_free, nullptr, point) : status; // brings that part
+  keep_zone(s, z);
+  return c2d_set_rigid_load(s, platen + 1, 0, is_free, nullptr, point); // brings that part
 }

@@ -51,8 +51,8 @@ void place_on_side1(const Model& m, const Pair& pair, int32_t* element, double* 
   *element = pair.element;
   *eta = pair.eta;
   if (pair.node[0] < 0) return;
-  int32_t ends[2] = {0, 0};
-  if (all_ends_at_node(m, body_on(m, pair, 0), pair.node[0], ends) == 0) return;
+  int32_t ends[2] = {0, 0}; // (at a pair's node there is one, or two)
+  all_ends_at_node(m, body_on(m, pair, 0), pair.node[0], ends);
   const int32_t nf = m.head->function_nodes;
   *element = ends[0] / nf;
   *eta = nf > 1 ? -1.0 + 2.0 * (ends[0] % nf) / (nf - 1) : 0.0;

@@ -137,7 +137,7 @@ c2d_status run_coefficient(Session& session, int32_t index, int32_t from, c2d_ou
   if (!kSmallCode) s->run_outcome = *worst;
   for (int32_t i = 0; i < s->model.pairs; ++i)
     session.model.pair[i].mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
-  const double mu = s->model.coefficients > 0 ? coefficient_of_zone(s, 0, index) : 0.0;
+  const double mu = coefficient_of_zone(s, 0, index);
   s->mu = mu;
   s->coefficient = index + 1;
   c2d_status status = from == 0 ? begin(session) : c2d_status{C2D_OK};

@@ -63,14 +63,13 @@ c2d_status check_side_elements(c2d_solver* s, const c2d_side& side) {
   return check_contact_number(s, "contact element of body ", side.body, side.last_element, elements);
 }
 
-c2d_status keep_zone(c2d_solver* s, Zone& z) {
+void keep_zone(c2d_solver* s, Zone& z) {
   ModelHeader& head = s->model;
   z.first_pair = head.pairs;
   z.line = head.line;
   model_of(s).zone[head.zones++] = z;
   head.pairs += z.pairs;
   head.contact_elements += z.elements;
-  return built(s);
 }
 
 C2D_MEETS(FreeZonePart, c2d_link_free_zones);
@@ -152,7 +151,9 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
   z.elements = elements;
   z.is_self = (given.kind & C2D_ZONE_SELF) != 0 ? 1 : 0;
   const c2d_status status = fill_zone(s, model_of(s), given, z);
-  return status == C2D_OK ? keep_zone(s, z) : status;
+  if (status != C2D_OK) return status;
+  keep_zone(s, z);
+  return built(s);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ int32_t side_elements(const c2d_side& side);
 inline int64_t room_of(int64_t pairs, bool self) { return self ? 2 * pairs : pairs; }
 int64_t room_taken(c2d_solver* solver, bool free_alone);
 // The last step of both kinds: the zone stands at the end of the list.
-c2d_status keep_zone(c2d_solver* s, Zone& z);
+void keep_zone(c2d_solver* s, Zone& z);
 // Of kind C2D_ZONE_FREE, after the checks of any kind.
 c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given); // free_zone_calls.cpp
 

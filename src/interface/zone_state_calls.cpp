@@ -25,7 +25,7 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
   Session session;
   open_session(s, session);
   const Zone& z = session.model.zone[zone - 1];
-  if (s->blocked || s->floating || s->model.contact == 0) {
+  if (s->blocked || s->floating) {
     (z.is_tied != 0 ? ours.stick : ours.open) = z.pairs;
   } else {
     refresh(session.follower);

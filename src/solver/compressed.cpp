@@ -26,17 +26,16 @@ CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
                          rank, kLeafNodes);
 }
 
+uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
 uint64_t back_bytes_of(const CompressedPlan& plan) {
-  const uint64_t back = compressed_back_bytes(plan), check = round_up(kAssemblyBytes) + compressed_check_bytes(plan);
-  return back > check ? back : check;
+  return larger(compressed_back_bytes(plan), round_up(kAssemblyBytes) + compressed_check_bytes(plan));
 }
 
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_work(const PhaseSizes& s, int b) {
   return elimination_area(s, b, EliminationPlan{}, nullptr, nullptr) - elimination_bytes(EliminationPlan{});
 }
-
-uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 // Bytes of the phase area for cells of this rank.
 uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
@@ -71,7 +70,7 @@ CompressedPlan cut_most(const PhaseSizes& most, uint64_t bytes, int b, int32_t r
 } // namespace
 
 uint64_t compression_that_will_do(const PhaseSizes& most, int32_t rank) {
-  return compression_need(most, rank > kUsualRank ? rank : kUsualRank);
+  return compression_need(most, static_cast<int32_t>(larger(static_cast<uint64_t>(rank), kUsualRank)));
 }
 
 c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model& m, EliminationPlan* out) {

@@ -5,6 +5,7 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"
@@ -228,7 +229,7 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
   if (is_motion(outcome)) name_motion(session, outcome);
-  if (outcome != C2D_NO_ADMISSIBLE_CHANGE || session.free_body.motions == 0) return;
+  if (outcome != C2D_NO_ADMISSIBLE_CHANGE) return;
   name_motion(session, C2D_GROSS_SLIDING);
   if (is_motion(s->outcome_motion)) return;
   s->outcome = outcome;
@@ -257,7 +258,8 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   if (s->floating) status = take_off(session, target, outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   // What touches at zero load does not hold them: nothing is loaded yet, so the bodies may move on to other pairs once.
-  if (status == C2D_OK && is_motion(*outcome) && from_zero && all_zero(f.load, cases) && session.free_body.others() > 0) {
+  // (Where there is a load, forces balance it that show the way to more of it.)
+  if (status == C2D_OK && is_motion(*outcome) && from_zero && !C2D_NEVER(!all_zero(f.load, cases))) {
     const c2d_outcome from_here = *outcome;
     status = take_off(session, target, outcome);
     if (status == C2D_OK && *outcome == C2D_REACHED)

@@ -151,22 +151,24 @@ double push_on(const Session& session, int b, const double* loads) {
   return push > 1e-10 * size ? push : 0.0;
 }
 
-// Where several bodies float, the one to tell: that the loads push most on as they go on, or as they stand; the others are
-// looked at as if held where they are.
-int body_pushed_most(const Session& session) {
-  const Follower& f = session.follower;
-  const double* const loads[] = {f.direction, f.load};
-  int most = -1, first = -1;
-  for (int i = 0; i < 2 && most < 0; ++i) {
-    double largest = 0.0;
-    for (int b = 0; b < session.model.head->bodies; ++b) {
-      if (session.model.body[b].free_motions == 0) continue;
-      if (first < 0) first = b;
-      const double push = push_on(session, b, loads[i]);
-      if (push > largest) largest = push, most = b;
-    }
+// The body with free motions that these loads push most, if it is more than that; else -1.
+int body_pushed_more(const Session& session, const double* loads, double than) {
+  int most = -1;
+  for (int b = 0; b < session.model.head->bodies; ++b) {
+    if (session.model.body[b].free_motions == 0) continue;
+    const double push = push_on(session, b, loads);
+    if (push > than) than = push, most = b;
   }
-  return most >= 0 ? most : first;
+  return most;
+}
+
+// Where several bodies float, the one to tell: that the loads push most on as they go on, or as they stand, be it not at all;
+// the others are looked at as if held where they are.
+int body_pushed_most(const Session& session) {
+  if (session.free_body.motions == 0) return -1; // ties and supports hold them all
+  const Follower& f = session.follower;
+  const int most = body_pushed_more(session, f.direction, 0.0);
+  return most >= 0 ? most : body_pushed_more(session, f.load, -1.0);
 }
 
 // The work of the loads on the motions of a body, to work[0 .. body.free_motions); the sum of its magnitudes.
@@ -220,7 +222,6 @@ void find_outcome_motion(Session& session, c2d_outcome outcome) {
   if (s->outcome_body < 1) return;
   const Body& body = session.model.body[s->outcome_body - 1];
   const Motions motions{body, s->outcome_body - 1, body.free_motions};
-  if (motions.count < 1) return;
   double choice[3] = {1.0, 0.0, 0.0};
   if (s->blocked) find_unheld_motion(session, motions, choice);
   const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));

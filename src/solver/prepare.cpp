@@ -90,11 +90,15 @@ c2d_status watch_column(void* context, int32_t column) {
 // Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
 constexpr int32_t kColumnsAtOnce = 256;
 
+// Not so few that kernels stand idle, and no more than this.
+int32_t at_once(int64_t columns, int32_t most) {
+  return static_cast<int32_t>(columns < 16 ? 16 : columns < most ? columns : most);
+}
+
 // So few that they stay in the second-level cache until all elements have added to them.
 int32_t columns_at_once(int64_t ld) {
   constexpr int64_t kCachedBytes = 1 << 20;
-  const int64_t fit = kCachedBytes / (ld * static_cast<int64_t>(sizeof(Real)));
-  return static_cast<int32_t>(fit < 16 ? 16 : fit < kColumnsAtOnce ? fit : kColumnsAtOnce);
+  return at_once(kCachedBytes / (ld * static_cast<int64_t>(sizeof(Real))), kColumnsAtOnce);
 }
 
 struct Columns { // of a panel, `step` at a time
@@ -121,8 +125,8 @@ int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_
     fill_columns(job.system, first, now, data, ld);
     return now;
   }
-  const int32_t parts = parts_of(job.engine), each = count / parts + 1, most = columns_at_once(ld);
-  const int32_t step = each < 16 ? 16 : each < most ? each : most;
+  const int32_t parts = parts_of(job.engine), each = count / parts + 1;
+  const int32_t step = at_once(each, columns_at_once(ld));
   const int32_t now = count < parts * step ? count : parts * step, items = (now + step - 1) / step;
   Columns columns{job, first, now, step, data, ld, parts > 1 && items > 1};
   run_items(job.engine, items, fill_step, &columns);

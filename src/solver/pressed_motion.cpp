@@ -22,9 +22,10 @@ bool holds(const Session& session, int32_t i, c2d_outcome outcome) {
 // Where all slides, whether the last pair at its bound still counts as sticking is round-off.
 bool holds_along(const Session& session, int32_t i, c2d_outcome outcome) {
   const Pair& pair = session.model.pair[i];
-  if (is_tied(session.model, pair)) return pair.tangential != 0;
-  if (!is_pressed(session)) return pair.tangential && pair.mu > 0.0;
-  if (pair.status != C2D_STICK || !pair.tangential) return false;
+  if (!pair.tangential) return false;
+  if (is_tied(session.model, pair)) return true;
+  if (!is_pressed(session)) return pair.mu > 0.0;
+  if (pair.status != C2D_STICK) return false;
   const PairState now = pair_state(*session.follower.t, i, session.follower.y);
   const bool at_bound = pair.mu <= 1e300 && fabs(now.q) >= (1.0 - 1e-6) * pair.mu * now.p;
   return outcome != C2D_GROSS_SLIDING || (i != session.follower.last_pair && !at_bound);
@@ -82,8 +83,8 @@ bool find_pressed_motion(const Session& session, const Motions& motions, c2d_out
 } // namespace
 
 void keep_motion(Session& session, const Motions& motions, c2d_outcome outcome, bool found, double choice[3]) {
-  if (!found && !find_pressed_motion(session, motions, outcome, choice)) return;
-  const double size = length_of(choice, motions.count);
+  const bool moves = found || find_pressed_motion(session, motions, outcome, choice);
+  const double size = moves ? length_of(choice, motions.count) : 0.0;
   if (!(size > 0.0)) return;
   double* const motion = session.solver->outcome_motion;
   for (int j = 0; j < motions.count; ++j)

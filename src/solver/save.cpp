@@ -235,14 +235,16 @@ template <int count> bool all_within(const Span (&spans)[count]) {
 
 bool is_status(int8_t status, int8_t sign) { return all_within({{status, C2D_OPEN, C2D_SLIP}, {sign, -1, 1}}); }
 
-bool are_possible_pairs(const Model& m, int32_t guided) {
+bool may_be_guided(const Model& m, int32_t guided) { return guided == 0 || m.pair[guided - 1].tangential != 0; }
+
+bool are_possible_pairs(const Model& m) {
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     const Pair& pair = m.pair[i];
     if (!is_status(pair.status, pair.sign) || !is_status(pair.saved_status, pair.saved_sign) ||
         !is_status(pair.good_status, pair.good_sign))
       return false;
   }
-  return guided == 0 || m.pair[guided - 1].tangential != 0;
+  return true;
 }
 
 template <int32_t size> bool ends(const char (&text)[size]) { return place_of('\0', text, size) < size; }
@@ -297,8 +299,8 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
                                   {stats.iterations, 0, kSome},
                                   {stats.unconverged, 0, kSome}});
   if (!within || (s->run_step > 0 && s->coefficient == 0) || !are_possible_texts(m) ||
-      (s->keeps_energy != 0) != kEnergyPart.linked || !are_possible_pairs(m, s->guided) ||
-      (s->good_guided > 0 && m.pair[s->good_guided - 1].tangential == 0))
+      (s->keeps_energy != 0) != kEnergyPart.linked || !are_possible_pairs(m) || !may_be_guided(m, s->guided) ||
+      !may_be_guided(m, s->good_guided))
     return false;
   const PhaseSizes sizes = model_sizes(m);
   for (int b = 0; b < head.bodies && !blocked; ++b)
@@ -412,7 +414,7 @@ c2d_status take_up_form(c2d_solver* s, const Slots& slots, Piece& piece, const S
   const int32_t factors = s->factors;
   bool again = false;
   c2d_status status = match_saved(s, &again);
-  if (again && status == C2D_OK) status = read_image(s, slots, record, piece, true);
+  if (status == C2D_OK && again) status = read_image(s, slots, record, piece, true);
   if (status != C2D_OK) return status;
   s->options = options;
   s->factors = factors;

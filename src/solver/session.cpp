@@ -11,12 +11,6 @@ namespace c2d {
 
 namespace {
 
-bool has_tie(const Model& m, int b) {
-  for (int32_t i = 0; i < m.head->zones; ++i)
-    if (m.zone[i].is_tied != 0 && (m.zone[i].body[0] == b || m.zone[i].body[1] == b)) return true;
-  return false;
-}
-
 FreeBody free_body(const Model& m) {
   FreeBody out{};
   out.body = -1;
@@ -24,9 +18,8 @@ FreeBody free_body(const Model& m) {
   int32_t last = 0;
   for (int b = 0; b < m.head->bodies; ++b)
     if (m.body[b].contact > 0 && m.body[b].free_motions > 0) last = b;
-  // All of the motions left are those of one body, if they are as many and no tie has a part in them.
-  if (out.motions == 0 || m.head->motions != out.motions || m.body[last].free_motions != out.motions || has_tie(m, last))
-    return out;
+  // All of the motions left are those of one body, if they are as many and ties take none of them.
+  if (out.motions == 0 || m.head->motions != out.motions || m.body[last].free_motions != out.motions) return out;
   const Body& body = m.body[last];
   out.body = last;
   for (int k = 0; k < 3; ++k) out.motion[k] = body.free_motion[0][k];
@@ -167,7 +160,7 @@ c2d_status load_flexibility(Session& session) {
 
 const Real* flexibility_of(const Session& session, int b) {
   const Real* at = session.area.flexibility;
-  for (int i = 0; i < b && at; ++i) at += flexibility_numbers(session.model, i);
+  for (int i = 0; i < b; ++i) at += flexibility_numbers(session.model, i);
   return at;
 }
 

@@ -23,7 +23,7 @@ int own_motions(const Prevented& by, const Body& body, double out[3][3]) {
   const int k = body.free_motions;
   double basis[3][3];
   int rank = 0;
-  for (int32_t i = 0; i < by.rank && rank < k && body.contact > 0; ++i) {
+  for (int32_t i = 0; i < by.rank && rank < k; ++i) {
     double row[3] = {0.0, 0.0, 0.0};
     for (int j = 0; j < k; ++j) row[j] = by.of(i, body.first_motion + j);
     rank += extend_basis(basis, rank, k, row);
@@ -78,7 +78,7 @@ void tell_together(c2d_solver* s, const Model& m, const Prevented& by, int32_t c
 void tell_unheld(c2d_solver* s, const double* prevented, int32_t rank) {
   const Model m = model_of(s);
   const Prevented by = {prevented, prevented ? rank : 0, m.head->motions};
-  int32_t alone = 0, bodies = 0, all = prevented ? by.n - rank : 0;
+  int32_t alone = 0, all = prevented ? by.n - rank : 0;
   double own[3][3];
   for (int b = 0; b < m.head->bodies; ++b) {
     const Body& body = m.body[b];
@@ -86,9 +86,8 @@ void tell_unheld(c2d_solver* s, const double* prevented, int32_t rank) {
     const int count = own_motions(by, body, own);
     if (body.contact == 0) all += count;
     alone += count;
-    bodies += count > 0 ? 1 : 0;
   }
-  if (all <= 1 && bodies <= 1 && all == alone) return;
+  if (all <= 1 && all == alone) return;
   for (int b = 0; b < m.head->bodies; ++b) {
     if (m.body[b].contact > 0 && !prevented) continue;
     const int count = own_motions(by, m.body[b], own);

@@ -4,6 +4,7 @@
 //   parts attach WORKSPACE      parts restore DECK FOLDER
 //   parts follow DECK FOLDER MU LOAD
 //   parts state DECK FOLDER MU LOAD    parts free
+//   parts prepare WORKSPACE FOLDER MU LOAD
 #include <c2d_posix.h>
 #include <contact2d.h>
 
@@ -62,19 +63,23 @@ int ask_for(int32_t symmetry, int32_t elimination) {
   return end(solver, c2d_set_options(solver, &options));
 }
 
+c2d_status take_up(const char* name, const c2d_port& port, c2d_solver** solver) {
+  std::FILE* const file = std::fopen(name, "rb");
+  if (file == nullptr) return C2D_ERR_READ;
+  const size_t bytes = std::fread(workspace, 1, sizeof workspace, file);
+  std::fclose(file);
+  c2d_error why = C2D_INIT(c2d_error);
+  const c2d_status status = c2d_attach(solver, workspace, bytes, &port, &why);
+  if (status != C2D_OK) std::printf("%s\n", why.text);
+  return status;
+}
+
 int attach(const char* name) {
   c2d_port port = C2D_INIT(c2d_port);
   c2d_posix_store store; // of no use: nothing is read
   c2d_solver* solver = nullptr;
-  std::FILE* const file = std::fopen(name, "rb");
-  if (file == nullptr) return 1;
-  const size_t bytes = std::fread(workspace, 1, sizeof workspace, file);
-  std::fclose(file);
   c2d_posix_store_port(&store, &port);
-  c2d_error why = C2D_INIT(c2d_error);
-  const c2d_status status = c2d_attach(&solver, workspace, bytes, &port, &why);
-  if (status != C2D_OK) std::printf("%s\n", why.text);
-  return end(nullptr, status);
+  return end(nullptr, take_up(name, port, &solver));
 }
 
 int restore(const char* deck, const char* folder) {
@@ -112,6 +117,31 @@ int add_free_zone() {
   return end(solver, c2d_add_zone(solver, &zone));
 }
 
+c2d_status advance(c2d_solver* solver, double mu, double load) {
+  c2d_status status = c2d_prepare(solver);
+  if (status == C2D_OK) status = c2d_begin(solver, &mu, 1);
+  c2d_outcome outcome = C2D_REACHED;
+  if (status == C2D_OK) status = c2d_advance(solver, &load, 1, &outcome);
+  std::printf("outcome %d\n", outcome);
+  double pressure;
+  for (int32_t i = 1; i <= 64 && c2d_get(solver, C2D_TN, 0, i, 1, &pressure, 1) == C2D_OK; ++i) std::printf("%.9g\n", pressure);
+  return status;
+}
+
+// The same from the workspace of another program.
+int prepare(const char* name, const char* folder, double mu, double load) {
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store store;
+  c2d_solver* solver = nullptr;
+  if (c2d_posix_store_init(&store, folder) != 0) return 1;
+  c2d_posix_store_port(&store, &port);
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) port.open(port.context, tape, 1, 64); // they are open, the workspace says
+  c2d_status status = take_up(name, port, &solver);
+  if (status == C2D_OK) status = advance(solver, mu, load);
+  end(solver, status);
+  return c2d_posix_store_done(&store) != 0;
+}
+
 // Advances to one load factor: how it ended, where, and the statuses of the pairs there; `state`: what zone 1 has dissipated,
 // and whether the workspace can be taken up again.
 int follow(const char* deck, const char* folder, double mu, double load, bool state) {
@@ -121,13 +151,7 @@ int follow(const char* deck, const char* folder, double mu, double load, bool st
   if (c2d_posix_store_init(&store, folder) != 0) return 1;
   c2d_posix_store_port(&store, &port);
   c2d_status status = read_model(deck, port, &solver, tell_warning);
-  if (status == C2D_OK) status = c2d_prepare(solver);
-  if (status == C2D_OK) status = c2d_begin(solver, &mu, 1);
-  c2d_outcome outcome = C2D_REACHED;
-  if (status == C2D_OK) status = c2d_advance(solver, &load, 1, &outcome);
-  std::printf("outcome %d\n", outcome);
-  double pressure[64];
-  for (int32_t i = 1; i <= 64 && c2d_get(solver, C2D_TN, 0, i, 1, pressure, 1) == C2D_OK; ++i) std::printf("%.9g\n", *pressure);
+  if (status == C2D_OK) status = advance(solver, mu, load);
   if (state) {
     c2d_zone_state zone = C2D_INIT(c2d_zone_state);
     status = c2d_get_zone_state(solver, 1, &zone);
@@ -149,6 +173,7 @@ int main(int count, char** argument) {
   if (is("attach", 1)) return attach(argument[2]);
   if (is("restore", 2)) return restore(argument[2], argument[3]);
   if (is("free", 0)) return add_free_zone();
+  if (is("prepare", 4)) return prepare(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]));
   if (is("follow", 4) || is("state", 4))
     return follow(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]), is("state", 4));
   if (!is("deck", 1)) return 64;
