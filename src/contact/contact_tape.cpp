@@ -90,7 +90,6 @@ c2d_status read_all(const ContactTape& tape, const Place& at, Real* data, int64_
 } // namespace
 
 int64_t contact_blocks(int64_t bodies, int64_t m, int64_t motions, int64_t cases) {
-  if (m == 0) return 0;
   // Every contact unknown belongs to two bodies.
   return place_of(ContactMatrix::count, m, motions, motions, cases).first + 6 * m + bodies * (3 * cases + 3 * kMostMotions);
 }

@@ -48,7 +48,7 @@ inline uint64_t contact_block_numbers(int64_t m) { return static_cast<uint64_t>(
 inline int32_t contact_unknowns(const ContactTape& tape) { return tape.model->head->contact; }
 inline int32_t free_motions(const ContactTape& tape) { return tape.model->head->motions; }
 inline int32_t border_motions(const ContactTape& tape) { return tape.model->head->border; }
-// On the whole tape, for so many bodies, contact unknowns, motions and load cases; never more with fewer of them.
+// On the whole tape, for so many bodies, contact unknowns (some), motions and load cases; never more with fewer of them.
 int64_t contact_blocks(int64_t bodies, int64_t m, int64_t motions, int64_t cases);
 // Fills Body::first_block; returns the number of blocks.
 int64_t place_contact_blocks(const Model& m);

@@ -64,9 +64,8 @@ int32_t correct(Follower& f) {
   const PathScales s = path_scales(f);
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Verdict v = table4(f, i, s);
-    const bool same = v.status == f.t->pair[i].status && (v.status != C2D_SLIP || v.sign == f.t->pair[i].sign);
     PairMarks& mark = f.t->pair[i].mark;
-    mark.changes = !same;
+    mark.changes = v.status != f.t->pair[i].status; // (none slips the other way at once)
     mark.status = static_cast<uint8_t>(v.status) & 3;
     mark.slip = static_cast<uint8_t>(v.sign + 1) & 3;
   }

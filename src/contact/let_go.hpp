@@ -20,8 +20,8 @@ inline void keep_place(Pair& pair, double wn, double wt) {
   pair.offset = static_cast<Real>(wt);
 }
 
-// An open pair that touches without force and follows what it touches, METHOD 13.8: what would press it moves the body away.
-inline bool leans(const Pair& pair) { return pair.status == C2D_OPEN && pair.sign != 0; }
+// Of an open pair: it touches without force and follows what it touches, METHOD 13.8: what would press it moves the body away.
+inline bool leans(const Pair& open) { return open.sign != 0; }
 inline void lean(Pair& pair) { pair.sign = 1; }
 
 // The last step of building it. Slots `left` have no pivot any more: their columns are the free motions. `t` has for them what

@@ -91,7 +91,6 @@ bool next_on_tableau(RateProblem& r, const Doubt& d, const double entering[2], d
   if (!exchange_to_cell(r, d)) return false;
   read_rates(r);
   const double grows = value_of(entering, d, r.point);
-  if (grows == 0.0) return false;
   for (int32_t i = 0; i < r.size; ++i) {
     r.rhs[i] += static_cast<Real>(z) * r.point[i];
     if (grows < 0.0) r.point[i] = -r.point[i];

@@ -129,7 +129,7 @@ c2d_status add_other(const Bordered& s, int b, int other, BodyMatrix matrix, int
   const Strips strips = strips_of(s);
   const int32_t n = r.model.body[b].contact;
   c2d_status status = C2D_OK;
-  for (int32_t next = 0; next < columns && status == C2D_OK;) {
+  for (int32_t next = 0; next < columns;) {
     int32_t count = 0, taken[kMostStrips];
     for (int64_t i = 0; i < strips.count * strips.ld; ++i) strips.in[i] = 0;
     for (; next < columns && count < strips.count && status == C2D_OK; ++next) {

@@ -59,7 +59,7 @@ void add_element_work(const Model& m, int b, int32_t element, const double motio
   for (int k = 0; k < piece.in.functions; ++k) {
     const Weighted u = weighted(motion, w[k], wx[k], wy[k]);
     for (int l = 0; l < m.head->function_nodes; ++l)
-      if (piece.pair[l] >= 0) add_work(m, {piece.pair[l], 0}, piece.weight[k][l] * u.ux, piece.weight[k][l] * u.uy, out);
+      add_work(m, {piece.pair[l], 0}, piece.weight[k][l] * u.ux, piece.weight[k][l] * u.uy, out);
   }
 }
 

@@ -105,7 +105,7 @@ c2d_status take_found(Follower& f, const RateProblem& r, bool check, Settled* re
   const c2d_status status = take_cells(f, r);
   if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
   refresh(f);
-  if (status == C2D_OK && (!check || (is_held(f) && !anything_offends(f, decision_scales(f))))) return C2D_OK;
+  if (status == C2D_OK && is_held(f) && (!check || !anything_offends(f, decision_scales(f)))) return C2D_OK;
   *result = Settled::undecided;
   return restore_pairs(f);
 }
@@ -143,11 +143,7 @@ c2d_status search_branches(Follower& f, Settled* result) {
   int32_t found = 0;
   keep_motion_before(f, r);
   *result = branch_cells(r, false, kMostParts, &found, f.watch.tick, f.watch.context, &status);
-  if (status != C2D_OK || *result != Settled::solved) return status;
-  status = take_found(f, r, false, result);
-  if (status != C2D_OK || *result != Settled::solved || is_held(f)) return status;
-  *result = Settled::none;
-  return restore_pairs(f);
+  return status == C2D_OK && *result == Settled::solved ? take_found(f, r, false, result) : status;
 }
 
 } // namespace

@@ -58,15 +58,15 @@ bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathS
   if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
   return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
 }
-bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
+bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) { // one that is not unloaded
   const Pair& pair = f.t->pair[i];
-  if (i == f.bound.pair && f.bound.status == C2D_SLIP) return true;
+  if (i == f.bound.pair) return true;
   return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
 }
 
 // Of friction at its bound.
 int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
-  if (i == f.bound.pair && f.bound.status == C2D_SLIP && f.bound.sign != 0) return f.bound.sign;
+  if (i == f.bound.pair) return f.bound.sign;
   return now.q > 0.0 ? 1 : -1;
 }
 

@@ -125,7 +125,7 @@ c2d_status lie_apart(Follower& f, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   bool unloaded = false, balanced = false;
   c2d_status status = loads_balance(f, &unloaded, &balanced);
-  if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
+  if (status != C2D_OK || !balanced) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
     reset_pair(pair);

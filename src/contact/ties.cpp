@@ -1,6 +1,7 @@
 #include "contact/ties.hpp"
 
 #include "contact/facing_pairs.hpp"
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
 
@@ -88,7 +89,7 @@ int32_t next_in_ring(const Model& m, int32_t zone, const Pair& p) {
 void check_ring(const Model& m, int32_t zone, int32_t pair, Reporter& reporter) {
   int32_t at = pair, length = 0;
   do at = next_in_ring(m, zone, m.pair[at]);
-  while (at >= 0 && at != pair && ++length <= m.head->zones);
+  while (at >= 0 && at != pair && !C2D_NEVER(++length > m.head->zones)); // (no two face one node: what has no end comes back)
   if (at != pair) return;
   double x, y;
   pair_position(m, m.pair[pair], 1, &x, &y);
