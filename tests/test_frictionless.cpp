@@ -1,5 +1,7 @@
 // The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
 // one of its coefficients is not zero.
+#include "contact/body_compliance.hpp"
+#include "contact/rigid_balance.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
 #include "solver/solver.hpp"
@@ -335,4 +337,247 @@ TEST_CASE("frictionless: new loads, the least memory") {
   plain.prepared();
   CHECK(plain.s->sliding == 0);
   CHECK(difference(plain.follow(0.3), late, {C2D_TN, C2D_TT}) < kAlike);
+}
+
+// ---- the reduction, called by hand -----------------------------------------------------------------------------------------
+
+namespace {
+
+// So many numbers from a multiple of 64 bytes on.
+class Numbers64 {
+public:
+  explicit Numbers64(int64_t count) : all_(static_cast<size_t>(count) + 64 / sizeof(c2d::Real)) {}
+  c2d::Real* at() {
+    void* from = all_.data();
+    size_t space = all_.size() * sizeof(c2d::Real);
+    return static_cast<c2d::Real*>(std::align(64, sizeof(c2d::Real), from, space));
+  }
+
+private:
+  std::vector<c2d::Real> all_;
+};
+
+// Over the tape of a solver that is prepared; `longer`: the columns of the strip than they must be.
+struct ByHand {
+  c2d::Model model;
+  int64_t m, n, ld;
+  Numbers64 first, second, strip, scratch, buffer;
+  std::vector<int32_t> pivots;
+  int64_t used = 0;
+  int32_t step = 0;
+  std::function<c2d_status(int32_t step)> before = [](int32_t) { return c2d_status{C2D_OK}; };
+  c2d::Reduction r;
+
+  ByHand(c2d_solver* s, bool sliding, int64_t longer = 0)
+      : model(c2d::model_of(s)), m(model.head->contact), n(m + model.head->motions), ld(n + longer), first(n * n),
+        second(n * n), strip(ld * c2d::kStripColumns), scratch(c2d::full_scratch(ld, ld)), buffer(m + 3 + 64),
+        pivots(static_cast<size_t>(n)), r{c2d::ContactTape{&s->tapes, &model, buffer.at()},
+                                          model,
+                                          first.at(),
+                                          second.at(),
+                                          strip.at(),
+                                          pivots.data(),
+                                          ld,
+                                          this,
+                                          [](void* self) {
+                                            ByHand& own = *static_cast<ByHand*>(self);
+                                            return own.before(own.step++);
+                                          },
+                                          c2d::Engine{c2d::kernel_for(s->instructions), scratch.at(), c2d::full_scratch(ld, ld),
+                                                      &used, c2d::kAlone},
+                                          sliding} {}
+  ByHand(const ByHand&) = delete;
+  // T and b.
+  std::vector<c2d::Real> tableau() {
+    std::vector<c2d::Real> out(static_cast<size_t>(m * (m + model.head->load_cases)));
+    REQUIRE(read_matrix(r.tape, c2d::ContactMatrix::stiffness, out.data(), m) == C2D_OK);
+    REQUIRE(read_matrix(r.tape, c2d::ContactMatrix::stiffness_load, out.data() + m * m, m) == C2D_OK);
+    return out;
+  }
+};
+
+} // namespace
+
+TEST_CASE(
+    "frictionless: the contact system is the same whatever the engine has, and however long the columns that pass through") {
+  for (const bool sliding : {true, false}) {
+    Solver solver(deck_of("rollers", {"n=12"}, sliding ? "1 0" : "1 0.3"));
+    const std::vector<c2d::Real> whole = ByHand(solver.prepared().s, sliding).tableau();
+    double size = 0;
+    for (const c2d::Real x : whole) size = std::max(size, std::fabs(static_cast<double>(x)));
+    const struct {
+      bool kernel, tells;
+      int64_t longer;
+    } engines[] = {{true, true, 0}, {true, false, 0}, {false, true, 0}, {true, true, 10000}};
+    for (const auto& engine : engines) {
+      CAPTURE(engine.kernel);
+      CAPTURE(engine.longer);
+      ByHand hand(solver.s, sliding, engine.longer);
+      if (!engine.kernel) hand.r.engine.kernel = nullptr;
+      if (!engine.tells) hand.r.engine.used = nullptr;
+      REQUIRE(c2d::reduce(hand.r) == C2D_OK);
+      CHECK((hand.used > 0) == (engine.kernel && engine.tells));
+      const std::vector<c2d::Real> again = hand.tableau();
+      double off = 0;
+      for (size_t i = 0; i < whole.size(); ++i) off = std::max(off, std::fabs(static_cast<double>(again[i] - whole[i])));
+      CHECK(off < kAlike * size);
+    }
+  }
+}
+
+// Of each step its first operations, its last ones, and some between. (In the layer's case a body is solved for that is free.)
+TEST_CASE("frictionless: whichever operation of the store fails in a step of the reduction, that is told") {
+  for (const char* name : {"rollers", "coating"}) {
+    CAPTURE(std::string(name));
+    Solver solver(deck_of(name, {std::string(name) == "rollers" ? "n=6" : "n=24"}, "1 0"));
+    ByHand hand(solver.prepared().s, true);
+    std::vector<int64_t> begins; // of each step, and the end
+    hand.before = [&](int32_t) {
+      begins.push_back(static_cast<int64_t>(solver.store.done.size()));
+      return c2d_status{C2D_OK};
+    };
+    REQUIRE(c2d::reduce(hand.r) == C2D_OK);
+    begins.push_back(static_cast<int64_t>(solver.store.done.size()));
+    hand.before = [](int32_t) { return c2d_status{C2D_OK}; };
+    for (size_t step = 0; step + 1 < begins.size(); ++step) {
+      CAPTURE(step);
+      const int64_t first = begins[step] - begins[0], end = begins[step + 1] - begins[0], some = 1 + (end - first) / 3;
+      for (int64_t n = first; n < end; n += n < first + 3 || n >= end - 4 ? 1 : std::min(some, end - 4 - n)) {
+        CAPTURE(n);
+        const size_t at = solver.store.done.size() + static_cast<size_t>(n);
+        solver.store.before = [=](const RamStore::Operation&, size_t i) { return i == at ? 7 : 0; };
+        const c2d_status status = c2d::reduce(hand.r);
+        CHECK(status == (solver.store.done.back().kind == 'r' ? C2D_ERR_STORE_READ : C2D_ERR_STORE_WRITE));
+        solver.store.before = nullptr;
+      }
+    }
+    REQUIRE(c2d::reduce(hand.r) == C2D_OK);
+    std::vector<c2d::Real> column(static_cast<size_t>(hand.m));
+    bool sliding = false;
+    REQUIRE(c2d::read_form(hand.r.tape, column.data(), &sliding) == C2D_OK);
+    CHECK(sliding);
+    solver.store.before = [](const RamStore::Operation&, size_t) { return 7; };
+    CHECK(c2d::read_form(hand.r.tape, column.data(), &sliding) == C2D_ERR_STORE_READ);
+  }
+}
+
+TEST_CASE("frictionless: bodies whose equations say nothing, and more motions than unknowns, are told as singular") {
+  const auto nothing_of = [](ByHand& hand, int b, c2d::BodyMatrix matrix) {
+    const int64_t n = hand.model.body[b].contact;
+    const std::vector<c2d::Real> nothing(static_cast<size_t>(n * n));
+    REQUIRE(write_matrix(hand.r.tape, b, matrix, nothing.data(), n) == C2D_OK);
+    hand.step = 0;
+    return c2d::reduce(hand.r);
+  };
+  { // an elastic body with a free motion, between others: no traction does work on it
+    Solver solver(deck_of("rollers", {"n=12"}, "1 0.3"));
+    ByHand hand(solver.prepared().s, false);
+    const int32_t bodies = hand.model.head->bodies;
+    c2d::Body& roller = hand.model.body[1];
+    REQUIRE(roller.free_motions == 1);
+    REQUIRE(reduce(hand.r) == C2D_OK);
+    const int32_t contact = roller.contact, all = hand.model.head->contact;
+    roller.contact = 0;
+    CHECK(c2d::find_compliance(hand.r, 1) == C2D_ERR_SINGULAR);
+    roller.contact = contact;
+    hand.model.head->contact = hand.model.head->motions - 1;
+    CHECK(c2d::join_motions(hand.r) == C2D_ERR_SINGULAR);
+    hand.model.head->contact = all;
+    CHECK(nothing_of(hand, 1, c2d::BodyMatrix::traction) == C2D_ERR_SINGULAR);
+    CHECK(hand.step == bodies + 1); // join_motions
+  }
+  { // a rigid body on an elastic one that is held: its motions do nothing to that
+    many::Model m;
+    m.add(many::rectangle(0, -1, 2, 0, {2, 2, 4, 2}));
+    m.add(many::rectangle(0, 0, 2, 1, {4, 1, 1, 1}));
+    m.set(1, 1, many::end_of(many::kHeld));
+    m.body(2).rigid = m.body(2).is_free[0] = m.body(2).is_free[1] = m.body(2).is_free[2] = 1;
+    m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+    m.friction = 0.3;
+    many::Machine machine(m);
+    REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+    ByHand hand(machine.solver, false);
+    REQUIRE(reduce(hand.r) == C2D_OK);
+    CHECK(nothing_of(hand, 0, c2d::BodyMatrix::displacement) == C2D_ERR_SINGULAR);
+    CHECK(hand.step == 2 + 2); // form_compliance
+  }
+}
+
+namespace {
+
+// A block on a rigid table whose middle is lower by so much, as (x - 1)^4, and with another load that pushes it along.
+many::Model in_a_hollow(double depth, double push, int32_t elements) {
+  using namespace many;
+  Model m;
+  m.add(rectangle(0, -1, 2, 0, {2, 1, elements, 1}));
+  m.add(rectangle(0, 0, 2, 1, {elements, 10, 20, 10}));
+  for (many::Body& body : m.bodies)
+    for (size_t i = 0; i < body.xy.size(); i += 2)
+      if (std::fabs(body.xy[i + 1]) < 1e-12) body.xy[i + 1] = depth * std::pow(body.xy[i] - 1, 4);
+  m.body(1).rigid = 1;
+  m.set(2, 3, end_of(kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  if (push == 0) return m;
+  m.set_second(2, 2, end_of(kPulled, -push, 0));
+  m.cases = 2;
+  m.paths = {{1, 1.0, 0.0}, {1, 1.0, 1.0}};
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("frictionless: a block that hardly anything keeps from sliding is pressed like one that slides freely") {
+  for (const double depth : {0.01, 1e-6}) {
+    CAPTURE(depth);
+    many::Machine machine(in_a_hollow(depth, 0, 80));
+    const many::Result r = machine.run();
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    REQUIRE(r.outcome == C2D_REACHED);
+    CHECK((machine.solver->sliding != 0) == (depth > 1e-3));
+    for (const many::Row& row : r.last().rows) CHECK(std::fabs(row[C2D_TN]) == doctest::Approx(1).epsilon(30 * depth));
+  }
+}
+
+TEST_CASE(
+    "frictionless: a block that is pushed out of a hollow slides, of as few pairs as stick in the contact system or of many") {
+  for (const int32_t elements : {40, 80}) {
+    CAPTURE(elements);
+    many::Machine machine(in_a_hollow(0.01, 0.1, elements));
+    const many::Result r = machine.run();
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    CHECK((machine.solver->sliding != 0) == (elements == 80));
+    CHECK(r.outcome == C2D_GROSS_SLIDING);
+    CHECK(r.summary.outcome_body == 2);
+  }
+}
+
+// Rigid blocks that do not turn, each on one pair: forces are those of the loads alone.
+TEST_CASE("frictionless: of as many motions as unknowns all columns are zero, and that is not the form of pairs that slide") {
+  using namespace many;
+  for (const int32_t blocks : {1, 3, 80}) {
+    CAPTURE(blocks);
+    Model m;
+    m.function_nodes = 1;
+    m.friction = 0.3;
+    m.add(rectangle(0, -4, blocks, 0, {20, 2, blocks, 2}));
+    m.set(1, 1, end_of(kHeld));
+    for (int32_t i = 0; i < blocks; ++i) {
+      const double x = i;
+      const int32_t block = m.add(polygon({{x, 0, 1}, {x + 1, 0, 1}, {x + 0.5, 1, 1}})), element = m.side(1, 3).last - i;
+      m.body(block).rigid = m.body(block).is_free[0] = m.body(block).is_free[1] = 1;
+      m.body(block).load[0] = 0.1, m.body(block).load[1] = -1;
+      m.zones.push_back({C2D_ZONE_MATCHING, {{1, element, element}, {block, 1, 1}}});
+    }
+    many::Machine machine(m);
+    const Result r = machine.run();
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    REQUIRE_MESSAGE(r.outcome == C2D_REACHED, r.messages());
+    CHECK(r.summary.contact_unknowns == 2 * blocks);
+    CHECK(machine.solver->sliding == 0);
+    for (const Row& row : r.last().rows) {
+      CHECK(std::fabs(row[C2D_TN]) == doctest::Approx(1));
+      CHECK(std::fabs(row[C2D_TT]) == doctest::Approx(0.1));
+      CHECK(row[C2D_STATUS] == C2D_STICK);
+    }
+  }
 }

@@ -154,6 +154,7 @@ c2d_status build_judge(c2d_solver* s) {
   // v' in the place of v: so that the equations hold whatever the motions x are.
   if (status == C2D_OK)
     status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
+  for (int32_t i = 0; i < m && s->model.border == m; ++i) session.area.y[i] = 0; // what is left is round-off
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
   if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
