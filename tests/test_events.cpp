@@ -561,6 +561,25 @@ TEST_CASE("events: changes without end at one load end the path there, unless it
   }
 }
 
+// Pressed by 1, of which friction carries 1000, and pushed by as much or more: then nothing holds the pair any more, and it can
+// neither slide nor lift. What is left of the piece where that happens may be round-off alone.
+TEST_CASE("events: a path that would end within round-off of its end is not cut short") {
+  for (const double more : {1e-13, 1e-3}) {
+    CAPTURE(more);
+    Hand h({{1, 0}, {0, 0}}, {{1, 0}, {0, 1e3 * (1 + more)}}, true, 1e3);
+    h.start({0});
+    h.follow(1.0);
+    const double target[2] = {1.0, 1.0};
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(follow_events(h.follower(), target, &outcome) == C2D_OK);
+    CHECK(outcome == (more < 1e-12 ? C2D_REACHED : C2D_NO_ADMISSIBLE_CHANGE));
+    CHECK(h.follower().stats.events == 1);
+    CHECK(h.follower().load[1] == (more < 1e-12 ? 1.0 : about(1 / (1 + more))));
+    CHECK(h.pair(0).status == C2D_STICK);
+    CHECK(h.state(0).q == about(1e3));
+  }
+}
+
 TEST_CASE("events: the bound below which rates are none has no stiffness where a pair has none") {
   Pair soft = Pair();
   const PathScales s{1.0, 1.0, 3.0, 2.0};

@@ -65,15 +65,16 @@ struct Run : RamStore {
 } // namespace
 
 TEST_CASE("path faults: wherever a read fails or the host cancels on the way, also where overlaps are closed, that is told") {
-  for (const double deep : {0.0, 0.01, -0.1})
+  for (const double deep : {0.0, 0.01, -0.1, -0.2})
     for (const bool every_change : {false, true})
       for (const bool cancel : {false, true}) {
         CAPTURE(deep);
         CAPTURE(every_change);
         CAPTURE(cancel);
         const bool slides = deep == 0 && every_change; // until nothing holds it
-        const Deck deck =
-            squares(deep, slides ? "2 0.05 0.6" : "2 0.3 0.6", slides ? "0.1" : "0.4", deep < 0 && every_change ? "0" : "-1");
+        const bool apart = deep < -0.1;                // nothing moves it
+        const Deck deck = squares(deep, slides ? "2 0.05 0.6" : "2 0.3 0.6", apart ? "0" : (slides ? "0.1" : "0.4"),
+                                  apart || (deep < 0 && every_change) ? "0" : "-1");
         const auto run = [&](int64_t after, int64_t* asked) {
           Run r(deck, every_change);
           REQUIRE(c2d_prepare(r.s) == C2D_OK);

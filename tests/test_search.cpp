@@ -456,3 +456,154 @@ TEST_CASE("search: bodies rest along twelve motions, not along thirteen") {
     CHECK(h.build() == (open == 12 ? C2D_OK : C2D_ERR_SINGULAR));
   }
 }
+
+// ---- places in a range, METHOD 13.7 -----------------------------------------------------------------------------------
+
+// The friction of the pair is at its bound, q = s p / 2, and stays there. K lets it slide freely, w_t by itself, where q falls
+// by half of what p grows: that is so for s = -1 alone.
+TEST_CASE("search: a pair is the end of a range if it is free to slide the way its friction lets it, not the other way") {
+  for (const int sign : {1, -1}) {
+    CAPTURE(sign);
+    Hand h({{5, -2}, {-2, 1}}, {{1, 0.5 * sign}}, true, 0.5);
+    h.tableau().free_motions = 1;
+    h.start({0});
+    h.follow(1.0);
+    h.follow(2.0);
+    CHECK(h.pair(0).status == C2D_STICK);
+    CHECK(h.state(0).p == doctest::Approx(2));
+    CHECK(h.state(0).q == doctest::Approx(sign));
+    CHECK(h.follower().range == (sign < 0));
+    CHECK(h.follower().solutions == (sign < 0 ? 2 : 1));
+    CHECK(h.tableau().guided == 0);
+  }
+}
+
+namespace {
+
+// Springs of stiffness 1 along these combinations of the slots, and pairs that are open as the test says.
+std::unique_ptr<Hand> on_springs(const Matrix& springs, const std::vector<double>& load, const std::vector<int>& tangential) {
+  Matrix k(load.size(), std::vector<double>(load.size()));
+  for (const std::vector<double>& s : springs)
+    for (size_t i = 0; i < s.size(); ++i)
+      for (size_t j = 0; j < s.size(); ++j) k[i][j] += s[i] * s[j];
+  std::unique_ptr<Hand> h(new Hand(k, {load}, tangential, 0.5));
+  h->tableau().free_motions = 1;
+  return h;
+}
+
+} // namespace
+
+// Pair 1 is pressed and at the bound of its friction, q = p / 2, and holds the motion (w_t1, w_2, w_3) = (1, 1, o), against
+// which nothing else is: by -x of it the pairs move least, (1 - x)^2 + x^2 for each unit of load. Pair 3 does not move of
+// itself, and if it touches and o is not zero it stops that.
+TEST_CASE("search: a body does not begin to slide along a range where a pair that touches stops it at once") {
+  for (const double gap : {0.0, 1.0})
+    for (const double o : {1.0, 0.0}) {
+      CAPTURE(gap);
+      CAPTURE(o);
+      const std::unique_ptr<Hand> h = on_springs({{1, 0, 0, 0}, {0, -1, 1, 0}, {0, -o, 0, 1}}, {1, 1.5, -1, 0}, {1, 0, 0});
+      const double gaps[] = {0.0, 0.5, gap};
+      for (int i = 0; i < 3; ++i) h->pair(i).gap = gaps[i], h->pair(i).status = i == 0 ? C2D_STICK : C2D_OPEN;
+      h->follower().gap_scale = 1.0;
+      REQUIRE(h->build() == C2D_OK);
+      h->follow(0.5);
+      CHECK(h->follower().range);
+      const double slides = gap == 0.0 && o != 0.0 ? 0.0 : 1.0 / (2.0 + o * o);
+      CHECK(h->tableau().guided == (slides > 0.0 ? 1 : 0));
+      CHECK(h->state(0).wt == doctest::Approx(-0.5 * slides));
+      CHECK(h->state(0).p == doctest::Approx(0.5));
+      CHECK(h->state(1).wn == doctest::Approx(0.5 + 0.5 * (1.0 - slides)));
+      CHECK(h->state(2).wn == doctest::Approx(gap - 0.5 * slides * o));
+    }
+}
+
+// Pair 2 slips, (p, q) = w_t - w_t1 - (1, 2) for each unit of load, and friction of such a coefficient gives way by 1e-16 of
+// what it would alone: too little for it to be stuck where the body, which slides along with pair 3, would turn it back.
+TEST_CASE("search: where the other end of a range cannot be taken all stays at this one") {
+  Hand h({{1, 0, 0, 0, 0}, {0, 2, 0, -1, -1}, {0, -1, 1, 1, 0}, {0, -1, 0, 1, 0}, {0, -1, 0, 0, 1}}, {{1, 5.5, -1, -2, -4}},
+         {1, 1, 0}, 0.5);
+  h.tableau().free_motions = 1;
+  h.pair(1).mu = 1e16, h.pair(1).status = C2D_SLIP, h.pair(1).sign = -1;
+  h.pair(2).gap = 0.5, h.pair(2).status = C2D_OPEN;
+  h.follower().gap_scale = 1.0;
+  REQUIRE(h.build() == C2D_OK);
+  const int64_t before = h.tableau().exchanges;
+  h.follow(0.5);
+  CHECK(h.follower().range);
+  CHECK(h.tableau().exchanges == before);
+  CHECK(h.tableau().guided == 0);
+  CHECK(h.pair(0).status == C2D_STICK);
+  CHECK(h.pair(1).status == C2D_SLIP);
+  CHECK(h.state(0).p == doctest::Approx(0.5));
+  CHECK(h.state(0).q == doctest::Approx(0.25));
+  CHECK(h.state(1).wt == doctest::Approx(0.5));
+  CHECK(h.state(2).wn == doctest::Approx(0.5 + 2.0));
+}
+
+// More pairs than of which all statuses are tried, of a body that nothing else holds. What K says of all of them open is what
+// the last digits would make of a body in the air.
+TEST_CASE("search: rounds of changes that open every pair of a body do not let it go, where round-off holds it") {
+  for (const double mu : {0.5, 0.0}) {
+    CAPTURE(mu);
+    const size_t pairs = 7, m = 2 * pairs;
+    Matrix k(m, std::vector<double>(m));
+    std::vector<double> b(m);
+    for (size_t i = 0; i < m; ++i) k[i][i] = 1.0, b[i] = i % 2 == 0 ? 1.0 : 0.0;
+    Hand h(k, {b}, true, mu);
+    h.tableau().free_motions = 1;
+    for (size_t i = 0; i < pairs && mu == 0.0; ++i)
+      h.pair(static_cast<int>(i)).status = C2D_SLIP, h.pair(static_cast<int>(i)).sign = 1;
+    REQUIRE(h.build() == C2D_OK);
+    h.follow(1.0);
+    const double target[2] = {-1.0, 0.0};
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(follow_events(h.follower(), target, &outcome) == C2D_OK);
+    CHECK(outcome == C2D_NO_ADMISSIBLE_CHANGE);
+    CHECK(h.follower().load[0] == doctest::Approx(0).scale(1));
+    for (size_t i = 0; i < pairs; ++i) CHECK(h.pair(static_cast<int>(i)).status != C2D_OPEN);
+  }
+}
+
+// ---- what a search finds, and nothing holds -------------------------------------------------------------------------------
+
+namespace {
+
+// One pair more, at the end, that knows nothing of the others.
+void add_pair(Drawn& d, const Matrix& k, const std::vector<double>& b) {
+  const size_t m = sized(d.slots());
+  for (std::vector<double>& row : d.k) row.resize(m + 2);
+  d.k.resize(m + 2, std::vector<double>(m + 2));
+  for (size_t r = 0; r < 2; ++r)
+    for (size_t c = 0; c < 2; ++c) d.k[m + r][m + c] = k[r][c];
+  for (std::vector<double>& of_case : d.b) of_case.insert(of_case.end(), b.begin(), b.end());
+  d.tangential.push_back(1);
+  d.mu.push_back(2.0);
+  d.gaps.push_back(0.0);
+}
+
+} // namespace
+
+// The last pair slips, by a stiffness of 3e-10 of its own, or opens. More pairs than are looked at one by one: rounds of
+// changes and a path on the tableau come to the slip, and the systems of each set of cells to the other.
+TEST_CASE("search: rates of pairs that hardly anything holds are none, others are looked for") {
+  Drawn d = apart(45, {}, {}, {}, 2.0);
+  add_pair(d, {{1, -0.5 - 1.5e-10}, {0, -1}}, {1, 2 + 1e-8});
+  const std::unique_ptr<Hand> h = d.make();
+  REQUIRE(begin(d, *h) == C2D_OK);
+  h->follow(1.0);
+  CHECK(h->pair(45).status == C2D_OPEN);
+  CHECK(breach(d, *h) == "");
+}
+
+// Rounds of changes go round at pair 4, and the last slides with neither force nor gap, which in a tableau means open. A path
+// on the tableau ends with it closed; that is taken back, and what the systems of the cells say is taken.
+TEST_CASE("search: what a path on the tableau finds is judged like the rest") {
+  Drawn d = apart(45, {3}, {{1, 1}, {-0.5, 0.75}}, {0.25, 0.75}, 2.0);
+  add_pair(d, {{1, 0}, {0, 1}}, {0, 1});
+  const std::unique_ptr<Hand> h = d.make();
+  REQUIRE(begin(d, *h) == C2D_OK);
+  h->follow(1.0);
+  CHECK(h->state(45).p == doctest::Approx(0).scale(1));
+  CHECK(h->state(45).wt == doctest::Approx(-1));
+  CHECK(breach(d, *h) == "");
+}

@@ -292,6 +292,35 @@ TEST_CASE("self-contact: a ring with a gap is closed, and carries, as a curved b
   }
 }
 
+// ---- on a table
+
+TEST_CASE("self-contact: a loose fork that hovers comes down on its table, and is the one that stands on it") {
+  for (const int32_t kind : kKinds) {
+    CAPTURE(kind);
+    const auto pressed = [&](double gap) {
+      Model m = fork(1, kind, 0.3);
+      for (size_t i = 1; i < m.body(1).xy.size(); i += 2) m.body(1).xy[i] += gap;
+      m.set(1, 1, end_of(kPulled));
+      m.set(1, 8, end_of(kPulled));
+      m.add(rectangle(0, -1, 4, 0, {4, 1, 8, 1}, 100));
+      m.set(2, 1, end_of(kHeld));
+      m.join(kind, 2, 3, 1, 1);
+      return solved(m);
+    };
+    const Result standing = pressed(0), seated = pressed(0.02);
+    CHECK(standing.zones[0].stick + standing.zones[0].slip > 0);
+    REQUIRE(standing.steps.size() == seated.steps.size());
+    for (size_t k = 0; k < seated.steps.size(); ++k)
+      for (size_t i = 0; i < seated.steps[k].rows.size(); ++i)
+        for (const size_t field : {C2D_TN, C2D_TT})
+          CHECK(std::fabs(seated.steps[k].rows[i][field] - standing.steps[k].rows[i][field]) < 1e-9);
+    for (size_t i = 0; i < seated.boundary[0].size(); ++i) {
+      CHECK(std::fabs(seated.boundary[0][i].ux - standing.boundary[0][i].ux) < 1e-9);
+      CHECK(std::fabs(seated.boundary[0][i].uy - standing.boundary[0][i].uy + 0.02) < 1e-9);
+    }
+  }
+}
+
 // ---- what is refused
 
 TEST_CASE("self-contact: a body does not hold itself, whatever its friction") {
