@@ -222,6 +222,17 @@ TEST_CASE("model edges: overlaps that chords explain count as touching, unless o
   }
 }
 
+TEST_CASE("model edges: a free zone that ends where lines of symmetry cross ends on a boundary point that cannot be there") {
+  Model m;
+  m.symmetry = 3;
+  m.add(open_polygon({{2, 0, 2}, {2, 2, 2}, {0, 0, 0}}));
+  m.add(open_polygon({{0, 0, 3}, {2, 2, 2}, {0, 2, 0}}));
+  m.join(C2D_ZONE_FREE, 1, 2, 2, 1);
+  const Result r = solve(m);
+  CHECK(r.status == C2D_ERR_INPUT);
+  CHECK_MESSAGE(r.told_of("boundary point 5 of body 1 at (0, 0) lies at the crossing of the lines of symmetry"), r.messages());
+}
+
 // A hole that goes all round a block, told from the middle of where they touch. Its other elements begin and end beside the
 // block.
 TEST_CASE("model edges: a free zone that begins in the middle of what is faced is one of two runs") {
