@@ -39,7 +39,7 @@ void take(Outputs& o) {
   o.boundary = read("boundary"), o.json = read("json"), o.shown.page = read("report"), o.shown.vtk = read("vtk");
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(o.folder / "figures", none))
-    o.shown.figures[entry.path().stem().string()] = read_file(entry.path().string());
+    o.shown.figures[entry.path().stem().string()] = without_mark(read_file(entry.path().string()));
 }
 
 void run_all(Outputs& o, const std::string& deck) {
