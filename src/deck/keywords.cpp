@@ -1,6 +1,7 @@
 #include "deck/keywords.hpp"
 
 #include "memory/characters.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 namespace {
@@ -54,7 +55,10 @@ static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
 
 constexpr int32_t kMaximumName = 24;
 
-bool is_keyword_card(const Words& words) { return words.text[words.word[0].column - 1] == '*'; }
+bool is_keyword_card(const Words& words) {
+  if (C2D_NEVER(words.count == 0)) return false; // (cards without words are passed over)
+  return words.text[words.word[0].column - 1] == '*';
+}
 
 // The first `count` fields, in capitals, without the star, one blank between them.
 void join_name(const Words& words, int32_t count, char (&name)[kMaximumName]) {

@@ -105,7 +105,7 @@ uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) 
     wide_shift_left(below, -exponent);
   // Only as many binary digits of the quotient are developed as it can have.
   const int32_t bits = wide_bits(above) - wide_bits(below) + 1;
-  C2D_ASSERT(bits >= 0);
+  if (C2D_NEVER(bits < 0)) return 0; // (a number of digits is asked for, and the first is not 0)
   const uint64_t quotient = wide_divide(above, below, bits);
   wide_multiply(above, 2); // the remainder against one half
   const int32_t half = wide_compare(above, below);

@@ -1,10 +1,21 @@
 #include "results/rigid.hpp"
 
 #include "bie/measure.hpp"
+#include "memory/hostile.hpp"
 #include "model/pair_frame.hpp"
 #include "results/back.hpp"
 
 namespace c2d {
+
+namespace {
+
+// Those whose size the contact finds.
+int32_t moving(const Body& body) {
+  if (C2D_NEVER(body.free_motions > 0 && body.contact == 0)) return 0; // (the solver would be blocked)
+  return body.free_motions;
+}
+
+} // namespace
 
 void rigid_displacement_now(const Session& session, int b, double x, double y, double u[2]) {
   u[0] = u[1] = 0.0;
@@ -16,7 +27,7 @@ void rigid_displacement_now(const Session& session, int b, double x, double y, d
   }
   const Body& body = session.model.body[b];
   const double unit = session.model.head->length_unit;
-  for (int32_t j = 0; j < body.free_motions; ++j) {
+  for (int32_t j = 0; j < moving(body); ++j) {
     const double* motion = body.free_motion[j];
     const double factor = static_cast<double>(session.area.motion[body.first_border + j]);
     u[0] += factor * (motion[0] * unit - motion[2] * (y - body.centre[1]));
@@ -30,7 +41,7 @@ void rigid_motion_now(const Session& session, int b, double motion[3]) {
   motion[2] = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
     motion[2] += session.follower.load[k] * session.model.rigid_motion[b][k].rotation;
-  for (int32_t j = 0; j < body.free_motions; ++j)
+  for (int32_t j = 0; j < moving(body); ++j)
     motion[2] += static_cast<double>(session.area.motion[body.first_border + j]) * body.free_motion[j][2];
 }
 
