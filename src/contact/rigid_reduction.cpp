@@ -4,6 +4,7 @@
 #include "contact/body_unknowns.hpp"
 #include "contact/reduction.hpp"
 #include "contact/start.hpp"
+#include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 
@@ -58,8 +59,10 @@ void add_element_work(const Model& m, int b, int32_t element, const double motio
   resultants(piece.in, centre[0] / m.head->length_unit, centre[1] / m.head->length_unit, w, wx, wy);
   for (int k = 0; k < piece.in.functions; ++k) {
     const Weighted u = weighted(motion, w[k], wx[k], wy[k]);
-    for (int l = 0; l < m.head->function_nodes; ++l)
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      if (C2D_NEVER(piece.pair[l] < 0)) continue; // all nodes of side 1 are pairs
       add_work(m, {piece.pair[l], 0}, piece.weight[k][l] * u.ux, piece.weight[k][l] * u.uy, out);
+    }
   }
 }
 
