@@ -47,6 +47,7 @@ struct Own {
   std::unique_ptr<Machine> machine;
   std::vector<c2d_error> told;
   RamStore* shared = nullptr; // the store of another one
+  int chances = -1;           // at how many more the run is not cancelled; below 0: at none
   explicit Own(const c2d_limits& limits, uint64_t bytes, RamStore* with = nullptr) : shared(with) {
     port.context = this;
     port.open = [](void* c, int32_t t, uint64_t n, uint64_t bytes_each) { return RamStore::open(&at(c), t, n, bytes_each); };
@@ -57,6 +58,7 @@ struct Own {
     port.sync = [](void* c, int32_t t) { return RamStore::sync(&at(c), t); };
     port.close = [](void* c, int32_t t) { return RamStore::close(&at(c), t); };
     port.log = [](void* c, const c2d_error* entry) { static_cast<Own*>(c)->told.push_back(*entry); };
+    port.cancel = [](void* c) { return static_cast<Own*>(c)->chances-- == 0 ? 1 : 0; };
     machine = std::make_unique<Machine>(limits, bytes, &port, 0);
     REQUIRE(machine->created == C2D_OK);
   }
@@ -604,4 +606,166 @@ TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallC
   CHECK(test::read_file(folder / "a.csv") == test::read_file(folder / "b.csv"));
   CHECK(run("run '" + deck + "' -q --elimination compressed --threads 2 --csv '" + (folder / "c.csv") + "'").status == 0);
   CHECK(test::read_file(folder / "c.csv") == test::read_file(folder / "b.csv"));
+}
+
+// ---- points inside ----------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Points all over a body, on its boundary, and in growing distances from it, on both sides.
+std::vector<double> points_about(c2d_solver* solver, int32_t body) {
+  const host::Summary summary = summary_of(solver);
+  const int32_t ends = summary.body[static_cast<size_t>(body) - 1].elements * summary.function_nodes;
+  std::vector<double> x(static_cast<size_t>(ends)), y(x), out;
+  REQUIRE(c2d_get(solver, C2D_END_X, body, 1, ends, x.data(), 1) == C2D_OK);
+  REQUIRE(c2d_get(solver, C2D_END_Y, body, 1, ends, y.data(), 1) == C2D_OK);
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j) {
+      out.push_back(*left + (*right - *left) * (i + 0.31) / 12);
+      out.push_back(*low + (*high - *low) * (j + 0.43) / 12);
+    }
+  for (size_t k = 0; k + 1 < x.size(); k += 1 + x.size() / 40) {
+    const double dx = x[k + 1] - x[k], dy = y[k + 1] - y[k];
+    out.push_back(x[k]);
+    out.push_back(y[k]);
+    for (const double depth : {1e-3, 0.03, 0.3, 3.0, 30.0, -0.3})
+      for (const double along : {0.5, 0.02}) {
+        out.push_back(x[k] + along * dx - depth * dy);
+        out.push_back(y[k] + along * dy + depth * dx);
+      }
+  }
+  return out;
+}
+
+std::vector<double> inside(c2d_solver* solver, int32_t body, const std::vector<double>& points) {
+  std::vector<double> out(points.size() / 2 * C2D_POINT_FIELDS);
+  REQUIRE(c2d_interior(solver, body, static_cast<int32_t>(points.size() / 2), points.data(), 2, out.data(), C2D_POINT_FIELDS) ==
+          C2D_OK);
+  return out;
+}
+
+Deck family(const std::string& words) {
+  const test::Result made = test::run_shell("'" + paths::program() + "' make " + words);
+  REQUIRE_MESSAGE(made.status == 0, made.err);
+  Deck deck;
+  std::istringstream in(made.out);
+  for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
+  return deck;
+}
+
+// A solver that has gone through a deck.
+struct Solved {
+  Own own;
+  Solved(const Deck& deck, const c2d_options& options) : own(deck.limits(), enough_for(deck.limits())) {
+    Numbers numbers;
+    REQUIRE(run_all(own.solver(), deck, numbers, &options) == C2D_OK);
+  }
+};
+
+} // namespace
+
+TEST_CASE("compressed solver: points inside large bodies by cells are those element by element" *
+          doctest::skip(c2d::kSmallCode)) {
+  const struct {
+    const char* words;
+    int32_t bodies;
+  } cases[] = {{"hertz n=250 ratio=1.05 order=2", 2},             // one line of symmetry
+               {"disc_in_hole n=450", 2},                         // two
+               {"hole n=80 order=3 ratio=1.02 symmetry=line", 1}, // a closed contour, cubics
+               {"ring n=210 order=1", 1},
+               {"crack n=700", 1},
+               {"cantilever n=100 order=2", 1}};
+  double apart[2] = {0, 0};
+  int large = 0;
+  for (const auto& c : cases) {
+    CAPTURE(c.words);
+    const Deck deck = family(c.words);
+    Solved dense(deck, C2D_INIT(c2d_options)), own(deck, compressed());
+    for (int32_t body = 1; body <= c.bodies; ++body) {
+      large += summary_of(own.own.solver()).body[static_cast<size_t>(body) - 1].elements >= 400 ? 1 : 0;
+      const std::vector<double> points = points_about(dense.own.solver(), body);
+      const std::vector<double> a = inside(dense.own.solver(), body, points), b = inside(own.own.solver(), body, points);
+      double most[2] = {0, 0}, off[2] = {0, 0};
+      int found = 0;
+      for (size_t i = 0; i < a.size(); i += C2D_POINT_FIELDS) {
+        CHECK(a[i + C2D_POINT_FLAG] == b[i + C2D_POINT_FLAG]);
+        found += a[i + C2D_POINT_FLAG] == C2D_POINT_INSIDE ? 1 : 0;
+        for (size_t f = 0; f < C2D_POINT_FLAG; ++f) {
+          const size_t kind = f <= C2D_POINT_UY ? 0 : 1;
+          most[kind] = std::max(most[kind], std::fabs(a[i + f]));
+          off[kind] = std::max(off[kind], std::fabs(a[i + f] - b[i + f]));
+        }
+      }
+      CHECK(found > 100);
+      for (int kind = 0; kind < 2; ++kind) apart[kind] = std::max(apart[kind], off[kind] / most[kind]);
+    }
+  }
+  CHECK(large >= 6);
+  CHECK(apart[0] < (kIsDouble ? 1e-9 : 1e-2));
+  CHECK(apart[1] < (kIsDouble ? 1e-9 : 1e-2));
+}
+
+TEST_CASE("compressed solver: no point depends on its companions, on threads, or on what was asked before" *
+          doctest::skip(c2d::kSmallCode)) {
+  const Deck deck = family("hertz n=120 ratio=1.1");
+  Solved solved(deck, compressed());
+  c2d_solver* const solver = solved.own.solver();
+  const std::vector<double> points = points_about(solver, 2), all = inside(solver, 2, points);
+  const auto same = [&](size_t i, const std::vector<double>& one) {
+    return std::memcmp(one.data(), all.data() + i * C2D_POINT_FIELDS, C2D_POINT_FIELDS * sizeof(double)) == 0;
+  };
+  for (size_t i = 0; i < points.size() / 2; i += 9) {
+    const std::vector<double> one = inside(solver, 2, {points[2 * i], points[2 * i + 1]});
+    CHECK(same(i, one));
+    if (i % 5 == 0) inside(solver, 1, {0.1, -0.2}); // the other body's cells
+  }
+  Own other(deck.limits(), enough_for(deck.limits()));
+  c2d_close(other.machine->solver);
+  other.port.threads = 3;
+  other.port.parallel_for = [](void*, int32_t n, void (*task)(void*, int32_t), void* argument) {
+    for (int32_t i = n - 1; i >= 0; --i) task(argument, i);
+  };
+  other.machine->create(deck.limits(), &other.port);
+  REQUIRE(other.machine->created == C2D_OK);
+  Numbers numbers;
+  const c2d_options options = compressed();
+  REQUIRE(run_all(other.solver(), deck, numbers, &options) == C2D_OK);
+  const std::vector<double> by_tasks = inside(other.solver(), 2, points);
+  CHECK(std::memcmp(by_tasks.data(), all.data(), all.size() * sizeof(double)) == 0);
+  // nor is anything left of an earlier load
+  std::vector<double> now[2];
+  for (int k = 0; k < 2; ++k) {
+    c2d_solver* const s = k == 0 ? solver : other.solver();
+    const double mu = 0, load = 0.5;
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+    REQUIRE(c2d_advance(s, &load, 1, &outcome) == C2D_OK);
+    if (k == 1) inside(s, 1, {0.1, -0.2});
+    now[k] = inside(s, 2, points);
+  }
+  CHECK(now[0] == now[1]);
+  CHECK(now[0] != all);
+}
+
+TEST_CASE("compressed solver: points inside can be cancelled while cells are made and met" * doctest::skip(c2d::kSmallCode)) {
+  const Deck deck = family("hertz n=120 ratio=1.1");
+  Solved solved(deck, compressed());
+  c2d_solver* const solver = solved.own.solver();
+  const std::vector<double> points = points_about(solver, 1), all = inside(solver, 1, points);
+  int cancelled = 0;
+  for (int after = 0;; ++after) {
+    inside(solver, 2, {0.0, 1.0}); // the cells of body 1 are to be made anew
+    solved.own.chances = after;
+    std::vector<double> out(all.size());
+    const c2d_status status =
+        c2d_interior(solver, 1, static_cast<int32_t>(points.size() / 2), points.data(), 2, out.data(), C2D_POINT_FIELDS);
+    solved.own.chances = -1;
+    if (status == C2D_OK) break;
+    CHECK(status == C2D_ERR_CANCELLED);
+    ++cancelled;
+    CHECK(inside(solver, 1, points) == all);
+  }
+  CHECK(cancelled > 3);
 }

@@ -1,5 +1,6 @@
 // Compressed elimination by call.
 #include "memory/parts.hpp"
+#include "results/interior_cells.hpp"
 #include "solver/compressed.hpp"
 
 // (Small code has none.)
@@ -15,6 +16,8 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              compress,
                                                                              solve_compressed,
                                                                              compression_functional,
-                                                                             compression_growth};
+                                                                             compression_growth,
+                                                                             has_far_cells,
+                                                                             evaluate_by_cells};
 
 extern "C" void c2d_link_compressed(void) {}

@@ -192,7 +192,10 @@ struct PhaseSizes;
 struct TapeUse;
 struct PivotStats;
 
-struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp
+struct Points;
+
+struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp,
+                        // results/interior_cells.cpp with bie/far_field.cpp
   bool linked = false;
   Function<c2d_status, const PhaseSizes&, uint64_t, const Model&, EliminationPlan*> plan_compression = NotLinked();
   Function<uint64_t, const PhaseSizes&, int32_t> compression_that_will_do = Nothing();
@@ -207,6 +210,8 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, Session&, int> solve_compressed = NotLinked();
   Function<c2d_status, Session&, int, Real*, Real*> compression_functional = NotLinked();
   Function<c2d_status, Session&, int, double*> compression_growth = NotLinked();
+  Function<bool, const Session&, int> has_far_cells = Nothing();
+  Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };
 
 extern const SymmetryPart kSymmetryPart;     // interface/symmetry_calls.cpp

@@ -11,8 +11,8 @@
 #include "memory/parts.hpp"
 #include "memory/workers.hpp"
 #include "results/back.hpp"
-#include "results/interior_nodes.hpp"
-#include "results/interior_placing.hpp"
+#include "results/interior_cells.hpp"
+#include "results/interior_elements.hpp"
 #include "results/rigid.hpp"
 #include "results/transferred.hpp"
 #include "solver/particular.hpp"
@@ -22,156 +22,9 @@ namespace c2d {
 C2D_USES(FreeZonePart);
 C2D_USES(BodyForcePart);
 C2D_USES(RigidPart);
+C2D_USES(CompressedPart);
 
 namespace {
-
-c2d_status pause(const Session& session, int b, int32_t element) {
-  c2d_solver* s = session.solver;
-  tell_progress(s, C2D_PHASE_BACK, b + 1, element, session.model.body[b].elements);
-  return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
-}
-
-// ---- the integrals ------------------------------------------------------------------------------------------------
-
-// What an image contributes is what the element itself does at the mirrored point, mirrored.
-void add_stress(int image, const PointField& sum, PointSums& p) {
-  p.stress[0] += sum.trace;
-  p.stress[1] += sum.deviator.re;
-  p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
-}
-void add_displacement(int image, const PointField& sum, PointSums& p) {
-  p.u[0] += image_sign(image, 0) * sum.u.re;
-  p.u[1] += image_sign(image, 1) * sum.u.im;
-}
-
-// An element that acts on points. One with displacements, and so with all that the element has of them, smooths the
-// stress close to its nodes, where stresses are asked for.
-struct Acting {
-  const Session* session;
-  int b;
-  int32_t element;
-  ElementSmoothing* smoothing; // of those that smooth
-  FieldElement e;
-};
-
-template <bool smooths> void add_element_at(Acting& acting, const Points& points, int32_t i) {
-  PointSums& p = points.sums(i);
-  if (!is_inside(p.place, acting.b)) return;
-  const int32_t lines = points.lines(acting.b);
-  for (int image = 0; image <= lines; ++image) {
-    if (!is_image(lines, image)) continue;
-    const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
-    const double x = points.seen(image, 0, p.x), y = points.seen(image, 1, p.y);
-    PointField sum = {};
-    add_field(acting.e, reference, x, y, sum);
-    add_displacement(image, sum, p);
-    if constexpr (smooths) smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
-    add_stress(image, sum, p);
-  }
-}
-
-// Eight points at a time; those near the element one by one.
-template <bool smooths> bool add_element_batches(Acting& acting, const Points& points) {
-  const FieldElement& e = acting.e;
-  const BatchKernel* kernel = points.kernel;
-  BatchFieldElement element;
-  if (!kernel || kSmallCode || points.lines(acting.b) != 0 || !batch_field_element(e, element)) return false;
-  const double away = 64.0 * e.in.radius;
-  BatchPoints at;
-  BatchField sum;
-  sum.some_near = false;
-  for (int32_t first = 0; first < points.count; first += kBatch) {
-    const int count = points.count - first < kBatch ? points.count - first : kBatch;
-    bool any = false;
-    for (int s = 0; s < kBatch; ++s) {
-      const bool has = s < count && is_inside(points.place(first + s), acting.b);
-      const PointSums& p = points.sums(has ? first + s : first);
-      at.x[s] = has ? p.x : element.x0 + away;
-      at.y[s] = has ? p.y : element.y0;
-      at.reference_x[s] = has ? p.reference[0] : 0.0;
-      at.reference_y[s] = has ? p.reference[1] : 0.0;
-      any = any || has;
-    }
-    if (any) kernel->field(element, at, sum);
-    for (int s = 0; s < count; ++s) {
-      PointSums& p = points.sums(first + s);
-      if (!is_inside(p.place, acting.b)) continue;
-      if (sum.some_near && sum.near[s] != 0.0) {
-        add_element_at<smooths>(acting, points, first + s);
-        continue;
-      }
-      p.stress[0] += sum.trace[s];
-      p.stress[1] += sum.deviator_re[s];
-      p.stress[2] += sum.deviator_im[s];
-      p.u[0] += sum.ux[s];
-      p.u[1] += sum.uy[s];
-    }
-  }
-  return true;
-}
-
-template <bool smooths> void add_element(Acting& acting, const Points& points) {
-  if (add_element_batches<smooths>(acting, points)) return;
-  for (int32_t i = 0; i < points.count; ++i) add_element_at<smooths>(acting, points, i);
-}
-
-// Nodal values of an element in the units of the equations. Contact tractions on side 1 are per length of side 0 and
-// come apart from the others.
-struct NodalValues {
-  Complex u[kElementNodes], own[kElementNodes], contact[kElementNodes];
-  bool any_contact;
-};
-// (Not inlined, like those below that need them: each goes deep, and has large frames.)
-[[gnu::noinline]] void nodal_values(const Session& session, int b, int32_t element, NodalValues& out) {
-  const Model& m = session.model;
-  const int nf = m.head->function_nodes;
-  const double stress = 1.0 / (2.0 * shear_modulus(m, b)), length = 1.0 / m.head->length_unit;
-  out.any_contact = false;
-  for (int l = 0; l < nf; ++l) {
-    const int32_t node = functional_node(m, b, element, l);
-    double d[2], t[2];
-    get_displacement(session, b, node, d);
-    get_traction(session, b, element * nf + l, t);
-    out.u[l] = {length * d[0], length * d[1]};
-    double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
-    double transferred[2]; // of free zones: comes by pieces
-    transferred_traction(session, b, element, l, transferred);
-    const PairSide at = pair_of_end(m, b, element, l);
-    const bool shared = at.pair >= 0 && at.side == 1;
-    for (int c = 0; c < 2; ++c) {
-      const bool foreign = shared && unknown_at(m, b, node, c).kind == UnknownKind::contact;
-      part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
-    }
-    if (has_body_force(m, b)) {
-      double up[2], tp[2];
-      kBodyForcePart.particular_at_end(session, b, element, l, up, tp);
-      out.u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
-      for (int c = 0; c < 2; ++c) part[0][c] -= stress * tp[c];
-    }
-    out.own[l] = {part[0][0], part[0][1]};
-    out.contact[l] = {part[1][0], part[1][1]};
-    out.any_contact = out.any_contact || shared;
-  }
-}
-
-[[gnu::noinline]] void add_own_values(const Session& session, int b, int32_t element, const NodalValues& values,
-                                      const Points& points) {
-  ElementSmoothing smoothing;
-  smoothing.ready = false;
-  Acting acting{&session, b, element, &smoothing, {}};
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, acting.e.in);
-  prepare_field(values.own, values.u, acting.e);
-  add_element<true>(acting, points);
-}
-
-// For displacements alone: of what the element has itself, or the contact's tractions.
-[[gnu::noinline]] void add_values(const Session& session, int b, int32_t element, Measure measure, const Complex* t,
-                                  const Complex* u, const Points& points) {
-  Acting acting{&session, b, element, nullptr, {}};
-  make_integrator(session.model, b, element, Quadrature::accurate, measure, acting.e.in);
-  prepare_field(t, u, acting.e);
-  add_element<false>(acting, points);
-}
 
 // What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
 // what it does.)
@@ -197,7 +50,7 @@ struct NodalValues {
   acting.element = walk.piece.element1;
   acting.smoothing = nullptr;
   field_of_piece(session, walk, acting.e);
-  add_element<false>(acting, points);
+  add_element(acting, points);
 }
 
 // Tractions that free zones hand over to a body.
@@ -205,7 +58,7 @@ struct NodalValues {
   TransferWalk walk{};
   walk.body = b;
   while (kFreeZonePart.next_transfer(session.model, walk)) {
-    const c2d_status status = pause(session, b, walk.piece.element1);
+    const c2d_status status = pause_at_points(session, b, walk.piece.element1);
     if (status != C2D_OK) return status;
     act_on_points(session, walk, points);
   }
@@ -296,26 +149,22 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 
 enum class Pass { afar, placing, integrals, displacements };
 
-[[gnu::noinline]] void place_by_element(const Session& session, int b, int32_t element, bool from_afar, const Points& points) {
+[[gnu::noinline]] void place_from_afar(const Session& session, int b, int32_t element, const Points& points) {
   Integrator in;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-  if (kSmallCode || !from_afar) return look_at_element(in, b, element, points);
   look_from_afar(in.element, points);
 }
 
 // One element on these points. Small code does without the first pass.
 template <Pass pass> void act(const Session& session, int b, int32_t element, const Points& points) {
-  if constexpr (pass == Pass::afar || pass == Pass::placing) {
-    place_by_element(session, b, element, pass == Pass::afar, points);
-  } else {
-    NodalValues values;
-    nodal_values(session, b, element, values);
-    if constexpr (pass == Pass::integrals)
-      add_own_values(session, b, element, values, points);
-    else
-      add_values(session, b, element, Measure::own_length, values.own, values.u, points);
-    if (values.any_contact) add_values(session, b, element, Measure::contact, values.contact, nullptr, points);
-  }
+  if constexpr (pass == Pass::integrals)
+    integrate_element(session, b, element, points);
+  else if constexpr (pass == Pass::displacements)
+    integrate_displacements(session, b, element, points);
+  else if constexpr (pass == Pass::placing || kSmallCode)
+    place_by_element(session, b, element, points);
+  else
+    place_from_afar(session, b, element, points);
 }
 
 // Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
@@ -328,14 +177,7 @@ struct BlockJob {
   int b;
   int32_t first_point, first_element, last_element; // this one not
 
-  Points block(int32_t i) const {
-    const int32_t first = first_point + i * kBlockOfPoints, rest = points->count - first;
-    Points out = *points;
-    out.count = rest < kBlockOfPoints ? rest : kBlockOfPoints;
-    out.xy += first * points->xy_stride;
-    out.out += first * points->out_stride;
-    return out;
-  }
+  Points block(int32_t i) const { return some_points(*points, first_point + i * kBlockOfPoints, kBlockOfPoints); }
 };
 
 // Task `i` of a BlockJob: one block of points and a run of elements.
@@ -349,7 +191,7 @@ template <Pass pass> void run_block(void* argument, int32_t i) {
 template <Pass pass> c2d_status run_plain_pass(const Session& session, int b, const Points& points) {
   for (int32_t element = 0; element < session.model.body[b].elements; ++element) {
     if (!is_integrated(session.model, b, element)) continue;
-    const c2d_status status = pause(session, b, element);
+    const c2d_status status = pause_at_points(session, b, element);
     if (status != C2D_OK) return status;
     act<pass>(session, b, element, points);
   }
@@ -367,7 +209,7 @@ template <Pass pass> c2d_status run_pass(const Session& session, int b, const Po
     for (int32_t first = 0; first < elements; first += kRunOfElements) {
       const int32_t last = elements - first < kRunOfElements ? elements : first + kRunOfElements;
       const int64_t done = (static_cast<int64_t>(block) * elements + static_cast<int64_t>(tasks) * first) / blocks;
-      const c2d_status status = pause(session, b, static_cast<int32_t>(done));
+      const c2d_status status = pause_at_points(session, b, static_cast<int32_t>(done));
       if (status != C2D_OK) return status;
       BlockJob job{&session, &points, b, block * kBlockOfPoints, first, last};
       run_tasks(workers, tasks, run_block<pass>, &job);
@@ -391,6 +233,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 // The points of one body that are not in an earlier one, complete but for writing them out. (Not inlined, like the next:
 // their frames would stand below that of back substitution.)
 [[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
+  if (!kSmallCode && kCompressedPart.has_far_cells(session, b)) return kCompressedPart.evaluate_by_cells(session, b, points);
   c2d_status status = place_points(session, b, points);
   if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass<Pass::integrals>(session, b, points);
   if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);

@@ -43,24 +43,28 @@ void add_winding(const Integrator& in, int32_t lines, const Points& points, Poin
     if (is_image(lines, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
 }
 
-// How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
-// number as well. Curves near P may pass it on the other side than their chords.
+// How often the chord from a to b, both less P, crosses the ray from P along x, upwards less downwards: over a closed boundary
+// that is the winding number as well.
+double crossings(Complex a, Complex b) {
+  const bool up = a.im <= 0.0;
+  if (up == (b.im <= 0.0) || (a.re * b.im - a.im * b.re > 0.0) != up) return 0.0;
+  return up ? 1.0 : -1.0;
+}
+double angle_of_chord(Complex a, Complex b) { return atan2(a.re * b.im - a.im * b.re, dot(a, b)) / (2.0 * kPi); }
+
+// Curves near P may pass it on the other side than their chords.
 bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
   if (kSmallCode || lines != 0) return false;
   const Element& e = in.element;
   const int last = e.nodes - 1;
-  const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
   for (int32_t i = 0; i < points.count; ++i) {
     PointSearch& p = points.search(i);
-    const double y = p.y;
     if (p.place != kUnplaced) continue;
-    const bool crosses = (y0 <= y) != (y1 <= y);
-    if (!crosses && e.straight) continue;
-    const double ax = x0 - p.x, ay = y0 - y, bx = x1 - p.x, by = y1 - y, side = ax * by - ay * bx;
-    if (crosses && (side > 0.0) == (y0 <= y)) p.windings += y0 <= y ? 1.0 : -1.0;
-    const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
-    if (!e.straight && mx * mx + my * my <= 4.0 * in.radius * in.radius)
-      p.windings += winding(in, p.x, y) - atan2(side, ax * bx + ay * by) / (2.0 * kPi);
+    const Complex a = {e.x[0] - p.x, e.y[0] - p.y}, b = {e.x[last] - p.x, e.y[last] - p.y};
+    p.windings += crossings(a, b);
+    const Complex middle = 0.5 * (a + b);
+    if (!e.straight && dot(middle, middle) <= 4.0 * in.radius * in.radius)
+      p.windings += winding(in, p.x, p.y) - angle_of_chord(a, b);
   }
   return true;
 }
@@ -117,7 +121,6 @@ void look_from_afar(const Element& e, const Points& points) {
 }
 
 // The bound must be undercut, also by a point to which it belongs.
-constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 void leave_afar(const Points& points) {
   for (int32_t i = 0; i < points.count; ++i)
     if (points.search(i).place == kUnplaced)
@@ -135,6 +138,17 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
     PointSearch& p = points.search(i);
     if (p.place == kUnplaced) add_winding(in, points.lines(b), points, p);
   }
+}
+
+void place_by_element(const Session& session, int b, int32_t element, const Points& points) {
+  Integrator in;
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+  look_at_element(in, b, element, points);
+}
+
+double chord_winding(const Chain& chain, bool by_angle, Complex at) {
+  const Complex a = chain.from - at, b = chain.to - at;
+  return by_angle ? angle_of_chord(a, b) : crossings(a, b);
 }
 
 void end_placing(const Session& session, int b, const Points& points) {

@@ -3,6 +3,7 @@
 // the length unit of the equations.
 #include "bie/batch.hpp"
 #include "bie/columns.hpp"
+#include "bie/far_field.hpp"
 #include "bie/integrals.hpp"
 #include "model/symmetry.hpp"
 #include "solver/session.hpp"
@@ -43,19 +44,21 @@ struct Points {
   double unit;
 
   const Model* model;
-  const BatchKernel* kernel; // null: one by one
+  const BatchKernel* kernel;        // null: one by one
+  const uint16_t* chosen = nullptr; // [count] of the rows, null: these are the points
 
-  PointSearch& search(int32_t i) const { return *reinterpret_cast<PointSearch*>(out + i * out_stride); }
-  PointSums& sums(int32_t i) const { return *reinterpret_cast<PointSums*>(out + i * out_stride); }
+  int64_t row(int32_t i) const { return !kSmallCode && chosen ? chosen[i] : i; }
+  PointSearch& search(int32_t i) const { return *reinterpret_cast<PointSearch*>(out + row(i) * out_stride); }
+  PointSums& sums(int32_t i) const { return *reinterpret_cast<PointSums*>(out + row(i) * out_stride); }
   double& place(int32_t i) const { return search(i).place; }
 
   // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
   double folded(int32_t i, int c) const {
-    double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
+    double p[2] = {xy[row(i) * xy_stride], xy[row(i) * xy_stride + 1]};
     fold(*model->head, p);
     return p[c];
   }
-  double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
+  double folding(int32_t i, int c) const { return folded(i, c) != xy[row(i) * xy_stride + c] ? -1.0 : 1.0; }
   double x(int32_t i) const { return folded(i, 0) / unit; }
   double y(int32_t i) const { return folded(i, 1) / unit; }
   int32_t lines(int b) const { return model->body[b].lines; }
@@ -73,9 +76,24 @@ inline bool is_inside(double place, int b) { return place == place_of(b, C2D_POI
 // found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on
 // its boundary, and has displacement and place of the nearest boundary point.
 void begin_placing(const Points& points);
+constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 void look_from_afar(const Element& e, const Points& points);
 void leave_afar(const Points& points);
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);
 void end_placing(const Session& session, int b, const Points& points);
+// look_at_element, of an element by its number.
+void place_by_element(const Session& session, int b, int32_t element, const Points& points);
+// What elements between two points add to the winding number of a point that is not between them and their chord: the chord's
+// angle, or as crossings are counted (both add up to the same over a closed boundary).
+double chord_winding(const Chain& chain, bool by_angle, Complex at);
+// Those from `first` on, `most` at most.
+inline Points some_points(const Points& points, int32_t first, int32_t most) {
+  const int32_t rest = points.count - first;
+  Points out = points;
+  out.count = rest < most ? rest : most;
+  out.xy += first * points.xy_stride;
+  out.out += first * points.out_stride;
+  return out;
+}
 
 } // namespace c2d

@@ -6,6 +6,7 @@
 #include "bie/panel.hpp"
 #include "memory/hostile.hpp"
 #include "model/validate_finding.hpp"
+#include "solver/far_cells.hpp"
 #include "solver/judge.hpp"
 #include "solver/session.hpp"
 
@@ -28,8 +29,9 @@ CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
 
 uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
-uint64_t back_bytes_of(const CompressedPlan& plan) {
-  return larger(compressed_back_bytes(plan), round_up(kAssemblyBytes) + compressed_check_bytes(plan));
+uint64_t back_bytes_of(const CompressedPlan& plan, int64_t elements) {
+  const uint64_t check = round_up(kAssemblyBytes) + compressed_check_bytes(plan);
+  return larger(larger(compressed_back_bytes(plan), check), far_cells_bytes(elements));
 }
 
 // What elimination_area holds beside the work of the elimination.
@@ -45,7 +47,7 @@ uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
     if (most.of(b).rows == 0) continue;
     const CompressedPlan plan = most_of(most, b, rank);
     need = larger(need, beside_work(most, b) + compressed_bytes(plan));
-    back.work = larger(back.work, back_bytes_of(plan));
+    back.work = larger(back.work, back_bytes_of(plan, sizes_of_body(*most.limits, b).elements));
     back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
   }
   return larger(need, path_area(most, back, false, nullptr, nullptr));
@@ -105,7 +107,7 @@ uint64_t compression_bytes(const Model& m, int b, const EliminationPlan& border)
 }
 
 uint64_t compression_back_bytes(const Model& m, int b, const EliminationPlan& border) {
-  return back_bytes_of(plan_around(m, b, border));
+  return back_bytes_of(plan_around(m, b, border), m.body[b].elements);
 }
 
 void compression_uses(const Model& m, int b, const EliminationPlan& border, TapeUse& lower, TapeUse& upper) {

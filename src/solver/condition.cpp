@@ -20,6 +20,7 @@ c2d_status find_growth(Session& session, int b, double* growth) {
   const Model& m = session.model;
   Real* f = session.area.outer;
   const int32_t columns = outer_columns(m, b);
+  take_back_work(s);
   if (is_compressed(plan_of(s, b))) return kCompressedPart.compression_growth(session, b, growth);
   for (int32_t j = 0; j < columns; ++j) f[j] = 0;
   for (int32_t node = 0; node < m.body[b].nodes; ++node) {

@@ -30,6 +30,7 @@ c2d_status remove_outer(Adjoint& a) {
   const PathArea& area = a.session.area;
   c2d_solver* s = a.session.solver;
   const EliminationPlan& plan = plan_of(s, a.b);
+  take_back_work(s);
   const c2d_status status = is_compressed(plan)
                                 ? kCompressedPart.compression_functional(a.session, a.b, a.outer, area.coefficient)
                                 : transposed_functional(plan, s->tapes, a.outer, area.coefficient, area.work);

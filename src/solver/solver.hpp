@@ -46,7 +46,8 @@ struct c2d_solver {
   int32_t outcome, outcome_body, last_pair;
   int32_t may_rest, resting, delayed; // of the tableau
   int32_t guided, good_guided;        // pair of the tableau, now and in the last good state
-  int32_t back_substituted;           // results outside the contact are those of the load reached
+  int32_t back_substituted;           // results outside the contact are those of the load reached: 1, or 1 + number of the
+                                      // body whose far cells (solver/far_cells.hpp) lie in the work of back substitution
   int32_t table_is_current;
   int32_t coefficient;
   int32_t warned;           // bits: which warnings were given since c2d_begin
@@ -101,6 +102,8 @@ bool asked_to_stop(c2d_solver* solver);
 inline void set_cancelled(c2d_solver* s, int32_t cancelled) { __atomic_store_n(&s->cancelled, cancelled, __ATOMIC_RELEASE); }
 inline bool is_cancelled(const c2d_solver* s) { return __atomic_load_n(&s->cancelled, __ATOMIC_ACQUIRE) != 0; }
 double clock_now(c2d_solver* solver);
+// The work of back substitution serves something else, and holds no cells any more.
+inline void take_back_work(c2d_solver* s) { s->back_substituted = s->back_substituted != 0 ? 1 : 0; }
 void tell_progress(c2d_solver* solver, int32_t phase, int32_t body, int64_t done, int64_t total);
 
 // ---- views (solver/views.cpp) ----------------------------------------------------------------------------------------

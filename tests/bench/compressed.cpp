@@ -22,10 +22,11 @@ namespace bench {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr int kNumbers = 4;                       // of a run, before those of its pairs
 constexpr uint64_t kBeside = uint64_t{128} << 20; // workspace beyond twice the minimum, as the program takes it
 
 struct Outcome {
-  double seconds, megabytes, residual, error;
+  double seconds, megabytes, residual, error, inside; // inside: seconds for a grid of points
   std::vector<double> pressure, status;
 };
 
@@ -50,7 +51,21 @@ void write_numbers(int file, const std::vector<double>& numbers) {
   }
 }
 
-void solve(const many::Model& m, int32_t elimination, int file) {
+// Of so many points each way in the lower block.
+double seconds_inside(c2d_solver* solver, int32_t points) {
+  const int32_t count = points * points;
+  std::vector<double> xy(2 * static_cast<size_t>(count)), out(C2D_POINT_FIELDS * static_cast<size_t>(count));
+  c2d_points grid = C2D_INIT(c2d_points);
+  grid.kind = C2D_POINTS_GRID, grid.body = 1, grid.count[0] = grid.count[1] = points;
+  grid.from[0] = -0.4, grid.to[0] = 0.4, grid.from[1] = -0.5, grid.to[1] = -0.001;
+  const double start = processor_seconds();
+  if (points > 0 && (c2d_expand_points(&grid, 1, count, xy.data(), 2, nullptr) != C2D_OK ||
+                     c2d_interior(solver, 1, count, xy.data(), 2, out.data(), C2D_POINT_FIELDS) != C2D_OK))
+    give_up("no interior points");
+  return processor_seconds() - start;
+}
+
+void solve(const many::Model& m, int32_t elimination, int32_t points, int file) {
   std::vector<c2d_body_limits> list;
   const c2d_limits limits = many::limits_of(m, list);
   uint64_t minimum = 0, in_core = 0, tapes = 0;
@@ -79,17 +94,18 @@ void solve(const many::Model& m, int32_t elimination, int file) {
   host::Summary summary;
   host::get_summary(solver, summary);
   if (summary.outcome != C2D_REACHED) give_up(c2d_outcome_message(summary.outcome));
-  std::vector<double> all = {processor_seconds(), summary.compression_residual, summary.compression_error};
+  std::vector<double> all = {processor_seconds(), summary.compression_residual, summary.compression_error,
+                             seconds_inside(solver, points)};
   const size_t pairs = static_cast<size_t>(summary.pairs);
-  all.resize(3 + 2 * pairs);
+  all.resize(kNumbers + 2 * pairs);
   if (pairs > 0) {
-    c2d_get(solver, C2D_TN, 0, 1, summary.pairs, all.data() + 3, 1);
-    c2d_get(solver, C2D_STATUS, 0, 1, summary.pairs, all.data() + 3 + pairs, 1);
+    c2d_get(solver, C2D_TN, 0, 1, summary.pairs, all.data() + kNumbers, 1);
+    c2d_get(solver, C2D_STATUS, 0, 1, summary.pairs, all.data() + kNumbers + pairs, 1);
   }
   write_numbers(file, all);
 }
 
-Outcome run(const many::Model& m, int32_t elimination) {
+Outcome run(const many::Model& m, int32_t elimination, int32_t points) {
   int ends[2];
   if (pipe(ends) != 0) give_up("no pipe");
   std::fflush(stdout);
@@ -97,7 +113,7 @@ Outcome run(const many::Model& m, int32_t elimination) {
   if (child < 0) give_up("no process");
   if (child == 0) {
     close(ends[0]);
-    solve(m, elimination, ends[1]);
+    solve(m, elimination, points, ends[1]);
     std::_Exit(0);
   }
   close(ends[1]);
@@ -116,13 +132,18 @@ Outcome run(const many::Model& m, int32_t elimination) {
   close(ends[0]);
   int ended = 0;
   rusage used = {};
-  if (wait4(child, &ended, 0, &used) != child || ended != 0 || all.size() < 3) give_up("a run has failed");
-  const int64_t pairs = static_cast<int64_t>(all.size() - 3) / 2;
-  return {all[0], static_cast<double>(used.ru_maxrss) / 1024, all[1],
-          all[2], {all.begin() + 3, all.begin() + 3 + pairs}, {all.begin() + 3 + pairs, all.end()}};
+  if (wait4(child, &ended, 0, &used) != child || ended != 0 || all.size() < kNumbers) give_up("a run has failed");
+  const int64_t pairs = static_cast<int64_t>(all.size() - kNumbers) / 2;
+  return {all[0],
+          static_cast<double>(used.ru_maxrss) / 1024,
+          all[1],
+          all[2],
+          all[3],
+          {all.begin() + kNumbers, all.begin() + kNumbers + pairs},
+          {all.begin() + kNumbers + pairs, all.end()}};
 }
 
-Outcome compressed(const many::Model& m) { return run(m, C2D_ELIMINATION_COMPRESSED); }
+Outcome compressed(const many::Model& m, int32_t points = 0) { return run(m, C2D_ELIMINATION_COMPRESSED, points); }
 
 using Curve = std::vector<double>; // x y x y ...
 
@@ -190,7 +211,7 @@ void against_dense(bool large) {
   for (int32_t nodes : {500, 1000, 2000, 4000}) {
     if (nodes > 2000 && !large) continue;
     const many::Model m = pressed(nodes);
-    const Outcome dense = run(m, C2D_ELIMINATION_DENSE), own = compressed(m);
+    const Outcome dense = run(m, C2D_ELIMINATION_DENSE, 0), own = compressed(m);
     const std::string key = "compressed." + std::to_string(nodes);
     const double ratio = own.seconds / dense.seconds, apart = farthest(dense.pressure, own.pressure);
     row(key + ".time", own.seconds, "s", "dense " + std::to_string(dense.seconds));
@@ -205,7 +226,7 @@ void growth(bool large) {
   std::vector<double> sizes, times;
   for (int32_t nodes : {10000, 30000, 100000}) {
     if (nodes > 10000 && !large) continue;
-    const Outcome own = compressed(pressed(nodes));
+    const Outcome own = compressed(pressed(nodes), 400);
     const std::string key = "compressed." + std::to_string(nodes);
     const double seconds = nodes == 10000    ? 10
                            : nodes == 100000 ? 150
@@ -215,6 +236,7 @@ void growth(bool large) {
                                             : 0;
     row(key + ".time", own.seconds, "s", judged(key + ".seconds", own.seconds, "<=", seconds, ""));
     row(key + ".memory", own.megabytes, "MB", judged(key + ".megabytes", own.megabytes, "<=", memory, ""));
+    row(key + ".inside", own.inside, "s", "400 x 400 points in the lower block");
     row(key + ".residual", own.residual, "", "a step of refinement would change " + std::to_string(own.error * 1e12) + "e-12");
     sizes.push_back(nodes), times.push_back(own.seconds);
   }

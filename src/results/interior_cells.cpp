@@ -1,0 +1,362 @@
+#include "results/interior_cells.hpp"
+
+#include <math.h>
+
+#include "bie/kernels.hpp"
+#include "memory/hostile.hpp"
+#include "memory/workers.hpp"
+#include "results/back.hpp"
+#include "results/interior_elements.hpp"
+#include "solver/far_cells.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr int32_t kDeepest = 31;
+constexpr int32_t kBlockOfPoints = 1024; // that stay in the cache
+
+FarCells cells_of(const Session& session, int b) { return far_cells_in(session.area.work, session.model.body[b].elements); }
+
+// ---- making --------------------------------------------------------------------------------------------------------------
+
+double length_of(Complex v) { return sqrt(dot(v, v)); }
+bool are_same(Complex a, Complex b) { return a.re == b.re && a.im == b.im; }
+
+// Behind those of the cell so far.
+void append(FarCell& cell, const Chain& next) {
+  if (are_same(next.from, next.to) || cell.chains > 2) return;
+  if (cell.chains > 0 && are_same(cell.chain[cell.chains - 1].to, next.from)) {
+    Chain& last = cell.chain[cell.chains - 1];
+    last.to = next.to;
+    if (are_same(last.from, last.to)) --cell.chains;
+    return;
+  }
+  if (cell.chains < 2) cell.chain[cell.chains] = next;
+  ++cell.chains;
+}
+
+void clear(FarCell& cell, Complex middle, double radius) {
+  cell.field = FarField{};
+  cell.field.middle = middle;
+  cell.field.radius = radius;
+  cell.chains = 0;
+}
+
+// The smallest box of circles, and the circle about its middle that holds them all.
+struct Hull {
+  Complex low = {1e300, 1e300}, high = {-1e300, -1e300};
+  void take(Complex middle, double radius) {
+    low = {fmin(low.re, middle.re - radius), fmin(low.im, middle.im - radius)};
+    high = {fmax(high.re, middle.re + radius), fmax(high.im, middle.im + radius)};
+  }
+  bool is_empty() const { return low.re > high.re; }
+  Complex middle() const { return 0.5 * (low + high); }
+};
+
+struct CellJob {
+  const Session* session;
+  int b;
+  FarCells cells;
+  int32_t first; // leaf of task 0
+};
+
+void element_field(const Session& session, int b, int32_t element, Measure measure, const Complex* t, const Complex* u,
+                   FieldElement& out) {
+  make_integrator(session.model, b, element, Quadrature::accurate, measure, out.in);
+  prepare_field(t, u, out);
+}
+
+Complex middle_of(const Element& e) { return {e.c[0][0], e.c[0][1]}; }
+
+// Circle and chains of a leaf.
+void bound_leaf(const Session& session, int b, int32_t first, int32_t last, FarCell& cell) {
+  Integrator in;
+  Hull hull;
+  cell.chains = 0;
+  for (int32_t element = first; element < last; ++element) {
+    if (!is_integrated(session.model, b, element)) continue;
+    make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+    hull.take(middle_of(in.element), in.radius);
+  }
+  clear(cell, hull.middle(), 0.0);
+  for (int32_t element = first; element < last; ++element) {
+    if (!is_integrated(session.model, b, element)) continue;
+    make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+    const Element& e = in.element;
+    const double reach = length_of(middle_of(e) - cell.field.middle) + in.radius;
+    cell.field.radius = fmax(cell.field.radius, reach);
+    append(cell, Chain{{e.x[0], e.y[0]}, {e.x[e.nodes - 1], e.y[e.nodes - 1]}});
+  }
+}
+
+void make_leaf(void* argument, int32_t task) {
+  const CellJob& job = *static_cast<const CellJob*>(argument);
+  const Session& session = *job.session;
+  const int32_t leaf = job.first + task, n = job.cells.elements, depth = job.cells.depth;
+  const int32_t first = leaf_begin(n, depth, leaf), last = leaf_begin(n, depth, leaf + 1);
+  FarCell& cell = job.cells.at(depth, leaf);
+  bound_leaf(session, job.b, first, last, cell);
+  for (int32_t element = first; element < last; ++element) {
+    if (!is_integrated(session.model, job.b, element)) continue;
+    NodalValues values;
+    FieldElement e;
+    nodal_values(session, job.b, element, values);
+    element_field(session, job.b, element, Measure::own_length, values.own, values.u, e);
+    add_to_far_field(e, *job.cells.rest, cell.field);
+    if (!values.any_contact) continue;
+    element_field(session, job.b, element, Measure::contact, values.contact, nullptr, e);
+    add_to_far_field(e, Complex{0.0, 0.0}, cell.field);
+  }
+}
+
+void make_parent(const FarCell* child, double kappa, FarCell& cell) {
+  Hull hull;
+  for (int k = 0; k < 2; ++k)
+    if (child[k].field.radius > 0.0) hull.take(child[k].field.middle, child[k].field.radius);
+  clear(cell, hull.middle(), 0.0);
+  if (hull.is_empty()) return;
+  for (int k = 0; k < 2; ++k)
+    if (child[k].field.radius > 0.0)
+      cell.field.radius = fmax(cell.field.radius, length_of(child[k].field.middle - cell.field.middle) + child[k].field.radius);
+  for (int k = 0; k < 2; ++k) {
+    add_to_far_field(child[k].field, kappa, cell.field);
+    for (int64_t i = 0; i < child[k].chains && i < 2; ++i) append(cell, child[k].chain[i]);
+    if (child[k].chains > 2) cell.chains = 3;
+  }
+}
+
+Complex mean_displacement(const Session& session, int b) {
+  const int32_t nodes = session.model.body[b].nodes;
+  Complex sum = {0.0, 0.0};
+  for (int32_t node = 0; node < nodes; ++node) {
+    double u[2];
+    get_displacement(session, b, node, u);
+    add(sum, Complex{u[0], u[1]});
+  }
+  return (1.0 / (nodes * session.model.head->length_unit)) * sum;
+}
+
+struct Material {
+  double k, kappa;
+};
+Material material_of(const Model& m, int b) {
+  const double nu = strain_poisson_ratio(m, b);
+  return {1.0 / (4.0 * kPi * (1.0 - nu)), 3.0 - 4.0 * nu};
+}
+
+c2d_status make_cells(const Session& session, int b) {
+  c2d_solver* s = session.solver;
+  CellJob job{&session, b, cells_of(session, b), 0};
+  const FarCells& cells = job.cells;
+  if (far_cells_of(s) == b + 1) return C2D_OK;
+  take_back_work(s);
+  *cells.rest = mean_displacement(session, b);
+  const Workers workers = workers_of(&s->port);
+  const int32_t leaves = int32_t{1} << cells.depth, step = 4 * workers.count;
+  for (job.first = 0; job.first < leaves; job.first += step) {
+    const c2d_status status = pause_at_points(session, b, leaf_begin(cells.elements, cells.depth, job.first));
+    if (status != C2D_OK) return status;
+    run_tasks(workers, leaves - job.first < step ? leaves - job.first : step, make_leaf, &job);
+  }
+  const double kappa = material_of(session.model, b).kappa;
+  for (int32_t d = cells.depth - 1; d >= 0; --d)
+    for (int32_t i = 0; i < int32_t{1} << d; ++i) make_parent(&cells.at(d + 1, 2 * i), kappa, cells.at(d, i));
+  if (s->back_substituted != 0) s->back_substituted = 2 + b;
+  return C2D_OK;
+}
+
+// ---- walking -------------------------------------------------------------------------------------------------------------
+
+// Points of a block, the first `count` rows of `order`, meet the cells from the root down. Those to which a cell is near come
+// to the front and meet both of its halves, or at a leaf the elements.
+template <class Visitor> void walk(const FarCells& cells, uint16_t* order, int32_t count, const Visitor& visitor) {
+  int32_t left[kDeepest + 1];
+  left[0] = count;
+  for (int32_t d = 0, i = 0;;) {
+    const FarCell& cell = cells.at(d, i);
+    int32_t near = 0;
+    for (int32_t k = 0; k < left[d]; ++k) {
+      const uint16_t row = order[k];
+      if (!visitor.is_near(cell, row)) {
+        visitor.meet(cell, row);
+        continue;
+      }
+      order[k] = order[near];
+      order[near++] = row;
+    }
+    if (near > 0 && d < cells.depth) {
+      left[++d] = near;
+      i *= 2;
+      continue;
+    }
+    if (near > 0) visitor.meet_elements(leaf_begin(cells.elements, d, i), leaf_begin(cells.elements, d, i + 1), order, near);
+    for (; (i & 1) != 0; i /= 2) --d;
+    if (d == 0) return;
+    ++i;
+  }
+}
+
+// What both walks know.
+struct Visit {
+  const Session& session;
+  int b;
+  const Points& block;
+
+  Complex seen(int image, double x, double y) const { return {block.seen(image, 0, x), block.seen(image, 1, y)}; }
+  // Is a point, or an image of it, within so many radii of the cell's middle?
+  bool is_within(const FarCell& cell, double radii, double x, double y) const {
+    const int32_t lines = block.lines(b);
+    const double reach = radii * cell.field.radius;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
+      const Complex w = seen(image, x, y) - cell.field.middle;
+      if (dot(w, w) <= reach * reach) return true;
+    }
+    return false;
+  }
+  Points chosen(const uint16_t* order, int32_t count) const {
+    Points out = block;
+    out.count = count;
+    out.chosen = order;
+    return out;
+  }
+};
+
+// Nearest boundary point and winding number.
+struct PlacingVisit : Visit {
+  bool is_near(const FarCell& cell, int32_t row) const {
+    const PointSearch& p = block.search(row);
+    if (!(cell.field.radius > 0.0)) return false;
+    if (cell.chains > 2 || is_within(cell, 1.0 + 1e-9, p.x, p.y)) return true;
+    const Complex w = Complex{p.x, p.y} - cell.field.middle;
+    const double reach = p.distance + cell.field.radius;
+    return dot(w, w) <= reach * reach;
+  }
+  void meet(const FarCell& cell, int32_t row) const {
+    PointSearch& p = block.search(row);
+    const int32_t lines = block.lines(b);
+    for (int64_t c = 0; c < cell.chains; ++c)
+      for (int image = 0; image <= lines; ++image)
+        if (is_image(lines, image)) p.windings += chord_winding(cell.chain[c], lines != 0, seen(image, p.x, p.y));
+  }
+  void meet_elements(int32_t first, int32_t last, const uint16_t* order, int32_t count) const {
+    const Points points = chosen(order, count);
+    for (int32_t element = first; element < last; ++element)
+      if (is_integrated(session.model, b, element)) place_by_element(session, b, element, points);
+  }
+};
+
+// Displacement and stress.
+struct FieldVisit : Visit {
+  Material material;
+  Complex rest;
+
+  bool is_near(const FarCell& cell, int32_t row) const {
+    const PointSums& p = block.sums(row);
+    return cell.chains > 2 || is_within(cell, kFarDistance, p.x, p.y);
+  }
+  void meet(const FarCell& cell, int32_t row) const {
+    if (!(cell.field.radius > 0.0)) return;
+    PointSums& p = block.sums(row);
+    const int32_t lines = block.lines(b);
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
+      const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+      const Complex at = seen(image, p.x, p.y);
+      PointField sum = {};
+      add_far_field(cell.field, material.k, material.kappa, at.re, at.im, sum);
+      for (int64_t c = 0; c < cell.chains; ++c)
+        add_uniform_chain(cell.chain[c], rest - reference, material.k, material.kappa, at.re, at.im, sum);
+      add_displacement(image, sum, p);
+      add_stress(image, sum, p);
+    }
+  }
+  void meet_elements(int32_t first, int32_t last, const uint16_t* order, int32_t count) const {
+    const Points points = chosen(order, count);
+    for (int32_t element = first; element < last; ++element)
+      if (is_integrated(session.model, b, element)) integrate_element(session, b, element, points);
+  }
+};
+
+// No boundary point is farther than all of the leaf that lies nearest by its middle.
+void bound_distance(const FarCells& cells, PointSearch& p) {
+  const Complex at = {p.x, p.y};
+  int32_t i = 0;
+  for (int32_t d = 1; d <= cells.depth; ++d) {
+    double away[2];
+    for (int k = 0; k < 2; ++k) {
+      const FarField& field = cells.at(d, 2 * i + k).field;
+      away[k] = field.radius > 0.0 ? length_of(at - field.middle) : 1e300;
+    }
+    i = 2 * i + (away[1] < away[0] ? 1 : 0);
+  }
+  const FarField& field = cells.at(cells.depth, i).field;
+  if (field.radius > 0.0) p.distance = (1.0 + 1e-12) * (length_of(at - field.middle) + field.radius) + kRounding;
+}
+
+struct PointJob {
+  const Session* session;
+  const Points* points;
+  int b;
+  int32_t first; // point of task 0
+  FarCells cells;
+
+  Points block(int32_t task) const { return some_points(*points, first + task * kBlockOfPoints, kBlockOfPoints); }
+};
+
+void place_block(void* argument, int32_t task) {
+  const PointJob& job = *static_cast<const PointJob*>(argument);
+  const Points block = job.block(task);
+  uint16_t order[kBlockOfPoints];
+  int32_t count = 0;
+  for (int32_t i = 0; i < block.count; ++i) {
+    if (block.place(i) != kUnplaced) continue;
+    bound_distance(job.cells, block.search(i));
+    order[count++] = static_cast<uint16_t>(i);
+  }
+  walk(job.cells, order, count, PlacingVisit{{*job.session, job.b, block}});
+}
+
+void sum_block(void* argument, int32_t task) {
+  const PointJob& job = *static_cast<const PointJob*>(argument);
+  const Points block = job.block(task);
+  uint16_t order[kBlockOfPoints];
+  int32_t count = 0;
+  for (int32_t i = 0; i < block.count; ++i)
+    if (is_inside(block.place(i), job.b)) order[count++] = static_cast<uint16_t>(i);
+  walk(job.cells, order, count,
+       FieldVisit{{*job.session, job.b, block}, material_of(job.session->model, job.b), *job.cells.rest});
+}
+
+c2d_status run_blocks(PointJob& job, void (*task)(void*, int32_t)) {
+  const Session& session = *job.session;
+  const Workers workers = workers_of(&session.solver->port);
+  const int32_t blocks = (job.points->count + kBlockOfPoints - 1) / kBlockOfPoints;
+  for (int32_t block = 0; block < blocks; block += workers.count) {
+    const int32_t done = static_cast<int32_t>(static_cast<int64_t>(block) * session.model.body[job.b].elements / blocks);
+    const c2d_status status = pause_at_points(session, job.b, done);
+    if (status != C2D_OK) return status;
+    job.first = block * kBlockOfPoints;
+    run_tasks(workers, blocks - block < workers.count ? blocks - block : workers.count, task, &job);
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+bool has_far_cells(const Session& session, int b) {
+  return is_compressed(plan_of(session.solver, b)) && may_have_far_cells(session.model.body[b].elements);
+}
+
+c2d_status evaluate_by_cells(const Session& session, int b, const Points& points) {
+  begin_placing(points);
+  c2d_status status = make_cells(session, b);
+  PointJob job{&session, &points, b, 0, cells_of(session, b)};
+  if (status == C2D_OK) status = run_blocks(job, place_block);
+  if (status != C2D_OK) return status;
+  end_placing(session, b, points);
+  return run_blocks(job, sum_block);
+}
+
+} // namespace c2d
