@@ -386,13 +386,13 @@ function showPairs(rows) {
   $("pairs").innerHTML = htmlTable(["pair", "x", "y", "status", "pressure", "friction", "gap", "slip"], rows.map((row) => [row.pair, short(row.x), short(row.y), row.status, short(row.tn, 6), short(row.tt, 6), short(row.gap), short(row.slip)]));
 }
 
-const asImage = (svg, name) => `<img alt="${escaped((svg.match(/<title>([^<]*)/) || [0, name])[1])}" src="data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}">`;
-
+// Pictures stand in the page, as in the report, whose colours for dark screens are theirs here too.
 function showPictures(files) {
+  $("dark").textContent = files["report.html"].split("\n").filter((each) => each.startsWith("svg [")).join("\n");
   const names = Object.keys(files).filter((name) => name.startsWith("figures/")).sort();
   const stress = names.filter((name) => /\/(stress(_zone)?|deformed)\.svg$/.test(name)).reverse(); // the zone, the whole, the shape
-  $("stress").innerHTML = stress.map((name) => asImage(files[name], name)).join("");
-  const draw = () => { $("pictures").innerHTML = $("more").open ? names.map((name) => asImage(files[name], name)).join("") : ""; };
+  $("stress").innerHTML = stress.map((name) => files[name]).join("");
+  const draw = () => { $("pictures").innerHTML = $("more").open ? names.map((name) => files[name]).join("") : ""; };
   $("more").ontoggle = draw;
   draw();
 }

@@ -17,7 +17,8 @@ const DarkColour kDarkColours[] = {
 const int kDarkColourCount = static_cast<int>(sizeof kDarkColours / sizeof kDarkColours[0]);
 
 void append_dark_style(std::string& out) {
-  out += "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark}body{background:#15181c;color:#e3e3e3}\n"
+  out += "@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--paper:#15181c;--shadow:#fff6}"
+         "body{background:#15181c;color:#e3e3e3}\n"
          "h2,th,td{border-color:#444b54}th{border-color:#888}figcaption{color:#c4c4c4}a{color:#5ab0f0}\n"
          ".outcome{background:#14261f}.stopped{background:#33200f}\n";
   for (const DarkColour& c : kDarkColours)

@@ -14,7 +14,13 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       "padding:0 16px;line-height:1.4}\n"
                       "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
                       "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
-                      ".wide{overflow-x:auto}td{white-space:nowrap}\n"
+                      // A box that is moved sideways has a shadow at the edges beyond which there is more.
+                      ":root{--paper:#fff;--shadow:#0005}.wide{overflow-x:auto;background:"
+                      "linear-gradient(90deg,var(--paper) 50%,transparent) 0/32px local,"
+                      "linear-gradient(270deg,var(--paper) 50%,transparent) 100%/32px local,"
+                      "linear-gradient(90deg,var(--shadow),transparent) 0/10px 98% scroll,"
+                      "linear-gradient(270deg,var(--shadow),transparent) 100%/10px 98% scroll;background-repeat:no-repeat}\n"
+                      "td{white-space:nowrap}\n"
                       "table{border-collapse:collapse;font-size:13px;margin:8px 0}\n"
                       "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}\n"
                       "th:first-child,td:first-child{text-align:left;padding-left:0}th{border-bottom:1px solid #555}\n"
@@ -23,6 +29,8 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       "@media "
                       "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
                       "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n"
+                      // Tables may use the margin at the right.
+                      "@media screen and (min-width:852px){section>.wide,details>.wide{margin-right:calc(426px - 50vw)}}\n"
                       // On a telephone pictures keep their letters legible and are moved to and fro, the text is not.
                       "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}\n"
                       ".wide svg{max-width:none;width:680px}th,td{padding:2px 6px}}\n";

@@ -345,9 +345,36 @@ class PageTest(unittest.TestCase):
                 self.assertEqual(cut, [])
                 back = self.browser.run("return getComputedStyle(document.body).backgroundColor")
                 self.assertEqual(back, "rgb(255, 255, 255)" if scheme == "light" else "rgb(20, 24, 28)")
+                papers = self.browser.run("$('more').open = true; $('more').ontoggle(); return ['stress', 'pictures'].map((id) => [...$(id)"
+                                          ".children].map((each) => getComputedStyle(each.querySelector(':scope > rect')).fill))")
+                self.assertGreater(min(len(each) for each in papers), 1)
+                self.assertEqual(set(papers[0] + papers[1]), {"rgb(255, 255, 255)" if scheme == "light" else "rgb(21, 24, 28)"})
                 self.browser.screenshot("page_%d_%s.png" % (width, scheme))
         small = self.browser.run("return [...document.querySelectorAll('button, select, input[type=range]')].filter((each) => each.offsetHeight > 0 && each.offsetHeight < 24 && !each.closest('#messages')).length")
         self.assertEqual(small, 0)  # what a finger hits
+        self.browser.devtools("Emulation.setEmulatedMedia", features=[])
+
+    def test_the_report_fits_a_phone_and_a_screen_in_light_and_dark(self):
+        with tempfile.TemporaryDirectory() as folder:
+            report = pathlib.Path(folder, "report.html")
+            subprocess.run([PROGRAM, "run", "-q", "--report", report, "--listing", "-", ROOT / "examples" / "fretting_pad.c2s"],
+                           check=True, stdout=subprocess.DEVNULL)
+            for width, height in ((1280, 1000), (390, 844)):
+                for scheme in ("light", "dark"):
+                    self.size(width, height)
+                    self.browser.devtools("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+                    self.browser.open(report.as_uri())
+                    self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), width)
+                    cut = self.browser.run("return [...document.querySelectorAll('section > .wide')].filter((each) => each.scrollWidth > "
+                                           "each.clientWidth).map((each) => getComputedStyle(each).backgroundImage)")
+                    if width == 1280:
+                        self.assertEqual(cut, [])  # the margins are there to be used
+                    self.assertEqual([each for each in cut if each.count("gradient") != 4], [])
+                    papers = self.browser.run("return [document.body, ...document.querySelectorAll('svg > rect:first-of-type')].map((each) => "
+                                              "getComputedStyle(each)[each === document.body ? 'backgroundColor' : 'fill'])")
+                    self.assertGreater(len(papers), 8)
+                    self.assertLessEqual(set(papers), {"rgb(255, 255, 255)", "rgba(0, 0, 0, 0)"} if scheme == "light" else {"rgb(21, 24, 28)"})
+                    self.browser.screenshot("report_%d_%s.png" % (width, scheme))
         self.browser.devtools("Emulation.setEmulatedMedia", features=[])
 
     def test_the_page_of_ones_own_of_the_readme(self):
