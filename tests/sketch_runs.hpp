@@ -22,7 +22,10 @@ inline sketch::Reading read_text(const std::string& text, const sketch::Paramete
     content = test::read_file(paths::root() + "/examples/" + name);
     return !content.empty();
   };
-  return sketch::read_sketch(text, parameters, file);
+  sketch::Reading drawn = sketch::read_sketch(text, parameters, file);
+  for (const auto& [name, value] : parameters) // as the program does
+    if (drawn.parameters.count(name) == 0) drawn.faults.push_back({{}, "no parameter " + name});
+  return drawn;
 }
 inline sketch::Reading read_example(const std::string& name, const sketch::Parameters& parameters = {}) {
   return read_text(test::read_file(paths::root() + "/examples/" + name + ".c2s"), parameters);

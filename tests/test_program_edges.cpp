@@ -180,7 +180,7 @@ TEST_CASE("sweep: cells of a table with blanks, tabs and quotes around them") {
     file.replace(text);
     app::Messages messages(file);
     app::SweepTable table;
-    return app::read_table(file, messages, table) ? table : app::SweepTable();
+    return app::read_table(file, {"a", "b"}, messages, table) ? table : app::SweepTable();
   };
   const app::SweepTable table = read("\xef\xbb\xbf a\t,\t\"b\" \n\n,,\n 1 , \"2\"\t\r\n");
   CHECK(table.names == std::vector<std::string>{"a", "b"});

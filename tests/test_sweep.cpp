@@ -253,6 +253,16 @@ TEST_CASE("sweep: a row for each row, the same bytes with any threads, and rows 
   }
   CHECK(std::stod(value(4)) > std::stod(value(1)));
   CHECK(contains(contact2d(sweep + "--threads 2 --progress").err, "5 of 5 rows, 1 failed"));
+  // A row that waits for a file tells how long the others may take, and at the end nothing.
+  write_file(folder / "wait.c2s", "parameter E 1\nbody b E E nu 0.3\nfrom 0 0\nline s to 1 0\nline e to 1 1\n"
+                                  "spline n file points\nline w close\nfix b.s\ntraction b.e x 1\ntolerance off\n");
+  write_file(folder / "E", "E\n1\n");
+  const Result waited =
+      run_shell("cd '" + folder.path() +
+                "' && mkfifo points && { (sleep 1.2; printf '1 1\\n0.5 1.1\\n0 1\\n' > points) > /dev/null 2>&1 & }; '" +
+                paths::program() + "' sweep E wait.c2s --response load --progress");
+  CHECK_MESSAGE(waited.status == 0, waited.err);
+  CHECK_MESSAGE(contains(waited.err, "1 of 1 rows\n"), waited.err);
   // of a sketch
   write_file(folder / "mu", "mu\n0\n0.3\n");
   const Result sketch = contact2d("sweep '" + (folder / "mu") + "' " + kRoller + "--response 'sticking' P=50");
@@ -352,8 +362,15 @@ TEST_CASE("sweep: faults of a table have their places") {
   told("load\n", "no rows, expected a heading");
   told("load,2x\n1,2\n", ":1:6: error: '2x': expected the name of a parameter");
   told("load,load\n1,2\n", ":1:6: error: load names two columns");
+  told("load, nope,steps\n1,2,3\n", ":1:7: error: there is no parameter nope, expected one of load steps");
   told("load,steps\n1\n1,2,3\n", ":2:1: error: 1 values, expected 2");
   told("load,steps\n1,a b\n", ":2:3: error: 'a b': expected a value without blanks");
+  const Result sketch = contact2d("sweep '" + (folder / "table") + "' " + kRoller + "--response 'max tn'");
+  CHECK(sketch.status == 2);
+  CHECK_MESSAGE(contains(sketch.err, ":1:1: error: there is no parameter load, expected one of P R mu"), sketch.err);
+  const Result setting = contact2d("sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' nope=1");
+  CHECK(setting.status == 64);
+  CHECK_MESSAGE(contains(setting.err, "deck: there is no parameter nope\n"), setting.err);
   CHECK(contact2d("sweep t d").status == 64);
   CHECK(contact2d("sweep t").status == 64);
   CHECK(contact2d("sweep t d --response 'max tn' --resume").status == 2); // no such table

@@ -9,6 +9,7 @@
 #include "program/progress.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read.hpp"
+#include "program/sketch/words.hpp"
 #include "program/sweep/parameters.hpp"
 #include "program/system_file.hpp"
 #include "program/voice.hpp"
@@ -129,6 +130,11 @@ int fill_deck(DeckFile& deck, const Drawing& drawing) {
 
 } // namespace
 
+std::set<std::string> parameters_of(const DeckFile& deck) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) return parameters_of(deck.text());
+  return sketch::read_sketch(deck.text(), {}, [](const std::string&, std::string&) { return false; }).parameters;
+}
+
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
   sketch::Parameters given;
@@ -150,6 +156,13 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (interrupted()) return kExitCancelled; // a file that was waited for is none that cannot be read
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
+  int exit = 0;
+  for (const auto& [name, value] : given)
+    if (reading.parameters.count(name) == 0) {
+      print(deck, {{}, "no parameter of this sketch is called " + sketch::in_quotes(name)});
+      exit = kExitUsage;
+    }
+  if (exit != 0) return exit;
   if (const std::string clash = drawing.find_clash ? drawing.find_clash(read) : ""; !clash.empty()) {
     print(deck, {{}, clash});
     return kExitUsage;

@@ -8,6 +8,7 @@
 #include "report/stated.hpp"
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Drawing {
 // If the text of `deck` is a sketch it is replaced by the sketch's own deck, and `loop` tells how its mesh was found. Prints
 // what is wrong and returns the program's exit status, 0 to go on.
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop);
+
+// What --set may name: parameters of a deck or a sketch.
+std::set<std::string> parameters_of(const DeckFile& deck);
 
 // The command mesh: writes the deck of a sketch. Returns the exit status.
 int write_mesh(const Options& options);

@@ -22,13 +22,13 @@ std::vector<std::string> sections_of(const std::string& text) {
   return sections;
 }
 
-app::SweepTable table_of(const std::string& text) {
+app::SweepTable table_of(const std::string& text, const std::set<std::string>& parameters) {
   app::DeckFile file;
   file.call("table.csv");
   file.replace(text);
   app::Messages messages(file);
   app::SweepTable table;
-  const bool sound = app::read_table(file, messages, table);
+  const bool sound = app::read_table(file, parameters, messages, table);
   fuzz::require(sound || table.rows.empty() || !messages.latest().empty(), "what is refused is told");
   if (!sound) return {};
   fuzz::require(!table.rows.empty() && table.rows.size() < file.cards(), "a row of the file each");
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::vector<std::string> section = sections_of(fuzz::text_of(data, size));
   std::vector<app::Setting> settings = settings_of(section[1]);
   put_into(section[2], settings);
-  const app::SweepTable table = table_of(section[0]);
+  const app::SweepTable table = table_of(section[0], app::parameters_of(section[2]));
   for (const auto& row : table.rows) {
     std::vector<app::Setting> of_row = settings;
     for (size_t i = 0; i < row.size(); ++i) of_row.emplace_back(table.names[i], row[i]);

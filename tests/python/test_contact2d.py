@@ -262,7 +262,7 @@ class Faults(unittest.TestCase):
             self.assertGreater(caught.exception.column, 0)
 
     def test_of_use(self):
-        with self.assertRaisesRegex(contact2d.InputError, "no parameter of this sketch is called 'zz'"):
+        with self.assertRaisesRegex(contact2d.UsageError, "no parameter of this sketch is called 'zz'"):
             contact2d.solve(ROLLER, zz=1)
         with self.assertRaisesRegex(contact2d.UsageError, "turbo"):
             contact2d.solve(HERTZ, options={"turbo": True})

@@ -108,8 +108,6 @@ void Reader::finish() {
   end_body();
   if (!faults_.empty()) return;
   if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
-  for (const auto& [name, value] : given_)
-    if (used_.count(name) == 0) faults_.push_back({{}, "no parameter of this sketch is called " + in_quotes(name)});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
 }

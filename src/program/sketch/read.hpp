@@ -4,6 +4,8 @@
 #include "program/sketch/sketch.hpp"
 
 #include <functional>
+#include <set>
+#include <string>
 
 namespace sketch {
 
@@ -12,7 +14,8 @@ bool is_sketch(const std::string& text, const std::string& name = std::string())
 
 struct Reading {
   Sketch sketch;
-  std::vector<Fault> faults; // in the order of the lines; none: the sketch is sound
+  std::vector<Fault> faults;        // in the order of the lines; none: the sketch is sound
+  std::set<std::string> parameters; // that it has
 };
 // `given`: parameters that replace those of the text. `file`: the text of a file that a spline names; false if there is none.
 Reading read_sketch(const std::string& text, const Parameters& given,

@@ -14,7 +14,7 @@ public:
   Reader(const Parameters& given, const File& file) : given_(given), file_(file) {}
   void read(const std::string& text);
   static std::vector<std::string> words(); // that statements begin with
-  Reading take() { return {std::move(s_), std::move(faults_)}; }
+  Reading take() { return {std::move(s_), std::move(faults_), std::move(used_)}; }
 
 private:
   struct Keyword {

@@ -143,6 +143,18 @@ bool is_free(const std::vector<std::string>& lines) {
   return false;
 }
 
+// Puts values into cards, and returns the names that stand there.
+std::set<std::string> fill_all(std::vector<std::string>& lines, const std::vector<Setting>& settings,
+                               std::vector<DeckFault>& faults) {
+  const bool free = is_free(lines);
+  Filler filler(settings, free, faults);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const bool comment = free ? trimmed(lines[i]).substr(0, 1) == "!" : lines[i].substr(0, 1) == "C";
+    if (!comment) filler.fill(lines[i], static_cast<int32_t>(i) + 1);
+  }
+  return filler.names();
+}
+
 } // namespace
 
 bool read_setting(const std::string& word, Setting& setting) {
@@ -173,19 +185,20 @@ bool read_parameters(const std::string& text, std::vector<std::string>& words, s
   return error.empty();
 }
 
+std::set<std::string> parameters_of(const std::string& deck) {
+  std::vector<std::string> lines = lines_of_text(deck);
+  std::vector<DeckFault> ignored;
+  return fill_all(lines, {}, ignored);
+}
+
 bool put_parameters(std::string& deck, const std::vector<Setting>& settings, std::vector<DeckFault>& faults) {
   std::vector<std::string> lines = lines_of_text(deck);
-  const bool free = is_free(lines);
-  Filler filler(settings, free, faults);
-  for (size_t i = 0; i < lines.size(); ++i) {
-    const bool comment = free ? trimmed(lines[i]).substr(0, 1) == "!" : lines[i].substr(0, 1) == "C";
-    if (!comment) filler.fill(lines[i], static_cast<int32_t>(i) + 1);
-  }
+  const std::set<std::string> names = fill_all(lines, settings, faults);
   for (const Setting& setting : settings)
-    if (filler.names().count(setting.first) == 0)
+    if (names.count(setting.first) == 0)
       faults.push_back(
           {0, 0, 0, "the deck has no parameter " + setting.first + ": expected {" + setting.first + "} in a card"});
-  if (filler.names().empty()) return faults.empty();
+  if (names.empty()) return faults.empty();
   const bool ends = deck.back() == '\n';
   deck.clear();
   for (size_t i = 0; i < lines.size(); ++i) deck += lines[i] + (i + 1 < lines.size() || ends ? "\n" : "");

@@ -1,6 +1,7 @@
 // Parameters of decks: {name} in a card stands for a value, {name=value} for one that has a default.
 #pragma once
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ bool read_setting(const std::string& word, Setting& setting);
 // parameters of Dakota, in either of its formats, of which the variables are taken. False with an error text that names the
 // line.
 bool read_parameters(const std::string& text, std::vector<std::string>& words, std::string& error);
+
+// Names that stand in braces in the cards of a deck.
+std::set<std::string> parameters_of(const std::string& deck);
 
 struct DeckFault {
   int32_t line = 0, column = 0, column_end = 0; // 0: of none

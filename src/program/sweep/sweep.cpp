@@ -1,5 +1,6 @@
 #include "program/sweep/sweep.hpp"
 
+#include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
@@ -71,7 +72,6 @@ int Sweep::read() {
     messages.fault(why);
     return kExitInput;
   }
-  if (!read_table(file, messages, table_)) return kExitInput;
   DeckFile deck;
   Messages told(deck);
   if (!deck.read(options_.deck, why)) {
@@ -79,7 +79,11 @@ int Sweep::read() {
     return kExitInput;
   }
   *deck_ = deck.text();
-  return 0;
+  const std::set<std::string> parameters = parameters_of(deck);
+  for (const std::string& word : options_.settings)
+    if (const std::string name = word.substr(0, word.find('=')); parameters.count(name) == 0)
+      return fail(deck.name() + ": there is no parameter " + name, kExitUsage);
+  return read_table(file, parameters, messages, table_) ? 0 : kExitInput;
 }
 
 // Of all that the results depend on.
@@ -117,7 +121,7 @@ void Sweep::show() const {
   const double gone = clock_seconds(nullptr) - begun_;
   std::string line = "\r\033[Kcontact2d: " + std::to_string(done_) + " of " + std::to_string(missing_.size()) + " rows";
   if (failed_ > 0) line += ", " + std::to_string(failed_) + " failed";
-  if (gone > 1.0) line += ", " + duration_text(gone * (1.0 - share) / share) + " left";
+  if (gone > 1.0 && done_ < missing_.size()) line += ", " + duration_text(gone * (1.0 - share) / share) + " left";
   say(line);
 }
 

@@ -28,13 +28,14 @@ std::vector<Cell> cells_of(const std::string& line) {
 
 class TableReader {
 public:
-  explicit TableReader(Messages& messages) : messages_(messages) {}
+  TableReader(const std::set<std::string>& parameters, Messages& messages) : parameters_(parameters), messages_(messages) {}
   void heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
   void row(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
   void fault(int32_t line, const Cell& cell, const std::string& text);
   bool sound() const { return sound_; }
 
 private:
+  const std::set<std::string>& parameters_;
   Messages& messages_;
   bool sound_ = true;
 };
@@ -50,11 +51,15 @@ void TableReader::fault(int32_t line, const Cell& cell, const std::string& text)
 
 void TableReader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
   Setting setting;
+  std::string list;
+  for (const std::string& name : parameters_) list += " " + name;
   for (const Cell& cell : cells) {
     if (!read_setting(cell.text + "=0", setting))
       fault(line, cell, "'" + cell.text + "': expected the name of a parameter");
     else if (std::count(table.names.begin(), table.names.end(), cell.text) > 0)
       fault(line, cell, cell.text + " names two columns");
+    else if (parameters_.count(cell.text) == 0)
+      fault(line, cell, "there is no parameter " + cell.text + (parameters_.empty() ? "" : ", expected one of" + list));
     table.names.push_back(cell.text);
   }
 }
@@ -72,8 +77,8 @@ void TableReader::row(const std::vector<Cell>& cells, int32_t line, SweepTable& 
 
 } // namespace
 
-bool read_table(const DeckFile& file, Messages& messages, SweepTable& table) {
-  TableReader reader(messages);
+bool read_table(const DeckFile& file, const std::set<std::string>& parameters, Messages& messages, SweepTable& table) {
+  TableReader reader(parameters, messages);
   for (size_t i = 1; i <= file.cards(); ++i) {
     std::string line(file.card(i));
     if (i == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0) line.erase(0, 3); // a byte order mark

@@ -3,6 +3,7 @@
 
 #include "program/messages.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ struct SweepTable {
   std::vector<std::vector<std::string>> rows; // as many values as there are names
 };
 
-// Reads a CSV file; blank lines count for nothing. Every fault is told with its place to `messages`; false after any, and if
-// there is no row.
-bool read_table(const DeckFile& file, Messages& messages, SweepTable& table);
+// Reads a CSV file whose columns are among `parameters`; blank lines count for nothing. Every fault is told with its place to
+// `messages`; false after any, and if there is no row.
+bool read_table(const DeckFile& file, const std::set<std::string>& parameters, Messages& messages, SweepTable& table);
 
 } // namespace app
