@@ -146,6 +146,26 @@ TEST_CASE("quantities: round a closed side the peak is where its parabola has it
   CHECK(std::string(name_of(static_cast<Measure>(99))).empty());
 }
 
+TEST_CASE("quantities: a place that is 0 but for round-off is told as 0, in the body and along a side, a closed one too") {
+  for (const bool round : {false, true})
+    for (const double off : {3e-10, -3e-10, 3e-7}) { // of a length of 12
+      ZoneLine line = line_of(steps(12), round, 12);
+      for (double& s : line.s) s += off;
+      ElementCurve side;
+      side.count = 2, side.x[1] = 12, side.y[1] = 12e-12;
+      line.pieces.push_back({0, true, side});
+      std::vector<double> table(line.size() * C2D_PAIR_FIELDS, 0.0);
+      table[C2D_STATUS] = C2D_SLIP, table[C2D_TN] = 1;
+      const std::vector<Quantity> all = quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {}, 0);
+      const Quantity peak = Run::all(all, Measure::kPeakPressure).at(0);
+      const double told = std::fabs(off) < 1e-9 ? 0 : off;
+      CHECK(peak.s == told);
+      if (!round || off > 0) CHECK(peak.at[0] == doctest::Approx(told)); // (of this side the end is elsewhere)
+      if (!round || off > 0) CHECK((peak.at[0] == 0) == (told == 0));
+      CHECK(peak.at[1] == 0);
+    }
+}
+
 TEST_CASE("quantities: one pair that sticks amid slip, round a closed side; a contact up to a corner that ends its side") {
   const ZoneLine line = line_of(steps(12), true, 12);
   LineState state = state_of(line, -1000, 1000);

@@ -68,7 +68,10 @@ double touching_length(const LineState& state, const std::vector<ContactEdge>& e
 }
 
 // A length round a closed side from 0 on.
-double along(const ZoneLine& line, double s) { return line.round ? s - line.length * std::floor(s / line.length) : s; }
+double along(const ZoneLine& line, double s) {
+  s = told_place(s, line.length);
+  return line.round ? s - line.length * std::floor(s / line.length) : s;
+}
 
 void add_place(const ZoneLine& line, double s, Quantity& q) {
   line.place(s, q.at);

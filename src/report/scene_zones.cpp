@@ -1,4 +1,5 @@
 #include "report/scene.hpp"
+#include "report/zone_line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,8 @@ void measure(Scene& scene, ZoneScene& zone) {
   const double from = p[origin].s, sign = reversed ? -1.0 : 1.0;
   for (size_t i = 0; i <= last; ++i) p[i].s = sign * (p[i].s - from) + 0.0;
   take_coordinate(p, zone, steep);
+  const double length = std::fabs(p[last].s - p[0].s);
+  for (size_t i = 0; i <= last; ++i) p[i].s = told_place(p[i].s, length);
   make_samples(scene, zone);
 }
 

@@ -22,8 +22,7 @@ void ZoneLine::place(double at, double out[2]) const {
     eta = std::min(std::max(eta - (run - want) / std::hypot(slope[0], slope[1]), -3.0), 3.0);
   }
   curve.point(eta, out);
-  for (int c = 0; c < 2; ++c) // on an axis, which is what it says then, not the round-off
-    if (std::fabs(out[c]) < 1e-9 * whole) out[c] = 0;
+  for (int c = 0; c < 2; ++c) out[c] = told_place(out[c], length); // on an axis
 }
 
 namespace {

@@ -6,10 +6,14 @@
 
 #include <contact2d.h>
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace app {
+
+// A place along a zone of this length, or a coordinate of it, as it is told: 0 is what round-off about 0 means.
+inline double told_place(double at, double length) { return std::fabs(at) < 1e-10 * length ? 0 : at; }
 
 // Where contact may reach to, which need not have a pair: with constant functions pairs are in the middle of elements.
 struct ZoneEnd {
