@@ -175,6 +175,9 @@ class Solve(unittest.TestCase):
         self.assertEqual(set(table["step"]), {28})
         self.assertEqual(table.rows()[14]["pair"], 15)
         self.assertEqual(len(table.take([0, 2])), 2)
+        with self.assertRaisesRegex(KeyError, "no column 'nope'; there are .*tn"):
+            self.result["contact"]["nope"]
+        self.assertNotIn("nope", self.result["contact"])
         with self.assertRaisesRegex(KeyError, "no column 'stp'"):
             table.where(stp=1)
         again = contact2d.Table.of_csv(table.to_csv())
@@ -209,6 +212,26 @@ class Solve(unittest.TestCase):
             self.result.save(os.path.join(folder, "run"))
             found = {path.name for path in pathlib.Path(folder, "run").iterdir()}
             self.assertLessEqual({"contact.csv", "summary.json", "listing.txt", "report.html", "figures"}, found)
+
+    def test_pictures_of_an_earlier_run_go_where_it_is_saved(self):
+        with tempfile.TemporaryDirectory() as folder:
+            figures = pathlib.Path(folder, "figures")
+            self.result.save(folder)
+            ring = contact2d.solve(HERTZ.parent / "thick_ring.dat")
+            own = {name + ".svg" for name in ring.pictures}
+            gone = {path.name for path in figures.iterdir()} - own
+            self.assertIn("tractions_1.svg", gone)
+            text = (figures / "tractions_1.svg").read_bytes()
+            for name in ("mine.svg", "gap_1.svg", "note.txt"):  # of another name, changed, none
+                (figures / name).write_bytes(text)
+            (figures / "empty.svg").write_bytes(b"")
+            (figures / "link.svg").symlink_to("note.txt")
+            (figures / "folder.svg").mkdir()
+            ring.save(folder)
+            kept = {"mine.svg", "gap_1.svg", "note.txt", "empty.svg", "link.svg", "folder.svg"}
+            self.assertEqual({path.name for path in figures.iterdir()}, own | kept)
+            contact2d.solve(HERTZ, pictures=False).save(folder)
+            self.assertEqual({path.name for path in figures.iterdir()}, kept)
 
     def test_warnings_say_where(self):
         self.assertEqual([message.line for message in self.result.warnings][:1], [99])

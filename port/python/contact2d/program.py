@@ -17,7 +17,7 @@ import warnings
 
 from . import library
 from .errors import Cancelled, Error, IncompleteWarning, InputError, Message, StoreError, UsageError, WorkspaceError
-from .pictures import Picture
+from .pictures import Picture, is_as_written
 from .tables import Table
 
 TABLES = {"contact": "csv", "boundary": "boundary", "interior": "interior", "summary": "summary", "bodies": "bodies",
@@ -125,13 +125,17 @@ class Result:
         return found[-1]["value"]
 
     def save(self, folder):
-        """Writes all outputs into a folder, which is made if it is not there."""
+        """Writes all outputs into a folder, which is made if it is not there. Pictures there that an earlier run has left, and
+        this one has not, go, if they are as they were written."""
         folder = pathlib.Path(folder)
         (folder / "figures" if self.pictures else folder).mkdir(parents=True, exist_ok=True)
         for name, text in self.files.items():
             (folder / name).write_text(text, encoding="utf-8")
         for picture in self.pictures.values():
             picture.save(folder / "figures" / (picture.name + ".svg"))
+        for path in (folder / "figures").glob("*.svg"):
+            if path.stem not in self.pictures and is_as_written(path):
+                path.unlink()
 
     def __repr__(self):
         return "<Result of %r: %s; %s>" % (self.summary["title"], self.outcome, ", ".join(self.tables))

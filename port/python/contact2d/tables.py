@@ -37,6 +37,8 @@ class Table(Mapping):
         return cls((name, arrays.column(parsed(name, [row[i] for row in rows]))) for i, name in enumerate(names))
 
     def __getitem__(self, name):
+        if name not in self._columns:
+            raise KeyError("there is no column %r; there are %s" % (name, ", ".join(self)))
         return self._columns[name]
 
     def __iter__(self):
@@ -63,10 +65,7 @@ class Table(Mapping):
         if wanted.get("step") == -1:
             rest = self.where(**{name: value for name, value in wanted.items() if name != "step"})
             return rest.where(step=max(rest["step"])) if len(rest) else rest
-        for name in wanted:
-            if name not in self._columns:
-                raise KeyError("there is no column %r; there are %s" % (name, ", ".join(self)))
-        pairs = [(self._columns[name], value) for name, value in wanted.items()]
+        pairs = [(self[name], value) for name, value in wanted.items()]
         return self.take(i for i in range(len(self)) if all(column[i] == value for column, value in pairs))
 
     def rows(self):
