@@ -4,6 +4,7 @@
 // with a store that fails on the way. Compiled with -DC2D_HOSTILE=width, which no other file is told.
 #include "contact2d.h"
 #include "memory/hostile.hpp"
+#include "memory/parts.hpp"
 #include "solver/model_hash.hpp"
 #include "solver/phases.hpp"
 #include "solver/port.hpp"
@@ -224,6 +225,10 @@ void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
     if (of_body > rows) rows = of_body;
   }
   least += round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
+  // (Compressed elimination needs more; who gives so much may want it.)
+  const uint64_t compressed =
+      layout.persistent + kCompressedPart.compression_that_will_do(phase_sizes(sizes), 0) + kAlignment - 1;
+  if (bytes >= compressed && least < compressed) least = compressed;
   if (least < bytes) bytes = static_cast<size_t>(least);
 }
 
