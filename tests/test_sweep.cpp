@@ -368,6 +368,8 @@ TEST_CASE("sweep: faults of a table have their places") {
   const Result sketch = contact2d("sweep '" + (folder / "table") + "' " + kRoller + "--response 'max tn'");
   CHECK(sketch.status == 2);
   CHECK_MESSAGE(contains(sketch.err, ":1:1: error: there is no parameter load, expected one of P R mu"), sketch.err);
+  const Result none = contact2d("sweep '" + (folder / "table") + "' '" + kExamples + "hertz.dat' --response 'max tn'");
+  CHECK_MESSAGE(contains(none.err, ":1:1: error: there is no parameter load\n"), none.err);
   const Result setting = contact2d("sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' nope=1");
   CHECK(setting.status == 64);
   CHECK_MESSAGE(contains(setting.err, "deck: there is no parameter nope\n"), setting.err);
