@@ -14,7 +14,11 @@ namespace {
 // Exchanges alone, on a full tableau of m unknowns and one load case.
 class Exchanges {
 public:
-  explicit Exchanges(int32_t m) : m_(m), t_(static_cast<size_t>(m) * static_cast<size_t>(m + 2)) {
+  explicit Exchanges(int32_t m) : m_(m) {
+    const size_t numbers = static_cast<size_t>(m) * static_cast<size_t>(m + 2);
+    t_.reserve(numbers);
+    ask_for_huge_pages(t_.data(), numbers * sizeof(c2d::Real));
+    t_.resize(numbers);
     uint32_t seed = 12345;
     for (c2d::Real& v : t_) v = static_cast<c2d::Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 16777216;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sys/mman.h>
 
 namespace bench {
 
@@ -72,9 +73,16 @@ void add_body(const Solver& s, int body, const std::vector<double>& xy, double m
 
 } // namespace
 
+void ask_for_huge_pages(void* memory, uint64_t bytes) {
+  const uint64_t page = uint64_t{2} << 20, skipped = (page - reinterpret_cast<uintptr_t>(memory) % page) % page;
+  if (bytes >= skipped + page) madvise(static_cast<char*>(memory) + skipped, (bytes - skipped) / page * page, MADV_HUGEPAGE);
+}
+
 Solver::Solver(const c2d_limits& limits, int32_t threads) : store_() {
   uint64_t bytes = 0;
   if (c2d_memory_need(&limits, nullptr, &bytes, nullptr) != C2D_OK) give_up("limits refused");
+  memory_.reserve(bytes); // on large pages, as the program's
+  ask_for_huge_pages(memory_.data(), bytes);
   memory_.resize(bytes);
   tapes_.resize(6 * bytes + (1 << 20)); // more than enough for every tape; pages not used cost nothing
   c2d_memory_store_init(&store_, tapes_.data(), tapes_.size());

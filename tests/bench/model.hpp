@@ -12,6 +12,9 @@
 
 namespace bench {
 
+// Of the system, as the program does: tableaux are read along their rows, which costs as much in small pages as all else.
+void ask_for_huge_pages(void* memory, uint64_t bytes);
+
 // A solver with its workspace, all in memory, and its store. Its times are those of the processor, or, with a number of
 // threads, those of the clock.
 class Solver {
