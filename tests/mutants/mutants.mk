@@ -53,7 +53,7 @@ $(MUTANTS)/run_mutants: $(MUTANTS)/sources $(addprefix $(MUTANTS)/obj/,switch.o 
 	@rm -f $(MUTANT_LIBRARY) $(MUTANTS)/trace.txt
 	@$(AR) rcs $(MUTANT_LIBRARY) $(MUTANT_OBJECTS) $(PORT_OBJECTS) $(MUTANTS)/obj/switch.o
 	@$(CXX) $(LDFLAGS) -o $(MUTANTS)/contact2d $(MUTANT_OBJECTS) $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(MUTANT_LIBRARY) -lm -pthread
-	@$(CXX) $(LDFLAGS) -o $@ $(MUTANT_OBJECTS) $(addprefix $(MUTANTS)/obj/,switch.o run.o paths.o) $(MUTANT_TESTS) $(PORT_OBJECTS) \
+	@$(CXX) $(LDFLAGS) $(WRAP_CALLS) -o $@ $(MUTANT_OBJECTS) $(addprefix $(MUTANTS)/obj/,switch.o run.o paths.o) $(MUTANT_TESTS) $(PORT_OBJECTS) \
 	  -lm -pthread
 mutants: $(MUTANTS)/run_mutants
 	@$(MUTANTS)/run_mutants $(MUTANTS) $(JOBS) '$(MUTANTS_ONLY)'
