@@ -691,7 +691,7 @@ TEST_CASE("compressed solver: points inside large bodies by cells are those elem
       int found = 0;
       for (size_t i = 0; i < a.size(); i += C2D_POINT_FIELDS) {
         CHECK(a[i + C2D_POINT_FLAG] == b[i + C2D_POINT_FLAG]);
-        found += a[i + C2D_POINT_FLAG] == C2D_POINT_INSIDE ? 1 : 0;
+        found += static_cast<int>(a[i + C2D_POINT_FLAG]) == C2D_POINT_INSIDE ? 1 : 0;
         for (size_t f = 0; f < C2D_POINT_FLAG; ++f) {
           const size_t kind = f <= C2D_POINT_UY ? 0 : 1;
           most[kind] = std::max(most[kind], std::fabs(a[i + f]));

@@ -185,7 +185,7 @@ TEST_CASE("tapes: a model far smaller than its limits in rows alone, in the leas
     limits.panel_columns = 32;
     uint64_t least = 0;
     REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
-    for (const uint64_t more : {0, 2048, 5120, 20000}) {
+    for (const uint64_t more : {UINT64_C(0), UINT64_C(2048), UINT64_C(5120), UINT64_C(20000)}) {
       CAPTURE(free_pairs);
       CAPTURE(more);
       RamStore store;

@@ -149,7 +149,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 
 enum class Pass { afar, placing, integrals, displacements };
 
-[[gnu::noinline]] void place_from_afar(const Session& session, int b, int32_t element, const Points& points) {
+[[gnu::noinline, maybe_unused]] void place_from_afar(const Session& session, int b, int32_t element, const Points& points) {
   Integrator in;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
   look_from_afar(in.element, points);
