@@ -89,7 +89,7 @@ FarField far_field_of(const std::vector<FieldElement>& elements, Complex middle,
 
 } // namespace
 
-TEST_CASE("far field: what a group does far away is what its elements do" * doctest::skip(kSmallCode)) {
+TEST_CASE("far field: what a group does far away is what its elements do") {
   Drawn draw;
   const Complex rest = {0.2, -0.1};
   double worst = 0;
@@ -117,7 +117,7 @@ TEST_CASE("far field: what a group does far away is what its elements do" * doct
   CHECK(worst < 1e-10);
 }
 
-TEST_CASE("far field: groups of groups, over many depths" * doctest::skip(kSmallCode)) {
+TEST_CASE("far field: groups of groups, over many depths") {
   Drawn draw;
   const double nu = 0.3;
   std::vector<FieldElement> all;
@@ -157,7 +157,7 @@ TEST_CASE("far field: groups of groups, over many depths" * doctest::skip(kSmall
   CHECK(same.x[kFarTerms - 1].im == group.x[kFarTerms - 1].im);
 }
 
-TEST_CASE("far field: a uniform displacement of a chain is told by its ends" * doctest::skip(kSmallCode)) {
+TEST_CASE("far field: a uniform displacement of a chain is told by its ends") {
   Drawn draw;
   for (const int nodes : {2, 3})
     for (const double nu : {0.0, 0.3, 0.5}) {
