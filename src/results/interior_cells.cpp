@@ -23,17 +23,17 @@ FarCells cells_of(const Session& session, int b) { return far_cells_in(session.a
 double length_of(Complex v) { return sqrt(dot(v, v)); }
 bool are_same(Complex a, Complex b) { return a.re == b.re && a.im == b.im; }
 
-// Behind those of the cell so far.
+// Behind those of the cell so far. One that comes back to where it began is none.
 void append(FarCell& cell, const Chain& next) {
-  if (are_same(next.from, next.to) || cell.chains > 2) return;
-  if (cell.chains > 0 && are_same(cell.chain[cell.chains - 1].to, next.from)) {
-    Chain& last = cell.chain[cell.chains - 1];
-    last.to = next.to;
-    if (are_same(last.from, last.to)) --cell.chains;
-    return;
+  Chain* const last = cell.chains > 0 && cell.chains < 3 ? &cell.chain[cell.chains - 1] : nullptr;
+  if (last && are_same(last->to, next.from)) {
+    last->to = next.to;
+    if (are_same(last->from, last->to)) --cell.chains;
+  } else if (cell.chains < 2) {
+    cell.chain[cell.chains++] = next;
+  } else {
+    cell.chains = 3;
   }
-  if (cell.chains < 2) cell.chain[cell.chains] = next;
-  ++cell.chains;
 }
 
 void clear(FarCell& cell, Complex middle, double radius) {

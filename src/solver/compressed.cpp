@@ -29,7 +29,7 @@ CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
 
 uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
-uint64_t back_bytes_of(const CompressedPlan& plan, int64_t elements) {
+uint64_t back_bytes_of(const CompressedPlan& plan, int32_t elements) {
   const uint64_t check = round_up(kAssemblyBytes) + compressed_check_bytes(plan);
   return larger(larger(compressed_back_bytes(plan), check), far_cells_bytes(elements));
 }
@@ -47,7 +47,7 @@ uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
     if (most.of(b).rows == 0) continue;
     const CompressedPlan plan = most_of(most, b, rank);
     need = larger(need, beside_work(most, b) + compressed_bytes(plan));
-    back.work = larger(back.work, back_bytes_of(plan, sizes_of_body(*most.limits, b).elements));
+    back.work = larger(back.work, back_bytes_of(plan, static_cast<int32_t>(sizes_of_body(*most.limits, b).elements)));
     back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
   }
   return larger(need, path_area(most, back, false, nullptr, nullptr));

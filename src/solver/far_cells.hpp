@@ -25,10 +25,10 @@ struct FarCells {
   FarCell& at(int32_t d, int32_t i) const { return cell[(int64_t{1} << d) - 1 + i]; }
 };
 
-inline bool may_have_far_cells(int64_t elements) { return elements >= kLeastElements && elements < INT32_MAX; }
-inline uint64_t far_cells_bytes(int64_t elements) {
+inline bool may_have_far_cells(int32_t elements) { return elements >= kLeastElements; }
+inline uint64_t far_cells_bytes(int32_t elements) {
   if (!may_have_far_cells(elements)) return 0;
-  return sizeof(Complex) + ((uint64_t{2} << tree_depth(static_cast<int32_t>(elements), kCellElements)) - 1) * sizeof(FarCell);
+  return sizeof(Complex) + ((uint64_t{2} << tree_depth(elements, kCellElements)) - 1) * sizeof(FarCell);
 }
 inline FarCells far_cells_in(void* memory, int32_t elements) {
   char* const from = static_cast<char*>(memory);
