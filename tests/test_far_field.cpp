@@ -150,9 +150,15 @@ TEST_CASE("far field: groups of groups, over many depths") {
       add_far_field(group, all[0].in.k, all[0].in.kappa, x, y, sum);
       CHECK(apart(direct(all, Complex{0, 0}, x, y), sum) < 1e-10);
     }
-  // nothing changes nothing
+  // nothing changes nothing, nor does an element of no length
   FarField same = group;
   add_to_far_field(FarField{}, 3 - 4 * nu, same);
+  FieldElement none = all[0];
+  const double at[2] = {low.re, low.re}, height[2] = {low.im, low.im};
+  prepare(none.in, make_element(2, at, height), 2, nu, Quadrature::accurate);
+  const Complex values[kElementNodes] = {{1, 2}, {3, 4}};
+  prepare_field(values, values, none);
+  add_to_far_field(none, Complex{0, 0}, same);
   CHECK(same.f[0].re == group.f[0].re);
   CHECK(same.x[kFarTerms - 1].im == group.x[kFarTerms - 1].im);
 }

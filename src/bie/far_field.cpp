@@ -68,7 +68,6 @@ struct Shift {
 } // namespace
 
 void add_to_far_field(const FieldElement& e, Complex rest, FarField& out) {
-  if (e.in.degenerate) return;
   const GaussRule rule = gauss_legendre(far_order(e, out.radius));
   const Expansion x = expand(e.in, 0.0, out.middle.re, out.middle.im, false);
   const double part = 1.0 / out.radius;

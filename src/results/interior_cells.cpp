@@ -279,7 +279,8 @@ struct FieldVisit : Visit {
   }
 };
 
-// No boundary point is farther than all of the leaf that lies nearest by its middle.
+// No boundary point is farther than all of the leaf that lies nearest by its middle. (Some leaf has elements, and so has one of
+// the two halves that are asked for.)
 void bound_distance(const FarCells& cells, PointSearch& p) {
   const Complex at = {p.x, p.y};
   int32_t i = 0;
@@ -292,7 +293,7 @@ void bound_distance(const FarCells& cells, PointSearch& p) {
     i = 2 * i + (away[1] < away[0] ? 1 : 0);
   }
   const FarField& field = cells.at(cells.depth, i).field;
-  if (field.radius > 0.0) p.distance = (1.0 + 1e-12) * (length_of(at - field.middle) + field.radius) + kRounding;
+  p.distance = (1.0 + 1e-12) * (length_of(at - field.middle) + field.radius) + kRounding;
 }
 
 struct PointJob {
