@@ -22,6 +22,7 @@ struct Call {
 struct Fault {
   int line, column, column_end, status, host_code;
   std::string text;
+  int body;
 };
 
 struct Recorder {
@@ -209,7 +210,8 @@ struct Reading {
 };
 
 inline void keep_fault(void* context, const c2d_error* e) {
-  static_cast<std::vector<Fault>*>(context)->push_back({e->line, e->column, e->column_end, e->status, e->host_code, e->text});
+  static_cast<std::vector<Fault>*>(context)->push_back(
+      {e->line, e->column, e->column_end, e->status, e->host_code, e->text, e->body});
 }
 
 inline Reading read(const std::string& bytes, int refuse_call = -1, c2d_status refusal = C2D_ERR_LIMIT,

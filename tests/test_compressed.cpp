@@ -615,9 +615,9 @@ TEST_CASE("compressed: whatever the memory, the plan fits into it") {
 
 // Right-hand sides of 1 and -1: so much is left in as many rows as there are unknowns.
 TEST_CASE("compressed: what equations make of noise") {
-  ModelData d = disc(2, 2, 60);
+  ModelData d = disc(2, 2, 200); // so many that cells are eliminated
   REQUIRE(d.complete());
-  Compressed compressed(d, 0, 100, 8);
+  Compressed compressed(d, 0, 160, 8);
   REQUIRE(compressed.status == C2D_OK);
   Numbers x(static_cast<size_t>(compressed.pivots));
   Aligned work(c2d::compressed_back_bytes(compressed.plan));
@@ -820,6 +820,64 @@ TEST_CASE("compressed: a record that begins before the first one is none") {
   CHECK(back(at + sizeof length) == C2D_ERR_INTERNAL);
   CHECK(back(at + sizeof length - 1) == C2D_ERR_INTERNAL);
   CHECK(back(length) == C2D_OK);
+}
+
+// Neither leads out of the records, or of the work area.
+TEST_CASE("compressed: records that end behind the tape, and one as long as all of them, are none") {
+  ModelData d = disc(2, 2, 600);
+  REQUIRE(d.complete());
+  Compressed::Trouble trouble;
+  trouble.block_bytes = 1024;
+  Compressed compressed(d, 0, 130, 4, trouble);
+  REQUIRE(compressed.status == C2D_OK);
+  const c2d::CompressedPlan& plan = compressed.plan;
+  std::vector<char> buffer(c2d::kBlockHeaderBytes + trouble.block_bytes);
+  uint64_t end = 0;
+  c2d::Stream records = c2d::open_records(plan, compressed.tapes, buffer.data(), &end);
+  const uint64_t first = records.first_block;
+  CHECK(first + records.blocks == c2d::compressed_upper_use(plan).blocks);
+  const auto tell_end = [&](uint64_t told) {
+    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes, &told, sizeof told);
+    REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, first - 1, buffer.data(), c2d::kEndBytes) == C2D_OK);
+  };
+  Numbers x(static_cast<size_t>(compressed.pivots));
+  const Numbers c(static_cast<size_t>(compressed.trailing), 0);
+  const uint64_t bytes = c2d::compressed_back_bytes(plan), more = end;
+  Aligned work(bytes + more);
+  const auto back = [&] { return c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at); };
+  CHECK(back() == C2D_OK);
+  tell_end(records.blocks * trouble.block_bytes + sizeof end);
+  CHECK(back() == C2D_ERR_INTERNAL);
+  tell_end(end);
+  CHECK(back() == C2D_OK);
+  const uint64_t at = end - sizeof end, place = at % trouble.block_bytes, told = at;
+  REQUIRE(place + sizeof told <= trouble.block_bytes);
+  REQUIRE(told > 2 * sizeof(double) * static_cast<uint64_t>(c2d::record_numbers(plan)));
+  const uint64_t block = first + at / trouble.block_bytes;
+  REQUIRE(c2d::read_block(compressed.tapes, C2D_TAPE_UPPER, block, buffer.data(), trouble.block_bytes) == C2D_OK);
+  std::memcpy(buffer.data() + c2d::kBlockHeaderBytes + place, &told, sizeof told);
+  REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, block, buffer.data(), trouble.block_bytes) == C2D_OK);
+  unsigned char* behind = static_cast<unsigned char*>(work.at) + bytes;
+  std::memset(behind, 0x5a, more);
+  CHECK(back() == C2D_ERR_INTERNAL);
+  CHECK(std::all_of(behind, behind + more, [](unsigned char byte) { return byte == 0x5a; }));
+}
+
+// Leaves that are full, and of which nothing can be left out.
+TEST_CASE("compressed: tapes have room for all that cells hand on, for every load case") {
+  for (int32_t loads : {1, 9}) {
+    ModelData d = disc(2, 2, 64);
+    d.head.load_cases = loads;
+    REQUIRE(d.complete());
+    c2d::CompressedPlan plan = c2d::plan_compressed(d.view(), 0, 100, 8);
+    plan.block_bytes = 512;
+    // Of 8 cells of 16 unknowns: 16 x 16 twice, right-hand sides twice, in doubles; 4 of 32, 2 of 64.
+    uint64_t least = 0;
+    for (uint64_t k : {16u, 32u, 64u})
+      least += 128 / k * (2 * k * k + 2 * k * static_cast<uint64_t>(loads + 1)) * sizeof(double);
+    CHECK(c2d::compressed_lower_use(plan).blocks * 512 >= least);
+    CHECK(c2d::compressed_lower_use(plan).blocks * 512 <= 2 * least + 40000);
+  }
 }
 
 // Records in blocks of 512 bytes, so that each piece of them is written and read by itself.

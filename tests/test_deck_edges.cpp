@@ -41,6 +41,7 @@ std::vector<double> last_call(const Reading& r, const char* name) {
 
 struct Told {
   int kind, line, column, width;
+  std::string text;
 };
 
 std::vector<Told> walk(const List& lines) {
@@ -49,7 +50,8 @@ std::vector<Told> walk(const List& lines) {
   std::vector<Told> told;
   c2d_body_limits room[2] = {};
   const auto keep = [](void* context, const c2d_card* card) {
-    static_cast<std::vector<Told>*>(context)->push_back({card->kind, card->line, card->column, card->width});
+    static_cast<std::vector<Told>*>(context)->push_back(
+        {card->kind, card->line, card->column, card->width, std::string(card->text, static_cast<size_t>(card->length))});
   };
   CHECK(c2d_walk_deck(read_bytes, &deck, room, 2, keep, &told, nullptr, nullptr) == C2D_OK);
   return told;
@@ -114,9 +116,19 @@ TEST_CASE("deck edges: each code of a condition is a field of one column") {
   for (const Told& t : walk(squares()))
     if (t.line == 23 && t.kind == C2D_CARD_INTEGER && t.column >= 12 && t.column <= 15) {
       CHECK((t.width == 1 && t.column == 12 + seen));
+      CHECK(t.text == std::string(1, "1100"[seen]));
       ++seen;
     }
   CHECK(seen == 4);
+}
+
+TEST_CASE("deck edges: codes in one field of the free form are told one by one") {
+  std::string codes;
+  for (const Told& t :
+       walk({"*FREE", "1",     "SQUARE", "0 0",   "1 0 2", "1 2 4 4",          "1 4", "100 0.3", "1 0",  "0 0",
+             "1 0 0", "2 1 0", "3 1 1",  "4 0 1", "1",     "1 1 1100 0 0 0 0", "0",   "0 0",     "1 10", "4 1"}))
+    if (t.line == 16 && t.column >= 12 && t.column <= 15) codes += t.text + ";";
+  CHECK(codes == "1;1;0;0;");
 }
 
 TEST_CASE("deck edges: lines may come with their ends") {
@@ -157,6 +169,50 @@ TEST_CASE("deck edges: a polar node may have no radius, but not less") {
 TEST_CASE("deck edges: a condition that could not be read makes no second fault where others are generated from it") {
   const Fault f = the_fault(with(23, "    9    1 1100                            0.0       0.0"));
   CHECK(f.line == 23);
+  // Nor do they reach the model: nobody knows from where on.
+  for (const Call& call : with(23, "    9    1 1100                            0.0       0.0").model.calls)
+    CHECK((call.name != "condition" || call.numbers[0] == 2));
+}
+
+TEST_CASE("deck edges: a fault says of which body the card is") {
+  for (int b = 1; b <= 2; ++b) {
+    const Fault sizes = the_fault(with(static_cast<size_t>(4 + b), "    9    2    4    4"));
+    CHECK(sizes.line == 4 + b);
+    CHECK(sizes.body == b);
+  }
+  CHECK(the_fault(with(23, "    9    1 1100                            0.0       0.0")).body == 1);
+  CHECK(the_fault(with(27, "    9    1 0011       0.0      -1.0")).body == 2);
+}
+
+TEST_CASE("deck edges: elements of a free zone are numbered as those of its bodies are") {
+  List deck = squares();
+  deck[7] = "    5    8";
+  deck[26] = "    7    1 0011       0.0      -1.0";
+  deck[30] = "    3    3    5    5";
+  deck.push_back("*ZONE 2 2 6 6");
+  const std::vector<double> within = {2, 2, 2, 2, 0, 0};
+  CHECK(last_call(read(joined(deck)), "free zone") == within);
+  deck.back() = "*ZONE 2 2 2 2";
+  const Reading r = read(joined(deck));
+  REQUIRE(r.faults.size() == 2);
+  for (const Fault& f : r.faults) CHECK(f.text.find("expected 5 to 8") != std::string::npos);
+}
+
+TEST_CASE("deck edges: behind blanks, too, the first card may have a remark in any script") {
+  for (const char* blanks : {"", "   "}) {
+    CAPTURE(std::string(blanks));
+    const Reading r = read(blanks + std::string("*FREE ! f\xc3\xbcr alle\n1\nPLATE\n7 1\n"));
+    REQUIRE(!r.faults.empty());
+    CHECK(r.faults[0].line == 4);
+  }
+}
+
+TEST_CASE("deck edges: in the free form, too, the cards behind a node with a wrong number are read") {
+  List deck = {"*FREE", "1",     "SQUARE", "0 0",   "1 0 2", "1 2 4 4",          "1 4", "100 0.3", "1 0", "0 0",
+               "1 0 0", "7 1 0", "3 1 1",  "4 0 1", "1",     "9 1 1100 0 0 0 0", "0",   "1 1",     "1 1"};
+  const Reading r = read(joined(deck));
+  REQUIRE(r.faults.size() >= 2);
+  CHECK((r.faults[0].line == 12 && r.faults[1].line == 16));
 }
 
 TEST_CASE("deck edges: body numbers of keyword cards begin at 1") {
@@ -241,6 +297,8 @@ TEST_CASE("deck edges: a number is as bad below -1e100 as above 1e100") {
 TEST_CASE("deck edges: a second body force is told for the first numbers of bodies and cases, beyond them none is") {
   CHECK(the_fault(behind({"*BODY FORCE 1 2 0 -1", "*BODY FORCE 1 2 0 -1"})).text.find("twice") != std::string::npos);
   CHECK(behind({"*BODY FORCE 1 200 0 -1", "*BODY FORCE 1 200 0 -1"}).status == C2D_OK);
+  CHECK(the_fault(behind({"*BODY FORCE 2 128 0 -1", "*BODY FORCE 2 128 0 -1"})).text.find("twice") != std::string::npos);
+  CHECK(behind({"*BODY FORCE 1 129 0 -1", "*BODY FORCE 1 129 0 -1"}).status == C2D_OK);
 }
 
 TEST_CASE("deck edges: an error that has no room for a status is no place to tell one") {

@@ -635,6 +635,21 @@ TEST_CASE("pivot statistics do not depend on the panels and name the weak column
   }
 }
 
+TEST_CASE("with more memory strips beside panels of a given width are no narrower") {
+  const int32_t rows = 2000, width = 600;
+  const uint64_t panel = elimination_bytes(rows, rows, width, 0);
+  int32_t before = 0;
+  EliminationPlan plan;
+  for (uint64_t bytes = panel + 200000; bytes < panel + 5000000; bytes += 1000) {
+    REQUIRE(plan_elimination(bytes, rows, rows, 50, width, plan, nullptr) == C2D_OK);
+    if (plan.block_rows == 0) continue;
+    CAPTURE(bytes - panel);
+    CHECK(plan.block_columns >= before);
+    before = plan.block_columns;
+  }
+  CHECK(before == 256);
+}
+
 // Panels of new columns begin anywhere in the chunks of Y.
 TEST_CASE("new columns in place of some trailing ones: what eliminating all of them gives") {
   for (int32_t width = 1; width <= 6; ++width)
@@ -658,8 +673,14 @@ TEST_CASE("new columns in place of some trailing ones: what eliminating all of t
         q.s = p.s;
         q.next_column = 8 + first;
         q.next_trailing = first;
+        const uint64_t written = store.tapes.writes[C2D_TAPE_UPPER];
         REQUIRE(eliminate_again(plan, first, q.source(), q.sink(), store.tapes, work.start, q.watch()) == C2D_OK);
         CHECK(q.next_trailing == 9);
+        uint64_t met = 0; // chunks of Y that have columns of a panel
+        for (int32_t from = 8 + first; from < 17; from += width)
+          for (Chunk chunk = next_chunk(plan, chunk_before(plan, 8)); chunk.count > 0; chunk = next_chunk(plan, chunk))
+            met += chunk.first < from + width && chunk.first + chunk.count > from ? 1 : 0;
+        CHECK(store.tapes.writes[C2D_TAPE_UPPER] - written == met);
         CHECK(work.intact());
         for (size_t i = 0; i < all.s.size(); ++i) CHECK(std::fabs(q.s[i] - all.s[i]) <= 1e3 * kEps);
         const Numbers c(9, 1);

@@ -276,6 +276,16 @@ TEST_CASE("a block of which only the front reached the tape is torn, whatever st
   }
 }
 
+TEST_CASE("two bytes that are wrong at the end are a torn block, whatever stands behind it in memory") {
+  Written w(40);
+  w.on_tape(1)[64 + 38] ^= 1;
+  w.on_tape(1)[64 + 39] ^= 1;
+  for (int behind = 0; behind < 256; ++behind) {
+    w.buffer.assign(kBlockHeaderBytes + 40 + 1, static_cast<unsigned char>(behind));
+    CHECK(read_block(w.tapes, C2D_TAPE_UPPER, 1, w.buffer.data(), 40) == C2D_ERR_STORE_SHORT);
+  }
+}
+
 TEST_CASE("a port that fills less than it says is found out") {
   Written w(40);
   w.buffer.clear();

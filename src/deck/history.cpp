@@ -35,7 +35,8 @@ bool range_word(Cards& cards, const Words& words, int32_t i, int32_t least, int3
     word_fault(cards, words, i, "elements are '", text, "', expected a number or a range e1-e2 within ", least, " to ", most);
     return false;
   }
-  for (int b = 0; b < 2; ++b) range[b] = static_cast<int32_t>(value[b]);
+  range[0] = static_cast<int32_t>(value[0]);
+  range[1] = static_cast<int32_t>(value[1]);
   return true;
 }
 
