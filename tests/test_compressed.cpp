@@ -863,6 +863,30 @@ TEST_CASE("compressed: records that end behind the tape, and one as long as all 
   CHECK(std::all_of(behind, behind + more, [](unsigned char byte) { return byte == 0x5a; }));
 }
 
+// They decide what is looked at as it is: too wide a circle costs time, too narrow a one digits.
+TEST_CASE("compressed: circles round cells hold their points and what reaches from them, and are no wider") {
+  ModelData d = disc(2, 2, 64);
+  REQUIRE(d.complete());
+  Body body(d, 0);
+  const c2d::CompressedPlan plan = c2d::plan_compressed(body.model, 0, 100, 16);
+  c2d::Compression t{plan, body.system, {}, c2d::kPlainEngine, 2, 0, nullptr, nullptr, {}, {}, {}};
+  std::vector<int32_t> ids(128), begin = {0, 32, 64, 96, 128};
+  for (int32_t k = 0; k < 128; ++k) ids[static_cast<size_t>(k)] = k;
+  std::vector<double> circle(12), reach(64, 0.05);
+  t.w.rows[0] = t.w.columns[0] = ids.data();
+  t.w.row_begin[0] = t.w.column_begin[0] = begin.data();
+  t.w.circle = circle.data();
+  t.w.reach = reach.data();
+  c2d::place_circles(t, c2d::Depth{4, 0});
+  for (size_t cell = 0; cell < 4; ++cell) {
+    double farthest = 0;
+    for (size_t node = 16 * cell; node < 16 * cell + 16; ++node)
+      farthest = std::max(farthest,
+                          std::hypot(body.point[2 * node] - circle[3 * cell], body.point[2 * node + 1] - circle[3 * cell + 1]));
+    CHECK(circle[3 * cell + 2] == doctest::Approx(farthest + 0.05).epsilon(1e-12));
+  }
+}
+
 // Leaves that are full, and of which nothing can be left out.
 TEST_CASE("compressed: tapes have room for all that cells hand on, for every load case") {
   for (int32_t loads : {1, 9}) {
