@@ -1,6 +1,9 @@
 // Body forces: weight and rotation against closed forms, equilibrium inside, symmetry, contact under own weight.
 #include "deck_recorder.hpp"
+#include "model_fixture.hpp"
 #include "problem.hpp"
+
+#include "bie/body_force.hpp"
 
 #include <doctest/doctest.h>
 
@@ -501,6 +504,19 @@ TEST_CASE("body force: work does not depend on the order of loads") {
     const double parts = solved(p, first).summary.work + solved(p, alone).summary.work;
     CHECK(std::fabs(a - parts) > 0.1 * parts); // the loads do work on each other
     CHECK(std::fabs(a - b) < 2e-3 * parts);
+  }
+}
+
+TEST_CASE("body force: work goes with the square of the force, however small") {
+  for (double rho_omega2 : {0.0, 0.7}) {
+    const auto work = [&](double part) {
+      fixture::ModelData d(2);
+      d.body(2, {fixture::rectangle(0.3, 0.1, 1.1, 1.7, 3, 4)});
+      d.body_forces[0][0] = {0.2 * part, -1.3 * part, rho_omega2 * part, 0.1, 0.6};
+      return c2d::body_force_work(d.view(), 0, 0, 0);
+    };
+    CHECK(work(1) != 0);
+    CHECK(work(0x1p-60) == 0x1p-120 * work(1));
   }
 }
 

@@ -966,6 +966,17 @@ TEST_CASE("compressed: what is nothing but round-off below the smallest number h
   }
 }
 
+TEST_CASE("compressed: samples are divided by their own largest entry, however far apart their numbers lie") {
+  for (int64_t step : {1, 3}) {
+    const c2d::Real numbers[] = {2, 100, 3, -8, 200, 5, 4, 300, 7};
+    const c2d::Real known[2][3] = {{c2d::Real(0.02), 1, c2d::Real(0.03)}, {c2d::Real(0.25), -1, c2d::Real(0.5)}};
+    c2d::Real w[3];
+    c2d::SampleSum sum = c2d::begin_samples(w, 3, 1);
+    c2d::add_sample(sum, numbers, step, true);
+    for (int j = 0; j < 3; ++j) CHECK(static_cast<double>(w[j]) == doctest::Approx(static_cast<double>(known[step / 3][j])));
+  }
+}
+
 TEST_CASE("compressed: interpolation finds the columns that others are combinations of") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1, 1);

@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -50,6 +51,7 @@ struct Blocks {
   double growth1 = 1, growth2 = 1, pressure = 3, mu = 0;
   int32_t element_nodes = 2, function_nodes = 2;
   bool free = true;
+  bool left_first = false; // the sides at the left come first, not last
 };
 Problem pressed_blocks(const Blocks& b) {
   Problem p;
@@ -61,8 +63,13 @@ Problem pressed_blocks(const Blocks& b) {
   p.bodies[1].poisson_ratio = 0.3;
   p.bodies[0].poisson_ratio = 0.21; // E/nu is not the same, so that free sliding and sticking differ
   if (b.mu > 0) p.bodies[0].poisson_ratio = 0.3, p.bodies[1].youngs_modulus = 1000;
-  add_sides(p.bodies[0], {{0, 0, 4}, {2, 0, 3}, {2, 1, b.lower, b.growth1}, {0, 1, 3}});
-  add_sides(p.bodies[1], {{0, 1, b.upper, b.growth2}, {2, 1, 3}, {2, 2, 4}, {0, 2, 3}});
+  std::vector<Side> sides[2] = {{{0, 0, 4}, {2, 0, 3}, {2, 1, b.lower, b.growth1}, {0, 1, 3}},
+                                {{0, 1, b.upper, b.growth2}, {2, 1, 3}, {2, 2, 4}, {0, 2, 3}}};
+  const int32_t before = b.left_first ? 3 : 0;
+  for (int body = 0; body < 2; ++body) {
+    if (b.left_first) std::rotate(sides[body].begin(), sides[body].end() - 1, sides[body].end());
+    add_sides(p.bodies[at(body)], sides[body]);
+  }
   for (int body = 1; body <= 2; ++body)
     set_ends(p, body, [&](double, double y, double nx, double ny, End& end) {
       if (nx < -0.9) end = End{{1, 0, 0, 1}, {0, 0, 0, 0}};
@@ -71,8 +78,8 @@ Problem pressed_blocks(const Blocks& b) {
     });
   if (b.free) {
     problem::FreeZone zone = problem::FreeZone();
-    zone.first_element[0] = 8, zone.last_element[0] = 7 + b.lower;
-    zone.first_element[1] = 1, zone.last_element[1] = b.upper;
+    zone.first_element[0] = before + 8, zone.last_element[0] = before + 7 + b.lower;
+    zone.first_element[1] = before + 1, zone.last_element[1] = before + b.upper;
     p.free_zones = {zone};
   } else {
     problem::Zone zone = problem::Zone();
@@ -363,21 +370,23 @@ TEST_CASE("free zones: symmetry by images, patch test on the line x = 0") {
     }
 }
 
-// The left side stays in the deck, and images take its place: of the nodes inside it nothing is left.
+// The left side stays in the deck, and images take its place: of the nodes inside it nothing is left, whether they are the last
+// of the body's or others follow.
 TEST_CASE("free zones: symmetry by images of bodies with elements on the line") {
-  for (int32_t functions : {2, 3}) {
-    Blocks b;
-    b.lower = 5, b.upper = 8, b.function_nodes = functions;
-    const Problem p = pressed_blocks(b);
-    Setup images;
-    images.symmetry = C2D_SYMMETRY_IMAGES;
-    const Result r = solve(p, images);
-    INFO(functions, " ", r.messages());
-    REQUIRE(r.status == C2D_OK);
-    REQUIRE(r.outcome == C2D_REACHED);
-    for (int i = 0; i < r.steps.back().pairs(); ++i)
-      CHECK(r.steps.back().at(i, C2D_TN) == doctest::Approx(b.pressure).epsilon(1e-9));
-  }
+  for (int32_t functions : {2, 3})
+    for (bool left_first : {false, true}) {
+      Blocks b;
+      b.lower = 5, b.upper = 8, b.function_nodes = functions, b.left_first = left_first;
+      const Problem p = pressed_blocks(b);
+      Setup images;
+      images.symmetry = C2D_SYMMETRY_IMAGES;
+      const Result r = solve(p, images);
+      INFO(functions, " ", left_first, " ", r.messages());
+      REQUIRE(r.status == C2D_OK);
+      REQUIRE(r.outcome == C2D_REACHED);
+      for (int i = 0; i < r.steps.back().pairs(); ++i)
+        CHECK(r.steps.back().at(i, C2D_TN) == doctest::Approx(b.pressure).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {

@@ -461,6 +461,7 @@ TEST_CASE("holes: one has a place in either room beside a neck, and a slit of no
       CHECK(hole.at[k][0] == doctest::Approx(curve == rooms ? 3 * k - 1.5 : 0.0));
       CHECK(std::fabs(hole.at[k][1]) < 1e-12);
     }
+    if (curve == rooms) CHECK(hole.length == doctest::Approx(4 * 2.2 / 11.8)); // of its area and length
     CHECK(!c2d::next_hole(d.view(), 0, walk, hole));
   }
 }

@@ -267,6 +267,16 @@ TEST_CASE("curved elements: blocks at all distances and directions against grade
   check_around(curved_elements()[0], 0.5, 1e-12);
 }
 
+TEST_CASE("curved elements: sources so close that what is integrated has to begin at the nearest point") {
+  for (const Element& e : curved_elements()) {
+    Integrator in;
+    prepare(in, e, 3, 0.3, Quadrature::accurate);
+    for (const double distance : {1e-9, 1e-6})
+      for (const double side : {-0.5 * kPi, 0.5 * kPi})
+        for (const double eta : {-0.61, 0.37}) check_place(in, 0.3, eta, place(e, eta, distance, side), 1e-12);
+  }
+}
+
 // The search for the nearest point goes by the zeros of the curve's complex polynomial; seen from there, its first step ends
 // where the polynomial's slope is none.
 TEST_CASE("curved elements: a source at the centre of curvature of a parabola") {
@@ -511,6 +521,22 @@ TEST_CASE("blocks turn, reflect and scale with the geometry") {
         }
       }
     }
+  }
+}
+
+TEST_CASE("the circle about the middle of a chord holds the element, and no more of a straight one's line") {
+  std::vector<Element> elements = straight_elements();
+  for (const Element& e : curved_elements()) elements.push_back(e);
+  for (const Element& e : elements) {
+    Integrator in;
+    prepare(in, e, 3, 0.3, Quadrature::accurate);
+    const int last = e.nodes - 1;
+    const double x = 0.5 * (e.x[0] + e.x[last]), y = 0.5 * (e.y[0] + e.y[last]);
+    for (int k = -20; k <= 20; ++k) {
+      const Point p = element_point(e, 0.05 * k);
+      CHECK(std::hypot(p.x - x, p.y - y) <= in.radius * (1.0 + 1e-14));
+    }
+    if (e.straight) CHECK(in.radius <= e.half_length * (1.0 + 1e-14));
   }
 }
 
