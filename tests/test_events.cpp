@@ -241,6 +241,7 @@ TEST_CASE("events: with a list a pair that would slip as soon as it sticks slips
       CHECK(h.pair(0).status == c.status);
       CHECK(h.pair(0).sign == c.sign);
       CHECK(h.tableau().exchanges - before == (c.status == C2D_STICK ? 2 : list ? 1 : 3));
+      CHECK(h.follower().stats.changes == (c.status == C2D_STICK || list ? 1 : 2));
       // Stuck, or with w_n and q - s mu p none: p is what remains of the load beyond the one at which it touches.
       const double closing = (3 - c.along) / 10, beyond = 10 - 0.5 / closing;
       const double p = beyond * (c.status == C2D_STICK ? 1 : (1 - c.along / 3) / (1 - c.sign * c.mu / 3));
@@ -559,6 +560,41 @@ TEST_CASE("events: changes without end at one load end the path there, unless it
     CHECK(h.follower().stats.events == 1 + 20 + 8 * 2); // METHOD 12
     CHECK(h.state(1).p == about(h.follower().load[0]));
   }
+}
+
+// w_n = 0.5 - lambda; closed, p = -(lambda - 0.5): the pair would close by pulling. Six others stay as they are.
+TEST_CASE("events: changes that come back to where they began are not begun again") {
+  std::vector<std::vector<double>> k(7, std::vector<double>(7)), b(1, std::vector<double>(7, 1.0));
+  for (size_t i = 0; i < 7; ++i) k[i][i] = i == 0 ? -1.0 : 1.0;
+  b[0][0] = -1.0;
+  Hand h(k, b, false, 0.0);
+  h.start({0.5, 0, 0, 0, 0, 0, 0});
+  const double target[2] = {1.0, 0.0};
+  c2d_outcome outcome = C2D_REACHED;
+  REQUIRE(follow_events(h.follower(), target, &outcome) == C2D_OK);
+  CHECK(outcome == C2D_NO_ADMISSIBLE_CHANGE);
+  CHECK(h.follower().load[0] == about(0.5));
+  CHECK(h.pair(0).status == C2D_OPEN);
+  CHECK(h.follower().stats.changes == 2);
+}
+
+// p = lambda_2: the pair lifts where that load is none, exactly, wherever the path comes from and goes to.
+TEST_CASE("events: a load that goes to the other side is none where the last pair lifts, whatever the other load is") {
+  for (const double from : {0.1, 0.7, 1.1, 1.3, 2.9})
+    for (const double to : {0.3, 0.9, 1.7, 2.3})
+      for (const int other : {0, 1}) {
+        CAPTURE(from);
+        CAPTURE(to);
+        std::vector<std::vector<double>> b(2, {0.0});
+        b[sized(1 - other)][0] = 1.0;
+        Hand h({{1}}, b, false, 0.0);
+        h.start({0});
+        const auto go = [&](double load) { h.follow(other == 0 ? 0.0 : load, other == 0 ? load : 0.0); };
+        go(from);
+        go(-to);
+        REQUIRE(h.changes.size() == 1);
+        CHECK(h.changes[0].load == 0.0);
+      }
 }
 
 // Pressed by 1, of which friction carries 1000, and pushed by as much or more: then nothing holds the pair any more, and it can

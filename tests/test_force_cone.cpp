@@ -17,7 +17,7 @@ class Cone {
 public:
   Cone(const std::vector<std::vector<double>>& rays, const std::vector<double>& load)
       : pairs_(static_cast<int>(rays.size())), n_(static_cast<int>(load.size())),
-        hand_(unit(pairs_), {std::vector<double>(rays.size(), 0.0)}, false, 0.0), bodies_(2), zone_(), numbers_(sized(8 * n_)),
+        hand_(unit(pairs_), {std::vector<double>(rays.size(), 0.0)}, false, 0.0), bodies_(3), zone_(), numbers_(sized(8 * n_)),
         squares_(sized(2 * n_ * n_)), resultants_(sized(2 * pairs_ * kMostMotions)), chosen_(sized(n_)) {
     hand_.start(std::vector<double>(rays.size(), 0.0));
     for (int i = 0; i < pairs_; ++i) hand_.pair(i).zone = 0;
@@ -43,6 +43,12 @@ public:
   }
   ForceCone& get() { return *cone_; }
   Follower& follower() { return hand_.follower(); }
+  // Behind the bodies of the model stands what would have all of the motion.
+  void touch_bodies() {
+    for (Body& body : bodies_) body.contact = 1;
+    bodies_[2].first_motion = 0;
+    bodies_[2].free_motions = static_cast<int8_t>(n_);
+  }
   void set_motions(int n) { head_.motions = n; }
   Ray ray(int i) { return cone_->of(hand_.pair(i), 0); }
 
@@ -113,6 +119,31 @@ TEST_CASE("force cone: what is left of a load is what no force opposes") {
   }
   CHECK(unbalanced > 2000);
   CHECK(balanced > 2000);
+}
+
+TEST_CASE("force cone: a body that pressure pushes back along one motion alone turns over, one that nothing pushes comes off") {
+  for (const int taken : {0, 1, 2, 3})
+    for (const double push : {-1.0, 1.0}) {
+      CAPTURE(taken);
+      CAPTURE(push);
+      std::vector<double> ray(4, 0.0), load(4, 0.0);
+      ray[sized(taken)] = 1.0;
+      load[sized(taken)] = push;
+      load[sized((taken + 1) % 4)] = 0.5;
+      Cone c({ray}, load);
+      REQUIRE(is_unbalanced(c.get(), Friction::own));
+      CHECK(kind_of_motion(c.get()) == (push > 0.0 ? C2D_TIPPING : C2D_FREE_MOTION));
+    }
+}
+
+TEST_CASE("force cone: the body in motion is one of the model's") {
+  for (const int moved : {0, 1}) {
+    Cone c({{0.0, 0.0, 0.0, 0.0}}, {0.0, 0.0, 0.0, 0.0});
+    c.get().rest[2 * moved] = 1.0;
+    c.get().rest[2 * (1 - moved) + 1] = 0.5;
+    c.touch_bodies();
+    CHECK(body_in_motion(c.get()) == moved);
+  }
 }
 
 // Vectors of all motions stand in the place of results per pair, squares in that of the rate problem or of the tableau.

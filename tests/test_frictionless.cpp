@@ -1,6 +1,7 @@
 // The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
 // one of its coefficients is not zero.
 #include "contact/body_compliance.hpp"
+#include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
@@ -104,44 +105,53 @@ double boundary_difference(const Numbers& a, const Numbers& b) {
   return most / size;
 }
 
+struct Alike {
+  const char* name;
+  std::vector<std::string> settings;
+  bool sliding;
+};
+void check_alike(const Alike& model) {
+  CAPTURE(std::string(model.name));
+  CAPTURE(model.settings.front());
+  Solver without(deck_of(model.name, model.settings, "1 0")), with(deck_of(model.name, model.settings, "2 0 0.3"));
+  with.prepared();
+  without.prepared();
+  REQUIRE(summary_of(with.s).contact_unknowns >= 160);
+  CHECK(with.s->sliding == 0);
+  CHECK((without.s->sliding != 0) == model.sliding);
+  const Numbers a = without.follow(0), b = with.follow(0);
+  CHECK(a.outcome == C2D_REACHED);
+  CHECK(difference(a, b, {C2D_STATUS}) == 0);
+  CHECK(difference(a, b, {C2D_TN, C2D_TT}) < kAlike); // 2e-10 where a layer floats, else 7e-12
+  CHECK(difference(a, b, {C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_SLIP_SUM}) < kAlike);
+  CHECK(boundary_difference(a, b) < kAlike);
+}
+
 } // namespace
 
 TEST_CASE("frictionless: the same numbers as with pairs that could rub") {
-  const struct {
-    const char* name;
-    std::vector<std::string> settings;
-    bool sliding;
-  } models[] = {
+  const Alike models[] = {
       {"hertz", {"n=70"}, true},                                            // a free body
       {"hertz", {"n=70", "order=2", "symmetry=line"}, true},                // and pairs without a tangent
       {"layer_lifted", {"n=12"}, true},                                     // pairs that lift
       {"receding_layer", {"n=20"}, true},                                   //
       {"disc_in_hole", {"n=100"}, true},                                    // all round
-      {"rollers", {"n=12"}, true},                                          // several bodies, most of them free
       {"coating", {"n=24"}, true},                                          // a tie
       {"coating", {"n=24", "bond=free"}, true},                             //
       {"shrink", {"n=40"}, true},                                           // an overlap that is closed, and a tie
-      {"bearing", {"n=6"}, true},                                           // rigid rings
       {"crack", {"order=3", "shape=edge", "bending=1", "tension=0"}, true}, //
-      {"stack", {"n=100", "plates=2", "q=0"}, false},                       // slides freely,
-      {"stack", {"n=60", "plates=3", "q=0"}, false},                        // on another that does
   };
-  for (const auto& model : models) {
-    CAPTURE(std::string(model.name));
-    CAPTURE(model.settings.front());
-    Solver without(deck_of(model.name, model.settings, "1 0")), with(deck_of(model.name, model.settings, "2 0 0.3"));
-    with.prepared();
-    without.prepared();
-    REQUIRE(summary_of(with.s).contact_unknowns >= 160);
-    CHECK(with.s->sliding == 0);
-    CHECK((without.s->sliding != 0) == model.sliding);
-    const Numbers a = without.follow(0), b = with.follow(0);
-    CHECK(a.outcome == C2D_REACHED);
-    CHECK(difference(a, b, {C2D_STATUS}) == 0);
-    CHECK(difference(a, b, {C2D_TN, C2D_TT}) < kAlike); // 2e-10 where a layer floats, else 7e-12
-    CHECK(difference(a, b, {C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_SLIP_SUM}) < kAlike);
-    CHECK(boundary_difference(a, b) < kAlike);
-  }
+  for (const Alike& model : models) check_alike(model);
+}
+
+TEST_CASE("frictionless: of several bodies that move, too, the same numbers as with pairs that could rub") {
+  const Alike models[] = {
+      {"rollers", {"n=12"}, true},                    // most of them free
+      {"bearing", {"n=6"}, true},                     // rigid rings
+      {"stack", {"n=100", "plates=2", "q=0"}, false}, // slides freely,
+      {"stack", {"n=60", "plates=3", "q=0"}, false},  // on another that does
+  };
+  for (const Alike& model : models) check_alike(model);
 }
 
 TEST_CASE("frictionless: bodies that are unloaded, and pressed again") {
@@ -425,6 +435,31 @@ TEST_CASE(
   }
 }
 
+// Q^T T = 0 (METHOD 10.5) to the digits of Q and T: what a stiff body leaves of round-off in the forces under it is taken away.
+TEST_CASE("frictionless: no column of the contact system has a resultant of a free body, however stiff that is") {
+  many::Model m;
+  m.add(many::rectangle(0, -1, 2, 0, {6, 3, 6, 3}, 1));
+  m.add(many::rectangle(0, 0, 2, 1, {6, 3, 6, 3}, 1e3));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.3;
+  many::Machine machine(m);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  ByHand hand(machine.solver, false);
+  const std::vector<c2d::Real> t = hand.tableau();
+  const int32_t slots = static_cast<int32_t>(hand.m), motions = hand.model.head->motions;
+  REQUIRE(motions == 3);
+  std::vector<c2d::Real> q(static_cast<size_t>(slots * motions));
+  REQUIRE(read_matrix(hand.r.tape, c2d::ContactMatrix::resultants, q.data(), slots) == C2D_OK);
+  for (int32_t j = 0; j < slots; ++j) {
+    const c2d::Real* column = t.data() + j * slots;
+    for (int32_t k = 0; k < motions; ++k)
+      CHECK(std::fabs(c2d::product(q.data() + k * slots, column, slots)) <
+            2 * kEpsilon * std::sqrt(c2d::product(column, column, slots)));
+  }
+}
+
 // Of each step the first operations, the last ones, and those beside the last turns from reads to writes or back: there begins
 // or ends what the step does for one matrix. (A free body of the coating is solved for.)
 TEST_CASE("frictionless: whichever operation of the store fails in a step of the reduction, that is told") {
@@ -592,5 +627,31 @@ TEST_CASE("frictionless: of as many motions as unknowns all columns are zero, an
       CHECK(std::fabs(row[C2D_TT]) == doctest::Approx(0.1));
       CHECK(row[C2D_STATUS] == C2D_STICK);
     }
+  }
+}
+
+// Rigid blocks that do not turn, side by side, each on three pairs: so many motions go through orthonormalise() in parts.
+TEST_CASE("frictionless: many rigid blocks on one body, each presses and rubs as much as its load") {
+  using namespace many;
+  for (const int32_t blocks : {6, 9, 12}) {
+    CAPTURE(blocks);
+    Model m;
+    m.function_nodes = 1;
+    m.friction = 0.5;
+    m.add(rectangle(0, -4, blocks, 0, {20, 2, 3 * blocks, 2}));
+    m.set(1, 1, end_of(kHeld));
+    for (int32_t i = 0; i < blocks; ++i) {
+      const double x = i;
+      const int32_t block = m.add(polygon({{x, 0, 3}, {x + 1, 0, 1}, {x + 0.5, 1, 1}})), last = m.side(1, 3).last - 3 * i;
+      m.body(block).rigid = m.body(block).is_free[0] = m.body(block).is_free[1] = 1;
+      m.body(block).load[0] = 0.1, m.body(block).load[1] = -1;
+      m.zones.push_back({C2D_ZONE_MATCHING, {{1, last - 2, last}, {block, 3, 1}}});
+    }
+    const Result r = many::Machine(m).run();
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    REQUIRE_MESSAGE(r.outcome == C2D_REACHED, r.messages());
+    CHECK(r.summary.contact_unknowns == 6 * blocks);
+    for (size_t b = 1; b < r.bodies.size(); ++b)
+      for (int k = 0; k < 2; ++k) CHECK(r.bodies[b].contact[k] == doctest::Approx(k == 0 ? -0.1 : 1.0).epsilon(1e-9));
   }
 }

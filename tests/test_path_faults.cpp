@@ -1,5 +1,6 @@
 // A path whose store fails, whose host cancels, or that stops: at any of its operations, while overlaps are closed, when
 // changes are shown, and when results are asked for. Two squares, the upper one pressed and pushed, by 0.01 too deep or not.
+#include "many_bodies.hpp"
 #include "memory/config.hpp"
 #include "program/families/family.hpp"
 #include "solver_runs.hpp"
@@ -163,6 +164,52 @@ TEST_CASE("path faults: whichever read of a preparation fails, that is told") {
       REQUIRE(reads > 50);
     } else {
       CHECK((status == C2D_ERR_STORE_READ || n == 0)); // (the first is of the count, which a new store need not have)
+    }
+  }
+}
+
+// A rigid square, free to move, is pressed on another: its motions and what forces do to them are columns one by one. What
+// fails once and goes well from then on is told as well.
+TEST_CASE("path faults: whichever operation fails once while a rigid body is prepared, that is told") {
+  many::Model m;
+  m.add(many::rectangle(0, 0, 1, 1, {2, 2, 2, 2}));
+  m.add(many::rectangle(0, 1, 1, 2, {2, 2, 2, 2}));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.bodies[1].rigid = 1;
+  for (int32_t& is_free : m.bodies[1].is_free) is_free = 1;
+  m.bodies[1].load[1] = -1;
+  m.bodies[1].point[0] = 0.5, m.bodies[1].point[1] = 1.5;
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.3;
+  std::vector<int32_t> order;
+  std::istringstream in(many::deck_of(m, "rigid", order));
+  Deck deck;
+  for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
+  const host::Limits limits = deck.limits();
+  uint64_t least = 0;
+  REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
+  size_t operations = 1;
+  for (size_t n = 0; n <= operations; ++n) { // the last one fails nowhere
+    CAPTURE(n);
+    RamStore store;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    Machine machine(limits, least, &port);
+    REQUIRE_MESSAGE(read_deck(machine.solver, deck) == C2D_OK, error_of(machine.solver).text);
+    const size_t begun = store.done.size();
+    char failed = ' ';
+    store.before = [&](const RamStore::Operation& operation, size_t i) {
+      if (operations == 1 || i != begun + n) return 0;
+      failed = operation.kind;
+      return 9;
+    };
+    const c2d_status status = c2d_prepare(machine.solver);
+    if (operations == 1) {
+      REQUIRE(status == C2D_OK);
+      operations = store.done.size() - begun;
+      REQUIRE(operations > 50);
+    } else if (failed == 'r' || failed == 'w') {
+      CHECK((status == (failed == 'r' ? C2D_ERR_STORE_READ : C2D_ERR_STORE_WRITE) || n == 1));
     }
   }
 }

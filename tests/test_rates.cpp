@@ -59,6 +59,8 @@ public:
   }
   // The same with other statuses, where they hold the pairs; and pairs whose friction is at its bound, or without bound.
   RateProblem& last() { return r_; }
+  // What stood where the problem stands.
+  void leave_in_area(double number) { std::fill(area_.begin(), area_.end(), number); }
   RateProblem& start_from(std::mt19937& draw, bool other_kinds) {
     start();
     for (int i = 0; i < m_; ++i) {
@@ -76,6 +78,26 @@ public:
       const int status = slips ? C2D_SLIP : d.kind != DoubtKind::cone && draw() % 2 == 0 ? C2D_OPEN : C2D_STICK;
       change_status(tableau_, i, status, slips ? sign : 0, 0.0);
     }
+    combine(tableau_, &one_, false, rates_.data());
+    return r_;
+  }
+  // What stands in the tableau goes along with a path on it: the first one, again.
+  RateProblem& start_again() {
+    if (!sticking_.empty()) {
+      t_ = sticking_;
+      rates_ = sticking_rates_;
+      for (Pair& pair : pair_) pair.status = C2D_STICK, pair.sign = 0, pair.offset = 0;
+    }
+    start();
+    for (int i = 0; i < m_; ++i) {
+      t_[sized(m_ * m_ + i)] = 0.0;
+      t_[sized(m_ * (m_ + 1) + i)] = rates_[sized(i)];
+    }
+    return r_;
+  }
+  RateProblem& start_slipping(int sign) {
+    start_again();
+    for (int i = 0; i < m_ / 2; ++i) change_status(tableau_, i, C2D_SLIP, sign, 0.0);
     combine(tableau_, &one_, false, rates_.data());
     return r_;
   }
@@ -187,6 +209,132 @@ TEST_CASE("rates: a wedge has three solutions where friction times coupling exce
     CHECK(r.doubt[0].cell == (q < 2.0 ? Cell::stick : Cell::open)); // of three, the one that does not move
     CHECK(problem.holds(r));
   }
+}
+
+TEST_CASE("rates: of several solutions the one whose motion goes on is taken") {
+  struct Going {
+    double wn, wt;
+    Cell cell;
+  };
+  // One of those above: stuck, slipping by (q - 2 p) / 0.2, or lifted.
+  for (const Going& before :
+       {Going{0.0, 0.0, Cell::stick}, {0.0, -1.0, Cell::slip_plus}, {0.08 / 0.64, -1.2 / 0.64, Cell::open}}) {
+    Problem problem = one_pair(0.6, 2.0, 1.0, 1.8);
+    for (const bool branch : {false, true}) {
+      CAPTURE(branch);
+      RateProblem& r = problem.start();
+      r.before[0] = static_cast<Real>(before.wn);
+      r.before[1] = static_cast<Real>(before.wt);
+      int32_t found = 0;
+      c2d_status status = C2D_OK;
+      if (branch)
+        CHECK(branch_cells(r, true, 1000, &found, go_on, nullptr, &status) == Settled::solved);
+      else
+        CHECK(try_all_cells(r, &found) == Settled::solved);
+      CHECK(found == 3);
+      CHECK(r.doubt[0].cell == before.cell);
+    }
+  }
+}
+
+// Friction comes to its bound as it grows, and the pair does not move: stuck or slipping, it is one solution.
+TEST_CASE("rates: of cells that say the same of a closed pair the first is taken, whatever holds the body") {
+  for (const int32_t free_motions : {0, 1}) {
+    CAPTURE(free_motions);
+    Problem problem = one_pair(0.0, 0.5, 1.0, 0.5);
+    RateProblem& r = problem.start();
+    r.t->free_motions = free_motions;
+    int32_t found = 0;
+    CHECK(try_all_cells(r, &found) == Settled::solved);
+    CHECK(found == 1);
+    CHECK(r.doubt[0].cell == Cell::slip_plus);
+  }
+}
+
+TEST_CASE("rates: branch and bound divides no more than it has to, whatever stood in its memory") {
+  struct Pressed {
+    double p, q;
+    Cell cell;
+  };
+  for (const double left : {0.0, 5.0, -5.0})
+    for (const DoubtKind kind : {DoubtKind::apex, DoubtKind::normal})
+      for (const Pressed& of : {Pressed{1.0, 0.2, Cell::stick},
+                                {1.0, 0.8, Cell::slip_plus},
+                                {1.0, -0.8, Cell::slip_minus},
+                                {-1.0, 0.3, Cell::open}}) {
+        if (kind == DoubtKind::normal && of.cell != Cell::stick && of.cell != Cell::open) continue;
+        CAPTURE(left);
+        CAPTURE(static_cast<int>(of.cell));
+        Problem problem = one_pair(0.0, 0.5, of.p, of.q);
+        problem.leave_in_area(left);
+        RateProblem& r = problem.start();
+        r.doubt[0].kind = kind;
+        int32_t found = 0;
+        c2d_status status = C2D_OK;
+        CHECK(branch_cells(r, false, 1, &found, go_on, nullptr, &status) == Settled::solved);
+        CHECK(r.doubt[0].cell == of.cell);
+      }
+}
+
+TEST_CASE("rates: a pair that slips on is stuck or slips in one part, and what it moves by round-off divides nothing") {
+  for (const int sign : {1, -1})
+    for (const double part : {0.5, 1.5}) { // of the friction's bound
+      CAPTURE(sign);
+      CAPTURE(part);
+      Problem problem = one_pair(0.0, 0.5, 1.0, sign * 0.5 * part);
+      RateProblem& r = problem.start();
+      r.doubt[0].kind = DoubtKind::cone;
+      r.doubt[0].sign = sign;
+      int32_t found = 0;
+      c2d_status status = C2D_OK;
+      CHECK(branch_cells(r, false, 1, &found, go_on, nullptr, &status) == Settled::solved);
+      CHECK(r.doubt[0].cell == (part < 1.0 ? Cell::stick : sign > 0 ? Cell::slip_plus : Cell::slip_minus));
+    }
+  for (const double digit : {-1e-12, 0.0, 1e-12}) { // its friction is at the other bound, but for that
+    CAPTURE(digit);
+    Problem problem = one_pair(0.0, 0.5, 1.0, 0.0);
+    problem.rate(1) = -0.5 + digit;
+    int32_t found = 0;
+    c2d_status status = C2D_OK;
+    CHECK(branch_cells(problem.start_slipping(-1), false, 1, &found, go_on, nullptr, &status) == Settled::solved);
+  }
+}
+
+TEST_CASE("rates: the path seldom has to begin anew, from whichever cells, by systems or on the tableau") {
+  std::mt19937 draw(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int at_once[2] = {0, 0};
+  for (int trial = 0; trial < 600; ++trial) {
+    CAPTURE(trial);
+    const int pairs = 1 + trial % 4, m = 2 * pairs;
+    Problem problem(pairs, 0.1 + 0.2 * (trial % 7));
+    std::vector<double> root(sized(m * m));
+    for (double& x : root) x = uniform(draw);
+    for (int i = 0; i < m; ++i) {
+      problem.rate(i) = uniform(draw);
+      for (int j = 0; j < m; ++j) {
+        problem.stiffness(i, j) = i == j ? 0.3 : 0.0;
+        for (int k = 0; k < m; ++k) problem.stiffness(i, j) += root[sized(i * m + k)] * root[sized(j * m + k)];
+      }
+    }
+    Cell first[4];
+    for (Cell& cell : first) cell = static_cast<Cell>(draw() % 4);
+    for (const bool on_tableau : {false, true}) {
+      RateProblem& r = problem.start_again();
+      r.on_tableau = on_tableau;
+      for (int i = 0; i < pairs; ++i) r.doubt[i].cell = first[i];
+      int attempts = 0;
+      c2d_status status = C2D_OK;
+      const auto count = [](void* to) -> c2d_status {
+        ++*static_cast<int*>(to);
+        return C2D_OK;
+      };
+      const bool solved = follow_cells(r, false, count, &attempts, &status) == Settled::solved;
+      if (solved) CHECK(problem.holds(r));
+      at_once[on_tableau] += solved && attempts == 1;
+    }
+  }
+  for (const int of_600 : at_once) CHECK(of_600 > 580);
 }
 
 // Wedges that know nothing of each other: three states each, so 3^n of them all.

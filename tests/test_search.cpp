@@ -440,6 +440,46 @@ TEST_CASE("search: where one of many pairs has no status, that is said, or the s
   }
 }
 
+// The wedge again, K = (1 0.6; 0.6 1), mu = 2, and rates (1, 1.8): it may stick, or slip by (q - 2 p) / 0.2 = -1. What it does
+// to the pressure of a pair beside it, which sticks, has no part in that.
+TEST_CASE("search: of several rates those are taken with which a motion goes on, and they are counted, whatever is beside it") {
+  for (const double beside : {0.0, 3.0, -3.0}) {
+    CAPTURE(beside);
+    const Matrix k = {{1, 0.6, 0, 0}, {0.6, 1, 0, 0}, {0, beside, 1, 0}, {0, 0, 0, 1}};
+    Hand h(k, {{1, 1.8, 100, 0}}, true, 2.0);
+    h.keep_nothing_back();
+    h.pair(0).status = C2D_SLIP, h.pair(0).sign = 1;
+    REQUIRE(h.build() == C2D_OK);
+    Follower& f = h.follower();
+    f.load[0] = f.direction[0] = 1.0; // it has slipped up to here
+    refresh(f);
+    h.follow(2.0);
+    CHECK(h.pair(0).status == C2D_SLIP);
+    CHECK(h.state(0).wt == doctest::Approx(-2.0));
+    CHECK(f.solutions == 2);
+  }
+}
+
+// Two pairs slip, and A has what they move by per friction; A = size (1 c; c 1) is positive definite where c < 1.
+TEST_CASE("search: rates of pairs that slip on are not looked at one by one where they are surely unique") {
+  for (const double size : {0.01, 1.0, 100.0})
+    for (const double c : {0.3, 2.0}) {
+      CAPTURE(size);
+      CAPTURE(c);
+      const double own = 1.0 / (size * (1.0 - c * c)), other = -c * own;
+      Hand h({{1, 0, 0, 0}, {0, own, 0, other}, {0, 0, 1, 0}, {0, other, 0, own}}, {{1, 1.5, 1, 1.5}}, true, 0.5);
+      h.keep_nothing_back();
+      for (int i = 0; i < 2; ++i) h.pair(i).status = C2D_SLIP, h.pair(i).sign = 1;
+      REQUIRE(h.build() == C2D_OK);
+      Follower& f = h.follower();
+      f.load[0] = f.direction[0] = 1.0;
+      refresh(f);
+      h.follow(2.0);
+      for (int i = 0; i < 2; ++i) CHECK(h.state(i).wt == doctest::Approx(-2.0 * size * (1.0 + c)));
+      CHECK(f.solutions == (c < 1.0 ? 0 : 1));
+    }
+}
+
 // Pairs that nothing holds, but for one that sticks: so many motions are more than bodies at rest may have.
 TEST_CASE("search: bodies rest along twelve motions, not along thirteen") {
   for (const int open : {12, 13}) {
