@@ -789,33 +789,61 @@ TEST_CASE("compressed: records of a stranger lead nowhere") {
   CHECK(refused == 0);
 }
 
+namespace {
+
+// A body whose records are spoilt where they lie, read by back substitution with no load.
+struct Spoilt {
+  ModelData d;
+  Compressed::Trouble trouble;
+  std::unique_ptr<Compressed> own;
+  std::vector<char> buffer;
+  uint64_t end = 0;
+  c2d::Stream records;
+  Numbers x, c;
+  std::unique_ptr<Aligned> work;
+
+  Spoilt(int nodes, int32_t rank, int32_t leaf, uint64_t block_bytes) : d(disc(2, 2, nodes)) {
+    REQUIRE(d.complete());
+    trouble.block_bytes = block_bytes;
+    own = std::make_unique<Compressed>(d, 0, rank, leaf, trouble);
+    REQUIRE(own->status == C2D_OK);
+    buffer.resize(c2d::kBlockHeaderBytes + block_bytes);
+    records = c2d::open_records(own->plan, own->tapes, buffer.data(), &end);
+    x.resize(static_cast<size_t>(own->pivots));
+    c.resize(static_cast<size_t>(own->trailing));
+    work = std::make_unique<Aligned>(bytes() + end);
+  }
+  uint64_t bytes() const { return c2d::compressed_back_bytes(own->plan); }
+  c2d_status back() { return c2d::back_substitute_compressed(own->plan, own->tapes, c.data(), x.data(), work->at); }
+  void tell(uint64_t at, uint64_t told) { // of a length among the records
+    const uint64_t size = trouble.block_bytes, place = at % size, block = records.first_block + at / size;
+    REQUIRE(place + sizeof told <= size);
+    REQUIRE(c2d::read_block(own->tapes, C2D_TAPE_UPPER, block, buffer.data(), size) == C2D_OK);
+    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes + place, &told, sizeof told);
+    REQUIRE(c2d::write_block(own->tapes, C2D_TAPE_UPPER, block, buffer.data(), size) == C2D_OK);
+  }
+  void tell_end(uint64_t told) {
+    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes, &told, sizeof told);
+    REQUIRE(c2d::write_block(own->tapes, C2D_TAPE_UPPER, records.first_block - 1, buffer.data(), c2d::kEndBytes) == C2D_OK);
+  }
+};
+
+} // namespace
+
 // What the length of the first record says reaches beyond it, where the samples are.
 TEST_CASE("compressed: a record that begins before the first one is none") {
-  ModelData d = disc(2, 2, 100);
-  REQUIRE(d.complete());
-  Compressed::Trouble trouble;
-  trouble.block_bytes = 8192;
-  Compressed compressed(d, 0, 100, 8, trouble);
-  REQUIRE(compressed.status == C2D_OK);
-  const c2d::CompressedPlan& plan = compressed.plan;
-  std::vector<char> buffer(c2d::kBlockHeaderBytes + trouble.block_bytes);
-  uint64_t end = 0, length = 0;
-  c2d::Stream records = c2d::open_records(plan, compressed.tapes, buffer.data(), &end);
-  while (end > c2d::sample_bytes(plan)) { // from the last one on
-    REQUIRE(c2d::read_at(records, end - sizeof length, &length, sizeof length) == C2D_OK);
+  Spoilt r(100, 100, 8, 8192);
+  const uint64_t first = c2d::sample_bytes(r.own->plan);
+  uint64_t end = r.end, length = 0;
+  while (end > first) { // from the last one on
+    REQUIRE(c2d::read_at(r.records, end - sizeof length, &length, sizeof length) == C2D_OK);
     end -= length + sizeof length;
   }
-  REQUIRE(end == c2d::sample_bytes(plan));
-  const uint64_t at = end + length, place = at % trouble.block_bytes;
-  REQUIRE(place + sizeof length <= trouble.block_bytes);
-  Numbers x(static_cast<size_t>(compressed.pivots));
-  const Numbers c(static_cast<size_t>(compressed.trailing), 0);
-  Aligned work(c2d::compressed_back_bytes(plan));
+  REQUIRE(end == first);
+  const uint64_t at = end + length;
   const auto back = [&](uint64_t told) {
-    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes + place, &told, sizeof told);
-    REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, records.first_block + at / trouble.block_bytes, buffer.data(),
-                             trouble.block_bytes) == C2D_OK);
-    return c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at);
+    r.tell(at, told);
+    return r.back();
   };
   CHECK(back(at + sizeof length) == C2D_ERR_INTERNAL);
   CHECK(back(at + sizeof length - 1) == C2D_ERR_INTERNAL);
@@ -824,43 +852,20 @@ TEST_CASE("compressed: a record that begins before the first one is none") {
 
 // Neither leads out of the records, or of the work area.
 TEST_CASE("compressed: records that end behind the tape, and one as long as all of them, are none") {
-  ModelData d = disc(2, 2, 600);
-  REQUIRE(d.complete());
-  Compressed::Trouble trouble;
-  trouble.block_bytes = 1024;
-  Compressed compressed(d, 0, 130, 4, trouble);
-  REQUIRE(compressed.status == C2D_OK);
-  const c2d::CompressedPlan& plan = compressed.plan;
-  std::vector<char> buffer(c2d::kBlockHeaderBytes + trouble.block_bytes);
-  uint64_t end = 0;
-  c2d::Stream records = c2d::open_records(plan, compressed.tapes, buffer.data(), &end);
-  const uint64_t first = records.first_block;
-  CHECK(first + records.blocks == c2d::compressed_upper_use(plan).blocks);
-  const auto tell_end = [&](uint64_t told) {
-    std::memcpy(buffer.data() + c2d::kBlockHeaderBytes, &told, sizeof told);
-    REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, first - 1, buffer.data(), c2d::kEndBytes) == C2D_OK);
-  };
-  Numbers x(static_cast<size_t>(compressed.pivots));
-  const Numbers c(static_cast<size_t>(compressed.trailing), 0);
-  const uint64_t bytes = c2d::compressed_back_bytes(plan), more = end;
-  Aligned work(bytes + more);
-  const auto back = [&] { return c2d::back_substitute_compressed(plan, compressed.tapes, c.data(), x.data(), work.at); };
-  CHECK(back() == C2D_OK);
-  tell_end(records.blocks * trouble.block_bytes + sizeof end);
-  CHECK(back() == C2D_ERR_INTERNAL);
-  tell_end(end);
-  CHECK(back() == C2D_OK);
-  const uint64_t at = end - sizeof end, place = at % trouble.block_bytes, told = at;
-  REQUIRE(place + sizeof told <= trouble.block_bytes);
-  REQUIRE(told > 2 * sizeof(double) * static_cast<uint64_t>(c2d::record_numbers(plan)));
-  const uint64_t block = first + at / trouble.block_bytes;
-  REQUIRE(c2d::read_block(compressed.tapes, C2D_TAPE_UPPER, block, buffer.data(), trouble.block_bytes) == C2D_OK);
-  std::memcpy(buffer.data() + c2d::kBlockHeaderBytes + place, &told, sizeof told);
-  REQUIRE(c2d::write_block(compressed.tapes, C2D_TAPE_UPPER, block, buffer.data(), trouble.block_bytes) == C2D_OK);
-  unsigned char* behind = static_cast<unsigned char*>(work.at) + bytes;
-  std::memset(behind, 0x5a, more);
-  CHECK(back() == C2D_ERR_INTERNAL);
-  CHECK(std::all_of(behind, behind + more, [](unsigned char byte) { return byte == 0x5a; }));
+  Spoilt r(600, 130, 4, 1024);
+  CHECK(r.records.first_block + r.records.blocks == c2d::compressed_upper_use(r.own->plan).blocks);
+  CHECK(r.back() == C2D_OK);
+  r.tell_end(r.records.blocks * r.trouble.block_bytes + sizeof r.end);
+  CHECK(r.back() == C2D_ERR_INTERNAL);
+  r.tell_end(r.end);
+  CHECK(r.back() == C2D_OK);
+  const uint64_t at = r.end - sizeof r.end;
+  REQUIRE(at > 2 * sizeof(double) * static_cast<uint64_t>(c2d::record_numbers(r.own->plan)));
+  r.tell(at, at);
+  unsigned char* behind = static_cast<unsigned char*>(r.work->at) + r.bytes();
+  std::memset(behind, 0x5a, r.end);
+  CHECK(r.back() == C2D_ERR_INTERNAL);
+  CHECK(std::all_of(behind, behind + r.end, [](unsigned char byte) { return byte == 0x5a; }));
 }
 
 // They decide what is looked at as it is: too wide a circle costs time, too narrow a one digits.

@@ -9,12 +9,6 @@
 namespace c2d {
 namespace {
 
-Complex polynomial(const Complex* c, int n, double eta) {
-  Complex sum = c[n - 1];
-  for (int k = n - 2; k >= 0; --k) sum = eta * sum + c[k];
-  return sum;
-}
-
 // Points of the group's own distance from where it is looked at see each of its elements so far away that this rule does.
 int far_order(const FieldElement& e, double radius) {
   const Integrator& in = e.in;
@@ -48,7 +42,7 @@ void add_source(const PointSource& s, double kappa, FarField& out) {
   }
 }
 
-// sum over j of c_j (w + d)^-j, with ln in front, in powers of 1/w: of one more power in each step.
+// sum over j of c_j (w - d)^-j in powers of 1/w: of one more power in each step.
 struct Shift {
   double ratio;             // of the radii
   Complex by;               // the way between the middles, in the larger radius
@@ -82,7 +76,7 @@ void add_to_far_field(const FieldElement& e, Complex rest, FarField& out) {
   }
 }
 
-// With w = w' + d the term w conj(F')/2 leaves -d conj(F')/2 to X.
+// With w = w' - d, w' from the larger group's middle, the term w conj(F')/2 leaves -d* F'/2 to X.
 void add_to_far_field(const FarField& part, double kappa, FarField& out) {
   if (!(part.radius > 0.0)) return;
   const Complex d = part.middle - out.middle;

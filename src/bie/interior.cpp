@@ -51,12 +51,6 @@ void add_scaled(PointField& sum, double factor, const PointField& part) {
   add(sum.deviator, factor * part.deviator);
 }
 
-Complex polynomial(const Complex* c, int n, double eta) {
-  Complex sum = c[n - 1];
-  for (int k = n - 2; k >= 0; --k) sum = eta * sum + c[k];
-  return sum;
-}
-
 void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Stretch& panel, int order, PointField& sum) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (panel.to - panel.from), middle = 0.5 * (panel.from + panel.to);

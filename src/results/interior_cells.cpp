@@ -73,7 +73,6 @@ Complex middle_of(const Element& e) { return {e.c[0][0], e.c[0][1]}; }
 void bound_leaf(const Session& session, int b, int32_t first, int32_t last, FarCell& cell) {
   Integrator in;
   Hull hull;
-  cell.chains = 0;
   for (int32_t element = first; element < last; ++element) {
     if (!is_integrated(session.model, b, element)) continue;
     make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);

@@ -34,6 +34,7 @@ static_assert(sizeof(PointSearch) == C2D_POINT_FIELDS * sizeof(double) && sizeof
               "fill a row of the answer, and end alike");
 constexpr double kUnplaced = 0.0, kNowhere = 1.0;
 constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
+constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 
 struct Points {
   int32_t count;
@@ -76,7 +77,6 @@ inline bool is_inside(double place, int b) { return place == place_of(b, C2D_POI
 // found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on
 // its boundary, and has displacement and place of the nearest boundary point.
 void begin_placing(const Points& points);
-constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 void look_from_afar(const Element& e, const Points& points);
 void leave_afar(const Points& points);
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);

@@ -420,6 +420,7 @@ int32_t keeps_factors(const c2d_solver* s) {
     const c2d_status status = kCompressedPart.plan_compression(phase_sizes(sizes_of(s)), bytes, m, plans);
     if (status != C2D_OK) return status;
   }
+  if (C2D_NEVER(phases_use(sizes, plans, false) > bytes)) return C2D_ERR_INTERNAL; // no array of a smaller model is longer
   const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
   for (int b = 0; b < m.head->bodies; ++b)
