@@ -896,8 +896,8 @@ TEST_CASE("compressed: circles round cells hold their points and what reaches fr
 TEST_CASE("compressed: tapes have room for all that cells hand on, for every load case") {
   for (int32_t loads : {1, 9}) {
     ModelData d = disc(2, 2, 64);
-    d.head.load_cases = loads;
     REQUIRE(d.complete());
+    d.head.load_cases = loads; // (the lists of the fixture are those of one)
     c2d::CompressedPlan plan = c2d::plan_compressed(d.view(), 0, 100, 8);
     plan.block_bytes = 512;
     // Of 8 cells of 16 unknowns: 16 x 16 twice, right-hand sides twice, in doubles; 4 of 32, 2 of 64.

@@ -711,9 +711,10 @@ many::Model with_axis() {
 // A model that has gone its way.
 struct Followed {
   std::vector<c2d_body_limits> list;
+  c2d_limits limits;
   Own own;
   Followed(const many::Model& m, const c2d_options& options)
-      : own(many::limits_of(m, list), enough_for(many::limits_of(m, list))) {
+      : limits(many::limits_of(m, list)), own(limits, enough_for(limits)) {
     REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
     REQUIRE_MESSAGE(many::feed(own.solver(), m) == C2D_OK, error_of(own.solver()).text);
     REQUIRE_MESSAGE(c2d_prepare(own.solver()) == C2D_OK, error_of(own.solver()).text);

@@ -192,14 +192,14 @@ TEST_CASE("path faults: whichever operation fails once while a rigid body is pre
   for (size_t n = 0; n <= operations; ++n) { // the last one fails nowhere
     CAPTURE(n);
     RamStore store;
+    char failed = ' ';
     c2d_port port = C2D_INIT(c2d_port);
     store.serve(port);
     Machine machine(limits, least, &port);
     REQUIRE_MESSAGE(read_deck(machine.solver, deck) == C2D_OK, error_of(machine.solver).text);
-    const size_t begun = store.done.size();
-    char failed = ' ';
-    store.before = [&](const RamStore::Operation& operation, size_t i) {
-      if (operations == 1 || i != begun + n) return 0;
+    const size_t begun = store.done.size(), faulty = operations == 1 ? SIZE_MAX : begun + n;
+    store.before = [&failed, faulty](const RamStore::Operation& operation, size_t i) {
+      if (i != faulty) return 0;
       failed = operation.kind;
       return 9;
     };
