@@ -497,6 +497,73 @@ TEST_CASE("search: bodies rest along twelve motions, not along thirteen") {
   }
 }
 
+namespace {
+
+// Pair 0 is pressed. The others are open, and the body tips along R = (0, 2, -1) without a force, by (1, 2) against k = 1/2:
+// loads of (1, 1, 2) do no work on that.
+std::unique_ptr<Hand> balance(const std::vector<double>& gaps) {
+  const Matrix k = {{1, 0, 0}, {0, 0.5, 1}, {0, 1, 2}};
+  std::unique_ptr<Hand> h(new Hand(k, {{1, 1, 2}}, std::vector<int>(3, 0), 0.3));
+  h->tableau().load = h->follower().load, h->tableau().direction = h->follower().direction;
+  h->tableau().model = h->follower().model;
+  h->tableau().free_motions = h->tableau().may_rest = 1;
+  for (int i = 0; i < 3; ++i) {
+    h->pair(i).length = 1.0 + i; // not all alike, nor 1
+    keep_place(h->pair(i), gaps[sized(i)], 0.0);
+  }
+  h->start(gaps);
+  REQUIRE(h->tableau().resting == 1);
+  return h;
+}
+
+} // namespace
+
+// K w + x l R = p, and the sum of l R w is none.
+TEST_CASE("search: what rests along a motion gives way to forces as if it were held by a force that is none, in the mean") {
+  const std::unique_ptr<Hand> h = balance({0, 0.1, 0.1});
+  const double held[] = {2.0 * 2.0, 3.0 * -1.0}; // l R
+  for (int pressed = 1; pressed <= 2; ++pressed) {
+    CAPTURE(pressed);
+    const double w[] = {h->entry(1, pressed), h->entry(2, pressed)}, along = pressed == 1 ? 2.0 : -1.0;
+    const double x = along / (2.0 * held[0] - held[1]); // R p over R l R
+    CHECK(held[0] * w[0] + held[1] * w[1] == doctest::Approx(0).scale(1));
+    CHECK(0.5 * w[0] + w[1] + x * held[0] == doctest::Approx(pressed == 1 ? 1 : 0).scale(1));
+    CHECK(w[0] + 2.0 * w[1] + x * held[1] == doctest::Approx(pressed == 2 ? 1 : 0).scale(1));
+  }
+}
+
+// w_1 + 2 w_2 = 0.7 - 2 load. While none of the two touches, 4 w_1 - 3 w_2 is what it was.
+TEST_CASE("search: a body that comes to touch with one pair more leans on it without a force until the next one touches") {
+  const std::unique_ptr<Hand> h = balance({0, 0.1, 0.3});
+  h->follow(0.05);
+  CHECK(h->state(1).wn == doctest::Approx((3 * 0.6 - 2 * 0.5) / 11));
+  CHECK(h->state(2).wn == doctest::Approx((4 * 0.6 + 0.5) / 11));
+  h->follow(0.3);
+  CHECK(h->pair(1).status == C2D_OPEN);
+  CHECK(h->tableau().resting == 1); // it may still tip off
+  CHECK(h->state(1).wn == doctest::Approx(0).scale(1));
+  CHECK(h->state(2).wn == doctest::Approx(0.05));
+  h->follow(0.5);
+  CHECK(h->tableau().resting == 0);
+  CHECK(h->state(0).p == doctest::Approx(0.5));
+  CHECK(h->state(1).p == doctest::Approx(0.15));
+  CHECK(h->state(2).p == doctest::Approx(0.3));
+}
+
+// Where supports hold the bodies nothing is let go: what they press without a force so far counts, below 1e-9 as well.
+TEST_CASE("search: a held body that is moved along what it touches slips under a pressure from the start, however little") {
+  for (const double little : {1e-10, 5e-10, 1e-8}) {
+    CAPTURE(little);
+    Hand h({{1, 0}, {0, 1}}, {{little, 1}}, true, 0.5);
+    h.start({0});
+    h.follow(1.0);
+    CHECK(h.pair(0).status == C2D_SLIP);
+    CHECK(h.state(0).p == doctest::Approx(little));
+    CHECK(h.state(0).q == doctest::Approx(0.5 * little));
+    CHECK(h.state(0).wt == doctest::Approx(-1));
+  }
+}
+
 // ---- places in a range, METHOD 13.7 -----------------------------------------------------------------------------------
 
 // The friction of the pair is at its bound, q = s p / 2, and stays there. K lets it slide freely, w_t by itself, where q falls
