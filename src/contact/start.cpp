@@ -95,19 +95,13 @@ double pair_product(const Model& m, int b, const double u[3], const double v[3])
   return sum;
 }
 
-c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating) {
+c2d_status start_path(Follower& f, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
   tie_pairs(t, f.model->head->pairs);
   place_as_given(f);
   *floating = 0;
-  int32_t touching = 0;
-  for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
-  if (touching == 0 && body.others() > 0) {
-    *floating = 1;
-    return C2D_OK;
-  }
-  const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
+  const c2d_status status = is_let_go(t) ? c2d_status{C2D_ERR_SINGULAR} : build_tableau(t, *f.tape, &f.last_pair);
   if (status == C2D_ERR_SINGULAR) {
     *floating = 1;
     return C2D_OK;

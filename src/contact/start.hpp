@@ -18,7 +18,7 @@ struct FreeBody {
 // Zero load, no history: statuses (touching pairs stick, or slide if mu = 0; everything else open), tableau, books.
 // If these statuses would leave the body free, *floating is 1 and the tableau is not valid until seat().
 // Errors: the block store's.
-c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating);
+c2d_status start_path(Follower& f, int32_t* floating);
 
 // Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit; none where the pair is
 // not on b.

@@ -103,7 +103,7 @@ c2d_status begin_path(Session& session) {
   if (s->blocked || head.contact == 0) return C2D_OK;
   note_free_body(session);
   c2d_status status = load_flexibility(session);
-  if (status == C2D_OK) status = start_path(session.follower, session.free_body, &s->floating);
+  if (status == C2D_OK) status = start_path(session.follower, &s->floating);
   if (status == C2D_OK) begin_judging(session);
   return status;
 }
