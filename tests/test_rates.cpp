@@ -300,23 +300,57 @@ TEST_CASE("rates: a pair that slips on is stuck or slips in one part, and what i
   }
 }
 
+namespace {
+
+// Stiffness and loads as those of a body that supports hold.
+void draw_held(Problem& problem, int pairs, std::mt19937& draw) {
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const int m = 2 * pairs;
+  std::vector<double> root(sized(m * m));
+  for (double& x : root) x = uniform(draw);
+  for (int i = 0; i < m; ++i) {
+    problem.rate(i) = uniform(draw);
+    for (int j = 0; j < m; ++j) {
+      problem.stiffness(i, j) = i == j ? 0.3 : 0.0;
+      for (int k = 0; k < m; ++k) problem.stiffness(i, j) += root[sized(i * m + k)] * root[sized(j * m + k)];
+    }
+  }
+}
+
+} // namespace
+
+// Either the point in which all signs are right has no pair between stick and slip, or the one that is farthest between is
+// the one to divide.
+TEST_CASE("rates: of pairs that slip on those alone are divided that are between stick and slip") {
+  std::mt19937 draw(3);
+  int at_once = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    CAPTURE(trial);
+    const int pairs = 2 + trial % 2;
+    Problem problem(pairs, 0.5);
+    draw_held(problem, pairs, draw);
+    int parts = 0;
+    for (Settled settled = Settled::undecided; settled != Settled::solved && parts < 3;) {
+      RateProblem& r = problem.start_again();
+      for (int i = 0; i < pairs; ++i) r.doubt[i].kind = DoubtKind::cone, r.doubt[i].sign = i % 2 == 0 ? -1 : 1;
+      int32_t found = 0;
+      c2d_status status = C2D_OK;
+      settled = branch_cells(r, false, ++parts, &found, go_on, nullptr, &status);
+    }
+    CHECK(parts <= 2);
+    at_once += parts == 1;
+  }
+  CHECK(at_once > 380);
+}
+
 TEST_CASE("rates: the path seldom has to begin anew, from whichever cells, by systems or on the tableau") {
   std::mt19937 draw(3);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   int at_once[2] = {0, 0};
   for (int trial = 0; trial < 600; ++trial) {
     CAPTURE(trial);
-    const int pairs = 1 + trial % 4, m = 2 * pairs;
+    const int pairs = 1 + trial % 4;
     Problem problem(pairs, 0.1 + 0.2 * (trial % 7));
-    std::vector<double> root(sized(m * m));
-    for (double& x : root) x = uniform(draw);
-    for (int i = 0; i < m; ++i) {
-      problem.rate(i) = uniform(draw);
-      for (int j = 0; j < m; ++j) {
-        problem.stiffness(i, j) = i == j ? 0.3 : 0.0;
-        for (int k = 0; k < m; ++k) problem.stiffness(i, j) += root[sized(i * m + k)] * root[sized(j * m + k)];
-      }
-    }
+    draw_held(problem, pairs, draw);
     Cell first[4];
     for (Cell& cell : first) cell = static_cast<Cell>(draw() % 4);
     for (const bool on_tableau : {false, true}) {
@@ -335,6 +369,28 @@ TEST_CASE("rates: the path seldom has to begin anew, from whichever cells, by sy
     }
   }
   for (const int of_600 : at_once) CHECK(of_600 > 580);
+}
+
+TEST_CASE("rates: a path on the tableau ends with the rates of the systems, pressures over the stiffness of their pair") {
+  std::mt19937 draw(8);
+  int pressed = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    CAPTURE(trial);
+    Problem problem(2, 0.4);
+    draw_held(problem, 2, draw);
+    std::vector<double> rates[2];
+    for (const bool on_tableau : {false, true}) {
+      RateProblem& r = problem.start_again();
+      r.on_tableau = on_tableau;
+      r.t->pair[0].stiffness[0] = 5.0, r.t->pair[1].stiffness[0] = 0.3;
+      c2d_status status = C2D_OK;
+      REQUIRE(follow_cells(r, false, go_on, nullptr, &status) == Settled::solved);
+      rates[on_tableau].assign(r.rhs, r.rhs + r.size);
+      pressed += r.doubt[0].cell != Cell::open;
+    }
+    for (size_t i = 0; i < 4; ++i) CHECK(rates[1][i] == doctest::Approx(rates[0][i]).scale(1));
+  }
+  CHECK(pressed > 20);
 }
 
 // Wedges that know nothing of each other: three states each, so 3^n of them all.

@@ -212,27 +212,26 @@ struct Division {
 };
 
 struct PairPoint {
-  double wn, wt, force[2];
+  double wn, wt, one, other; // forces as above
 };
 PairPoint point_of(const RateProblem& r, const Doubt& d) {
   const bool two = d.slots == 2;
-  return {static_cast<double>(r.rhs[d.row]),
-          two ? static_cast<double>(r.rhs[d.row + 1]) : 0.0,
-          {static_cast<double>(r.point[d.row]), two ? static_cast<double>(r.point[d.row + 1]) : 0.0}};
+  return {static_cast<double>(r.rhs[d.row]), two ? static_cast<double>(r.rhs[d.row + 1]) : 0.0,
+          static_cast<double>(r.point[d.row]), two ? static_cast<double>(r.point[d.row + 1]) : 0.0};
 }
 
 // What an open pair may not have, and what a closed one may not have.
 double pressed(const Doubt& d, const PairPoint& x) {
-  if (d.kind == DoubtKind::apex) return x.force[0] + x.force[1];
-  return fmax(x.force[0], d.kind == DoubtKind::adhesive ? fabs(x.force[1]) : 0.0);
+  if (d.kind == DoubtKind::apex) return x.one + x.other;
+  return fmax(x.one, d.kind == DoubtKind::adhesive ? fabs(x.other) : 0.0);
 }
 double apart(const Doubt& d, const PairPoint& x) { return fmax(x.wn, d.kind == DoubtKind::adhesive ? fabs(x.wt) : 0.0); }
 
 // The cell of slip the way the pair moves, and what friction lacks of its bound there.
 Cell way_of(const PairPoint& x) { return x.wt < 0.0 ? Cell::slip_plus : Cell::slip_minus; }
 double lacking(const Doubt& d, const PairPoint& x) {
-  if (d.kind == DoubtKind::cone) return x.force[1];
-  return d.kind == DoubtKind::apex ? x.force[x.wt < 0.0 ? 0 : 1] : 0.0;
+  if (d.kind == DoubtKind::cone) return x.other;
+  return d.kind == DoubtKind::apex ? (x.wt < 0.0 ? x.one : x.other) : 0.0;
 }
 
 Division division_of(const Doubt& d, const PairPoint& x, double none) {
