@@ -183,6 +183,23 @@ TEST_CASE("frames: kinks and paired normals that differ warn, with numbers") {
   CHECK(d.pairs[0].ny == doctest::Approx(1).epsilon(1e-14));
 }
 
+// An element of three nodes above a flat, (s^2, 1 - s): upright at its upper end, and a little beyond that.
+TEST_CASE("frames: at a pair a surface may turn away from the other by a right angle, and no more") {
+  for (const double more : {0.0, 1e-6}) {
+    CAPTURE(more);
+    ModelData d(2);
+    d.body(3, {rectangle(0, -1, 1, 1, 2, 2)});
+    d.body(3, {{0, 1, 0.25 - more, 0.5, 1, 0, 1, 0.5, 1, 1, 0.5, 1}});
+    d.condition(1, 1, 1, "1100");
+    d.condition(1, 1, 2, "1100");
+    d.zone(2, 1, 3, 1, 3, 1, -1, 2);
+    CHECK(d.complete() == (more == 0));
+    const c2d_error* told = d.find(more == 0 ? "90 degrees" : "the surfaces do not face each other");
+    REQUIRE_MESSAGE(told != nullptr, d.all());
+    CHECK(told->pair == 2);
+  }
+}
+
 TEST_CASE("frames: kinks are told once for a side of a zone; those that go on alike are chords of an arc") {
   const auto kinks = [](const std::vector<double>& heights) { // of a surface from x = 1 to -1, even as to its parts
     Points below = {-1, -3, 1, -3}, above;
