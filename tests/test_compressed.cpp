@@ -892,6 +892,92 @@ TEST_CASE("compressed: circles round cells hold their points and what reaches fr
   }
 }
 
+namespace {
+
+// All of a disc as one cell, held all round, beside a body that sets the unit of length.
+struct OneCell {
+  static constexpr int32_t kNodes = 80, kIds = 2 * kNodes;
+  ModelData data{2};
+  std::unique_ptr<Body> body;
+  c2d::CompressedPlan plan;
+  std::unique_ptr<Aligned> work;
+  std::unique_ptr<c2d::Compression> t;
+  OneCell() {
+    Points p;
+    for (int i = 0; i < kNodes; ++i) {
+      const double angle = 360.0 / kNodes * (i + 0.3 * std::sin(7.0 * i * i)); // no two elements alike
+      arc_to(p, 0, 0, 0.5, angle, angle, 1);
+    }
+    data.body(2, {p});
+    data.body(2, {rectangle(1, 1, 4, 4, 1, 1)});
+    data.conditions(1, 1, 1, kNodes, 2, "1100");
+    data.conditions(2, 1, 1, 4, 2, "1100");
+    REQUIRE(data.complete());
+    body = std::make_unique<Body>(data, 0);
+    plan = c2d::plan_compressed(body->model, 0, kIds, kNodes);
+    work = std::make_unique<Aligned>(c2d::compressed_bytes(plan));
+    t.reset(new c2d::Compression{plan, body->system, {}, c2d::kPlainEngine, 0, 0, nullptr, nullptr, {}, {}, {}});
+    c2d::CompressedWork& w = t->w;
+    c2d::lay_out_work(plan, static_cast<char*>(work->at), &w);
+    for (int32_t node = 0; node < kNodes; ++node) w.position[node] = w.stamp[node] = w.hole_at[node] = -1;
+    for (int32_t j = 0; j < plan.columns; ++j) w.place[j] = -1;
+    for (int32_t k = 0; k < kIds; ++k) w.rows[0][k] = w.columns[0][k] = k;
+    w.row_begin[0][0] = w.column_begin[0][0] = 0;
+    w.row_begin[0][1] = w.column_begin[0][1] = kIds;
+  }
+  void set_circle(double radius) { t->w.circle[0] = 0, t->w.circle[1] = 0, t->w.circle[2] = radius; }
+  // One of the three rigid motions, at each row.
+  Numbers motion(int which) const {
+    Numbers of;
+    for (size_t k = 0; k < kIds; ++k) {
+      const double x = body->point[k / 2 * 2], y = body->point[k / 2 * 2 + 1];
+      of.push_back(static_cast<c2d::Real>(which < 2 ? (k % 2 == static_cast<size_t>(which) ? 1 : 0) : k % 2 == 0 ? y : -x));
+    }
+    return of;
+  }
+  // What each column adds to one of the three balances.
+  Numbers balance(size_t which) const {
+    std::vector<int32_t> place(static_cast<size_t>(plan.columns), -1), elements;
+    for (int32_t k = 0; k < kIds; ++k) place[static_cast<size_t>(c2d::column_of(*t, k))] = k;
+    for (int32_t e = 0; e < kNodes; ++e) elements.push_back(e);
+    Numbers all(3 * kIds), of;
+    c2d::fill_balances(body->system, {place.data(), kIds, elements.data(), kNodes}, all.data(), 3);
+    for (size_t k = 0; k < kIds; ++k) of.push_back(all[3 * k + which]);
+    return of;
+  }
+};
+
+// How far numbers of those that are left out are off the combinations of those that are kept, over the largest number.
+double off_combinations(const Numbers& of, int32_t kept, const int32_t* order, const c2d::Real* x) {
+  double most = 0;
+  for (int32_t j = 0; j < static_cast<int32_t>(of.size()) - kept; ++j) {
+    double sum = of[static_cast<size_t>(order[kept + j])];
+    for (int32_t i = 0; i < kept; ++i) sum -= of[static_cast<size_t>(order[i])] * x[i + j * kept];
+    most = std::max(most, std::fabs(sum));
+  }
+  return most / largest(of);
+}
+
+} // namespace
+
+// Forces that are the same all along a circle of radius exp(1 / (2 kappa)) move nothing inside, and displacements of it do not
+// tell the force that acts inside: without motions and balances of their own cells in such circles would lose them.
+TEST_CASE("compressed: what stands for a cell has its rigid motions and its forces, whatever circle is round it") {
+  OneCell cell;
+  const c2d::CompressedWork& w = cell.t->w;
+  const double silent = std::exp(0.5 / (3 - 4 * 0.3));
+  for (const double size : {0.8, 1.0, 1.25}) {
+    CAPTURE(size);
+    cell.set_circle(size * silent / c2d::kProxyRadius);
+    const int32_t rows = c2d::choose_rows(*cell.t, c2d::Depth{1, 0}, 0);
+    REQUIRE(rows < cell.plan.rank);
+    for (int i = 0; i < 3; ++i) CHECK(off_combinations(cell.motion(i), rows, w.row_order, w.row_x) < kNear);
+    const int32_t columns = c2d::choose_columns(*cell.t, c2d::Depth{1, 0}, 0);
+    REQUIRE(columns < cell.plan.rank);
+    for (size_t i = 0; i < 3; ++i) CHECK(off_combinations(cell.balance(i), columns, w.column_order, w.column_x) < kNear);
+  }
+}
+
 // Leaves that are full, and of which nothing can be left out.
 TEST_CASE("compressed: tapes have room for all that cells hand on, for every load case") {
   for (int32_t loads : {1, 9}) {
