@@ -176,6 +176,18 @@ Model strip_on_strip(double upper_modulus, bool half) {
   tie(m, C2D_ZONE_MATCHING, 1, 4, 2, 1);
   return m;
 }
+// The half turned by 90 degrees, with elements on the line of symmetry.
+Model strip_beside_strip() {
+  Model m;
+  m.add(polygon({{0, 0, 3}, {0, 2, 2}, {-1, 2, 2}, {-1, 1, 3}, {-1, 0, 2}}, 100));
+  m.add(polygon({{-1, 0, 3}, {-1, 1, 6}, {-2, 1, 6}, {-2, 0, 2}}, 300));
+  m.set(1, 1, end_of("1001"));
+  m.set(1, 5, end_of("0110"));
+  m.set(2, 4, end_of("0110"));
+  m.set(2, 3, end_of(kPulled, -1, 0));
+  tie(m, C2D_ZONE_MATCHING, 1, 4, 2, 1);
+  return m;
+}
 
 } // namespace
 
@@ -183,6 +195,7 @@ TEST_CASE("ties: where those of unlike materials end a warning says that stresse
   const std::string words = "the tied zone 1 joins unlike materials, bodies 1 and 2, and ends at ";
   CHECK(solve(strip_on_strip(300, false)).told_of(words + "(1, 1) and (-1, 1): stresses there are singular"));
   CHECK(solve(strip_on_strip(300, true)).told_of(words + "(1, 1): stresses there are singular"));
+  CHECK(solve(strip_beside_strip()).told_of(words + "(-1, 1): stresses there are singular"));
   for (const bool half : {false, true}) CHECK(!solve(strip_on_strip(100, half)).told_of("singular"));
   Model rigid = strip_on_strip(100, false);
   rigid.set(2, 3, End());
