@@ -74,7 +74,8 @@
   C2D_BLOCK_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)) * C2D_WIDTH_(panel_columns))
 #define C2D_CONTACT_BLOCKS(bodies, pairs, load_cases)                                                                  \
   ((pairs) > 0 ? UINT64_C(16) * (pairs) + (3 * UINT64_C(1) * (bodies) + 3) * C2D_CASES_(load_cases) +                  \
-                     9 * UINT64_C(1) * (bodies) + 6 * C2D_MOTIONS_(bodies, pairs)                                      \
+                     9 * UINT64_C(1) * (bodies) + 6 * C2D_MOTIONS_(bodies, pairs) +                                    \
+                     (C2D_DELAYED_(2 * (pairs)) > 0 ? 1 : 0)                                                           \
                : 0)
 #define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_CONTACT_BLOCK_(UINT64_C(2) * (pairs))
 /* `workspace` is the C2D_LIMITS_BYTES of these limits, which is more than a saved state. */

@@ -1,10 +1,12 @@
 // The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
 // one of its coefficients is not zero.
+#include "contact/basis.hpp"
 #include "contact/body_compliance.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
+#include "reduction_by_hand.hpp"
 #include "solver/solver.hpp"
 
 #include <doctest/doctest.h>
@@ -351,63 +353,6 @@ TEST_CASE("frictionless: new loads, the least memory") {
 
 // ---- the reduction, called by hand -----------------------------------------------------------------------------------------
 
-namespace {
-
-// So many numbers from a multiple of 64 bytes on.
-class Numbers64 {
-public:
-  explicit Numbers64(int64_t count) : all_(static_cast<size_t>(count) + 64 / sizeof(c2d::Real)) {}
-  c2d::Real* at() {
-    void* from = all_.data();
-    size_t space = all_.size() * sizeof(c2d::Real);
-    return static_cast<c2d::Real*>(std::align(64, sizeof(c2d::Real), from, space));
-  }
-
-private:
-  std::vector<c2d::Real> all_;
-};
-
-// Over the tape of a solver that is prepared; `longer`: the columns of the strip than they must be.
-struct ByHand {
-  c2d::Model model;
-  int64_t m, n, ld;
-  Numbers64 first, second, strip, scratch, buffer;
-  std::vector<int32_t> pivots;
-  int64_t used = 0;
-  int32_t step = 0;
-  std::function<c2d_status(int32_t step)> before = [](int32_t) { return c2d_status{C2D_OK}; };
-  c2d::Reduction r;
-
-  ByHand(c2d_solver* s, bool sliding, int64_t longer = 0)
-      : model(c2d::model_of(s)), m(model.head->contact), n(m + model.head->motions), ld(n + longer), first(n * n),
-        second(n * n), strip(ld * c2d::kStripColumns), scratch(c2d::full_scratch(ld, ld)), buffer(m + 3 + 64),
-        pivots(static_cast<size_t>(n)), r{c2d::ContactTape{&s->tapes, &model, buffer.at()},
-                                          model,
-                                          first.at(),
-                                          second.at(),
-                                          strip.at(),
-                                          pivots.data(),
-                                          ld,
-                                          this,
-                                          [](void* self) {
-                                            ByHand& own = *static_cast<ByHand*>(self);
-                                            return own.before(own.step++);
-                                          },
-                                          c2d::Engine{c2d::kernel_for(s->instructions), scratch.at(), c2d::full_scratch(ld, ld),
-                                                      &used, c2d::kAlone},
-                                          sliding} {}
-  ByHand(const ByHand&) = delete;
-  // T and b.
-  std::vector<c2d::Real> tableau() {
-    std::vector<c2d::Real> out(static_cast<size_t>(m * (m + model.head->load_cases)));
-    REQUIRE(read_matrix(r.tape, c2d::ContactMatrix::stiffness, out.data(), m) == C2D_OK);
-    REQUIRE(read_matrix(r.tape, c2d::ContactMatrix::stiffness_load, out.data() + m * m, m) == C2D_OK);
-    return out;
-  }
-};
-
-} // namespace
-
 TEST_CASE(
     "frictionless: the contact system is the same whatever the engine has, and however long the columns that pass through") {
   for (const bool sliding : {true, false}) {
@@ -500,12 +445,12 @@ TEST_CASE("frictionless: whichever operation of the store fails in a step of the
     }
     REQUIRE(c2d::reduce(hand.r) == C2D_OK);
     std::vector<c2d::Real> column(static_cast<size_t>(hand.m));
-    bool sliding = false;
-    REQUIRE(c2d::read_form(hand.r.tape, column.data(), &sliding) == C2D_OK);
-    CHECK(sliding == model.sliding);
-    if (!sliding) continue;
+    c2d::Form form;
+    REQUIRE(c2d::read_form(hand.r.tape, column.data(), &form) == C2D_OK);
+    CHECK(form.sliding == model.sliding);
+    if (!form.sliding) continue;
     solver.store.before = [](const RamStore::Operation&, size_t) { return 7; };
-    CHECK(c2d::read_form(hand.r.tape, column.data(), &sliding) == C2D_ERR_STORE_READ);
+    CHECK(c2d::read_form(hand.r.tape, column.data(), &form) == C2D_ERR_STORE_READ);
   }
 }
 

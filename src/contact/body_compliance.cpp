@@ -234,7 +234,7 @@ BodyEquations equations_of(const Reduction& r, int b) {
 c2d_status find_compliance(const Reduction& r, int b) {
   if (is_rigid(r.model, b)) return kRigidPart.reduce_rigid(r, b);
   BodyEquations e = equations_of(r, b);
-  if (r.model.body[b].keeps_equations != 0) return find_kept(e);
+  if (keeps_equations(r, b)) return find_kept(e);
   c2d_status status = factor_held(e);
   if (status == C2D_OK) status = find_motions(e);
   if (status == C2D_OK) status = find_flexibility(e);
@@ -247,7 +247,7 @@ c2d_status find_compliance(const Reduction& r, int b) {
 c2d_status find_load_response(const Reduction& r, int b) {
   if (is_rigid(r.model, b)) return kRigidPart.reduce_rigid(r, b);
   BodyEquations e = equations_of(r, b);
-  if (r.model.body[b].keeps_equations != 0) return balance_loads(e);
+  if (keeps_equations(r, b)) return balance_loads(e);
   const c2d_status status = factor_held(e);
   return status == C2D_OK ? solve_loads(e) : status;
 }

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "contact/basis.hpp"
+
 namespace c2d {
 
 namespace {
@@ -43,6 +45,7 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t motions, int64_t border,
     case ContactMatrix::stiffness_load: at.columns = cases; break;
     case ContactMatrix::border:
     case ContactMatrix::motion: at.columns = border; break;
+    case ContactMatrix::basis: at.columns = has_basis(m) ? 1 : 0; break;
     case ContactMatrix::mix: at.rows = motions; [[fallthrough]];
     default: at.columns = motions;
     }
@@ -50,13 +53,15 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t motions, int64_t border,
   return at;
 }
 
+bool is_solved_for(const Model& m, int b) { return m.body[b].keeps_equations == 0 || has_open_form(m); }
+
 Place place_of(const ContactTape& tape, ContactMatrix matrix) {
   const ModelHeader& head = *tape.model->head;
   return place_of(matrix, head.contact, head.motions, head.border, head.load_cases);
 }
 Place place_of(const ContactTape& tape, int b, BodyMatrix matrix) {
   const Body& body = tape.model->body[b];
-  Place at = place_of(matrix, body.contact, body.keeps_equations == 0, tape.model->head->load_cases);
+  Place at = place_of(matrix, body.contact, is_solved_for(*tape.model, b), tape.model->head->load_cases);
   at.first += body.first_block;
   return at;
 }
@@ -99,7 +104,7 @@ int64_t place_contact_blocks(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b) {
     m.body[b].first_block = block;
     if (m.body[b].contact > 0)
-      block += place_of(BodyMatrix::count, m.body[b].contact, m.body[b].keeps_equations == 0, m.head->load_cases).first;
+      block += place_of(BodyMatrix::count, m.body[b].contact, is_solved_for(m, b), m.head->load_cases).first;
   }
   return m.head->contact > 0 ? block : 0;
 }

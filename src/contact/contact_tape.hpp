@@ -25,7 +25,7 @@ enum class BodyMatrix : int32_t {
 enum class ContactMatrix : int32_t {
   compliance,     // A and C: m columns of m, and one for each motion of bodies that keep no equations
   closing,        // h: per load case, of m
-  stiffness,      // T: m columns of m, the tableau with every pair sticking
+  stiffness,      // T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair sticking
   stiffness_load, // b: per load case, of m
   resultants,     // G and R of all bodies, each orthonormal: a column of m for each motion
   motions,
@@ -33,6 +33,7 @@ enum class ContactMatrix : int32_t {
   border,      // C, orthonormal: a column of m for each of these motions
   motion,      // x = X w' + sum_k lambda_k x_k: a row of X, m numbers, for each of these motions,
   motion_load, // x_k: per load case, a number for each
+  basis,       // a column of m, if there are many (contact/basis.hpp)
   count
 };
 

@@ -1,5 +1,6 @@
 #include "contact/frictionless.hpp"
 
+#include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 
 namespace c2d {
@@ -28,8 +29,7 @@ int32_t first_sliding_slot(const Model& m) {
 }
 
 bool has_sliding_form(const Model& m) {
-  const bool large = delayed_exchanges(m.head->contact) > 0;
-  return !kSmallCode && large && m.head->motions < m.head->contact && first_sliding_slot(m) >= 0;
+  return !kSmallCode && has_basis(m.head->contact) && m.head->motions < m.head->contact && first_sliding_slot(m) >= 0;
 }
 
 bool is_sliding_slot(const Model& m, int32_t dof) {
@@ -47,15 +47,6 @@ bool is_sliding_slot(const Model& m, int b, int32_t own) {
 int32_t given_number(const Model& m, int32_t dof) {
   const int32_t tied = dof - m.head->path_unknowns;
   return tied < 0 ? pair_of_slot(m, dof) : m.head->path_pairs + tied;
-}
-
-c2d_status read_form(const ContactTape& tape, Real* column, bool* sliding) {
-  const Model& m = *tape.model;
-  *sliding = has_sliding_form(m);
-  if (!*sliding) return C2D_OK;
-  const c2d_status status = read_column(tape, ContactMatrix::stiffness, first_sliding_slot(m), column);
-  for (int32_t i = 0; i < m.head->contact && status == C2D_OK; ++i) *sliding = *sliding && column[i] == 0;
-  return status;
 }
 
 } // namespace c2d

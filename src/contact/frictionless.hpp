@@ -19,7 +19,4 @@ inline int32_t given_slot(const Model& m, int32_t number) {
   const int32_t tied = number - m.head->path_pairs;
   return tied < 0 ? m.pair[number].dof : m.head->path_unknowns + tied;
 }
-// Is T on the tape that of this form? Its columns of slots that are not given are zero there. `column`: m numbers.
-c2d_status read_form(const ContactTape& tape, Real* column, bool* sliding);
-
 } // namespace c2d

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
+#include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/force_cone.hpp"
-#include "contact/frictionless.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 
@@ -37,15 +37,15 @@ constexpr double kNothing = sizeof(Real) == 8 ? 1e-11 : 1e-5;
 // each other, but for round-off.
 c2d_status find_load(ForceCone& a, Real* rate) {
   double terms = 0.0;
-  bool sliding = false;
-  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(*a.f.tape, rate, &sliding);
+  Form form;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(*a.f.tape, rate, &form);
   for (int32_t j = 0; j < a.motions; ++j) a.load[j] = 0.0;
   for (int32_t k = 0; k < a.f.t->cases && status == C2D_OK; ++k) {
     if (a.f.direction[k] == 0.0) continue;
     status = read_column(*a.f.tape, ContactMatrix::stiffness_load, k, rate);
     for (int32_t i = 0; i < a.m.head->pairs && status == C2D_OK; ++i)
       for (int slot = 0; slot <= a.m.pair[i].tangential; ++slot) {
-        if (sliding && is_sliding_slot(a.m, a.m.pair[i].dof + slot)) continue; // no force
+        if (!kSmallCode && !has_force(form, a.m, a.m.pair[i].dof + slot)) continue;
         const Ray ray = a.of(a.m.pair[i], slot);
         const double part = a.f.direction[k] * rate[a.m.pair[i].dof + slot];
         add_to(a.load, part, ray);
@@ -85,14 +85,15 @@ c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome) {
 
 namespace {
 
-// Pressures with every pair sticking under these factors, and the magnitudes they are sums of.
-c2d_status sum_rates(const Follower& f, const double* factor, Real* column, Real* sum, Real* terms) {
+// Pressures with every pair sticking under these factors, or as the tape has them, and the magnitudes they are sums of.
+c2d_status sum_rates(const Follower& f, const Form& form, const double* factor, Real* column, Real* sum, Real* terms) {
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < f.t->m; ++i) sum[i] = terms[i] = 0;
   for (int32_t k = 0; k < f.t->cases && status == C2D_OK; ++k) {
     if (factor[k] == 0.0) continue;
     status = read_column(*f.tape, ContactMatrix::stiffness_load, k, column);
     for (int32_t i = 0; i < f.t->m && status == C2D_OK; ++i) {
+      if (!kSmallCode && !has_force(form, *f.model, i)) continue;
       const Real part = static_cast<Real>(factor[k]) * column[i];
       sum[i] += part;
       terms[i] += static_cast<Real>(fabs(static_cast<double>(part)));
@@ -116,8 +117,10 @@ c2d_status loads_balance(const Follower& f, bool* values, bool* rates) {
   Real *column = f.rate_area.numbers, *reach = column + m, *sum[2] = {reach + m, reach + 2 * m},
        *terms[2] = {reach + 3 * m, reach + 4 * m};
   Resultant of[2];
-  c2d_status status = sum_rates(f, f.load, column, sum[0], terms[0]);
-  if (status == C2D_OK) status = sum_rates(f, f.direction, column, sum[1], terms[1]);
+  Form form;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(*f.tape, column, &form);
+  if (status == C2D_OK) status = sum_rates(f, form, f.load, column, sum[0], terms[0]);
+  if (status == C2D_OK) status = sum_rates(f, form, f.direction, column, sum[1], terms[1]);
   for (int32_t i = 0; i < m; ++i) reach[i] = 0;
   for (int32_t k = 0; k < f.model->head->motions && status == C2D_OK; ++k) {
     status = read_column(*f.tape, ContactMatrix::resultants, k, column);

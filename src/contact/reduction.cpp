@@ -4,6 +4,7 @@
 
 #include "contact/body_compliance.hpp"
 #include "contact/body_unknowns.hpp"
+#include "contact/open_form.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
@@ -24,9 +25,9 @@ struct Bordered {
 };
 Bordered bordered(const Reduction& r) { return Bordered{r, contact_unknowns(r.tape), border_motions(r.tape)}; }
 
-bool keeps_equations(const Reduction& r, int b) { return r.model.body[b].keeps_equations != 0; }
 // Solved for, or rigid: its displacements are F t + R x, or R x.
 bool gives_way(const Reduction& r, int b) { return r.model.body[b].contact > 0 && !keeps_equations(r, b); }
+bool keeps_in_zone(const Reduction& r, int32_t zone) { return (kSmallCode || !r.open) && has_kept(r.model, zone); }
 int32_t flexible_columns(const Reduction& r, int b) { return is_rigid(r.model, b) ? 0 : r.model.body[b].contact; }
 
 // visit(b) for those bodies until it fails.
@@ -42,7 +43,7 @@ template <class Visit> c2d_status for_bodies(const Reduction& r, bool (*which)(c
 // u of a body (its F, v or R), with the sign of its sides, to the pairs' own rows of a column.
 void add_to_pairs(const Reduction& r, int b, const Real* u, double factor, Real* out) {
   for_ranges(r.model, b, [&](const UnknownRange& range) {
-    if (has_kept(r.model, range.zone)) return;
+    if (keeps_in_zone(r, range.zone)) return;
     const Real sign = static_cast<Real>(factor * range.sign());
     for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += sign * u[range.own + i];
   });
@@ -59,7 +60,8 @@ c2d_status add_body(const Bordered& s, int b) {
       add_to_pairs(r, b, r.strip, range.sign(), s.column(range.all + j));
     }
   });
-  for (int32_t k = 0; k < body.free_motions && status == C2D_OK; ++k) {
+  const bool open = !kSmallCode && r.open; // then motions are no unknowns
+  for (int32_t k = 0; k < body.free_motions && !open && status == C2D_OK; ++k) {
     status = read_column(r.tape, b, BodyMatrix::motions, k, r.strip);
     add_to_pairs(r, b, r.strip, 1.0, s.column(s.m + body.first_border + k));
   }
@@ -239,19 +241,23 @@ c2d_status close_equations(const Bordered& s, int b, int32_t k, Real* h) {
   return status;
 }
 
-// Differences of the displacements that the loads make of bodies that are solved for, or are rigid.
+// Differences of the displacements that the loads make of bodies that are solved for, or are rigid. With every pair open they
+// are all of h; what is left of them where the loads move both sides alike is round-off then, too.
 c2d_status close_pairs(const Bordered& s, int32_t k, Real* h) {
   const Reduction& r = s.r;
   c2d_status status = C2D_OK;
+  double terms = 0.0;
   for (int b = 0; b < r.model.head->bodies && status == C2D_OK; ++b) {
-    if (r.model.body[b].contact == 0 || keeps_equations(r, b)) continue;
+    if (!gives_way(r, b)) continue;
     status = read_column(r.tape, b, BodyMatrix::response, k, s.strip(1));
     add_to_pairs(r, b, s.strip(1), 1.0, h);
+    if (!kSmallCode && r.open) terms = fmax(terms, largest_of(s.strip(1), r.model.body[b].contact));
   }
   for (int32_t i = 0; i < r.model.head->pairs && k + 1 == r.model.head->interference; ++i) {
     const Pair& pair = r.model.pair[i];
-    if (!has_kept(r.model, pair.zone)) h[pair.dof] -= static_cast<Real>(pair.overlap / r.model.head->length_unit);
+    if (!keeps_in_zone(r, pair.zone)) h[pair.dof] -= static_cast<Real>(pair.overlap / r.model.head->length_unit);
   }
+  for (int32_t i = 0; i < s.m && terms > 0.0 && largest_of(h, s.m) <= kNothing * terms; ++i) h[i] = 0;
   return status;
 }
 
@@ -274,7 +280,7 @@ c2d_status form_closing(const Reduction& r) {
 template <class To> c2d_status add_motions(const Bordered& s, Real factor, To to) {
   const Reduction& r = s.r;
   for (int32_t i = 0; i < r.model.head->pairs; ++i)
-    for (int32_t d = 0; d <= r.model.pair[i].tangential && !has_kept(r.model, r.model.pair[i].zone); ++d)
+    for (int32_t d = 0; d <= r.model.pair[i].tangential && !keeps_in_zone(r, r.model.pair[i].zone); ++d)
       if (Real* const out = to(r.model.pair[i].dof + d)) out[r.model.pair[i].dof + d] = factor;
   return for_bodies(r, keeps_equations, [&](int b) {
     c2d_status status = C2D_OK;
@@ -417,6 +423,12 @@ c2d_status form_stiffness(const Reduction& r) {
   return status == C2D_OK ? write_stiffness(s) : status;
 }
 
+// Forces alone, or motions of tangents.
+c2d_status write_basis(const Reduction& r) {
+  for (int32_t i = 0; i < r.model.head->contact; ++i) r.strip[i] = slides(r, i) ? kBasisNoForce : kBasisForce;
+  return write_column(r.tape, ContactMatrix::basis, 0, r.strip);
+}
+
 using Step = c2d_status (*)(const Reduction&);
 template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n]) {
   for (const Step& step : steps) {
@@ -436,25 +448,39 @@ c2d_status watched(const Reduction& r, int b, c2d_status (*step)(const Reduction
 c2d_status reduce_once(const Reduction& r) {
   const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_compliance); });
   const Step steps[] = {join_motions, form_compliance, form_closing, factor_bordered, form_rates, form_stiffness};
-  return status == C2D_OK ? take_steps(r, steps) : status;
+  const Step open_steps[] = {join_motions, form_compliance, form_closing, form_open_stiffness, form_open_rates};
+  if (status != C2D_OK) return status;
+  return !kSmallCode && r.open ? take_steps(r, open_steps) : take_steps(r, steps);
 }
 
 } // namespace
 
-c2d_status reduce(const Reduction& r) {
-  const c2d_status status = reduce_once(r);
-  if (kSmallCode || !r.sliding || status != C2D_ERR_SINGULAR) return status;
-  Reduction sticking = r;
-  sticking.sliding = false;
-  return reduce_once(sticking);
+c2d_status reduce(const Reduction& as_given) {
+  Reduction r = as_given;
+  r.open = as_given.open && has_open_form(r.model);
+  c2d_status status = reduce_once(r);
+  if (!kSmallCode && r.open && status == C2D_ERR_SINGULAR) {
+    r.open = false;
+    status = reduce_once(r);
+  }
+  if (!kSmallCode && r.sliding && status == C2D_ERR_SINGULAR) {
+    r.sliding = false;
+    status = reduce_once(r);
+  }
+  return status != C2D_OK || kSmallCode || r.open || !has_basis(r.model.head->contact) ? status : write_basis(r);
 }
 
 c2d_status reduce_loads(const Reduction& as_given) {
   Reduction r = as_given;
-  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(r.tape, r.strip, &r.sliding);
+  Form form;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(r.tape, r.strip, &form);
+  r.sliding = form.sliding;
+  r.open = form.open;
   if (status == C2D_OK) status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_load_response); });
-  const Step steps[] = {form_closing, read_compliance, factor_bordered, form_rates};
-  return status == C2D_OK ? take_steps(r, steps) : status;
+  const Step steps[] = {form_closing, read_compliance, factor_bordered, form_rates},
+             open_steps[] = {form_closing, form_open_rates};
+  if (status != C2D_OK) return status;
+  return !kSmallCode && r.open ? take_steps(r, open_steps) : take_steps(r, steps);
 }
 
 } // namespace c2d

@@ -8,7 +8,8 @@
 // x the motions of bodies that supports do not hold. Row i is the i-th equation of a body that keeps them, in the place of its
 // i-th unknown, or the pair's own. The solution is the tableau with every pair sticking,
 //   tau = T w' + sum_k lambda_k b_k,   x = X w' + sum_k lambda_k x_k.
-// Without friction it is that with every pair slipping, contact/frictionless.hpp: q and w_t of pairs that may change have
+// or, where supports hold enough, with every pair open, contact/open_form.hpp. Without friction it is that with every pair
+// slipping, contact/frictionless.hpp: q and w_t of pairs that may change have
 // changed places in tau and w', and columns of what is zero there, in F, A, T and X, are zero on the tape. The load case that
 // closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
 #include "contact/contact_tape.hpp"
@@ -30,6 +31,7 @@ struct Reduction {
   c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
   Engine engine;                     // of the dense kernels
   bool sliding = false;              // no pair that may change has friction, nor a body that slides freely
+  bool open = true;                  // with every pair open instead, where that may be (contact/open_form.hpp)
 };
 constexpr int32_t kStripColumns = 4;
 
@@ -45,8 +47,13 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t lo
 // v, and of the motions that are free R, G and g, of a rigid body.
 c2d_status reduce_rigid(const Reduction& r, int b);
 
+// Does the body keep its equations in this form?
+inline bool keeps_equations(const Reduction& r, int b) {
+  return r.model.body[b].keeps_equations != 0 && (kSmallCode || !r.open);
+}
+
 // Reads the matrices of the bodies, writes the others. Pairs whose normals do not hold the bodies, or hardly, stick, `sliding`
-// or not. C2D_ERR_SINGULAR if a pivot is unusable.
+// or not; `open` where the model may have it and no body bends too much. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);
 // After a reduction, when the columns s of the bodies have been replaced: everything that depends on them anew.
 c2d_status reduce_loads(const Reduction& r);

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "contact/frictionless.hpp"
+#include "contact/basis.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -246,35 +246,54 @@ bool is_smooth(const Tableau& t) {
 // The last slot of a pair that has a column.
 int last_slot(const Tableau& t, const Pair& pair) { return has_normal_columns(t) ? 0 : pair.tangential; }
 
-c2d_status load_columns(Tableau& t, const ContactTape& tape) {
-  c2d_status status = C2D_OK;
-  if (!kSmallCode) {
-    status = read_form(tape, t.t, &t.smooth);
-    t.smooth = t.smooth && is_smooth(t); // but in what a stranger may have saved it is
-    t.delayed.cols = t.smooth ? t.pairs : t.n;
-    t.delayed.count = 0;
-  }
+// Slots whose motion is among the unknowns of the tableau on the tape have left the basis in which every pair sticks.
+c2d_status load_basis(Tableau& t, const ContactTape& tape, Form* form) {
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mark.exchanged = 0;
+  if (kSmallCode || !delays(t)) return C2D_OK;
+  Real* const basis = t.t;
+  const c2d_status status = read_form(tape, basis, form);
+  if (status != C2D_OK) return status;
+  t.smooth = form->sliding && is_smooth(t); // but in what a stranger may have saved it is
+  t.delayed.cols = t.smooth ? t.pairs : t.n;
+  t.delayed.count = 0;
   for (int32_t i = 0; i < t.pairs; ++i)
-    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot)
-      status = read_column(tape, ContactMatrix::stiffness, t.pair[i].dof + slot, column(t, column_of(t, i, slot)));
-  return status == C2D_OK ? read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m) : status;
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot)
+      if (basis[t.pair[i].dof + slot] != kBasisForce)
+        t.pair[i].mark.exchanged = static_cast<uint8_t>(t.pair[i].mark.exchanged | 1 << slot) & 3;
+  return C2D_OK;
+}
+
+// How stiff a slot is while those beside it rest: T's own entry with every pair sticking; else A tells.
+double own_stiffness(const Tableau& t, const ContactTape& tape, const Form& form, int32_t i, int slot, const Real* column) {
+  if (kSmallCode || !form.open) return fabs(static_cast<double>(column[t.pair[i].dof + slot]));
+  const double compliance = local_compliance(*tape.model, i, slot, column);
+  return compliance > 0.0 ? 1.0 / compliance : 0.0;
 }
 
 c2d_status load_start(Tableau& t, const ContactTape& tape) {
-  const c2d_status status = load_columns(t, tape);
-  if (status != C2D_OK) return status;
-  for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
-  const auto own = [&t](int32_t i, int slot) {
-    return fabs(static_cast<double>(entry(t, t.pair[i].dof + slot, column_of(t, i, slot))));
-  };
+  Form form;
+  c2d_status status = load_basis(t, tape, &form);
   t.stiffness = 0.0;
   for (int32_t i = 0; i < t.pairs; ++i)
-    for (int slot = 0; slot <= last_slot(t, t.pair[i]); ++slot) t.stiffness = fmax(t.stiffness, own(i, slot));
+    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot) {
+      Real* const to = column(t, column_of(t, i, slot));
+      const int32_t dof = t.pair[i].dof + slot;
+      status = read_column(tape, form.open ? ContactMatrix::compliance : ContactMatrix::stiffness, dof, to);
+      if (status != C2D_OK) break;
+      const double own = own_stiffness(t, tape, form, i, slot, to);
+      t.stiffness = fmax(t.stiffness, own);
+      t.pair[i].stiffness[slot] = static_cast<Real>(own);
+      if (form.open) status = read_column(tape, ContactMatrix::stiffness, dof, to);
+    }
+  if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
+  if (status != C2D_OK) return status;
+  for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
   if (!(t.stiffness > 0.0)) t.stiffness = 1.0; // pairs that hold a body and nothing else
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
-      const double alone = own(i, slot <= last_slot(t, t.pair[i]) ? slot : 0);
-      t.pair[i].stiffness[slot] = static_cast<Real>(fmax(alone, kLeastStiffness * t.stiffness));
+      Real* const own = t.pair[i].stiffness;
+      own[slot] = static_cast<Real>(
+          fmax(static_cast<double>(own[slot <= last_slot(t, t.pair[i]) ? slot : 0]), kLeastStiffness * t.stiffness));
     }
   hold_slide(t);
   return C2D_OK;
@@ -286,23 +305,95 @@ bool must_leave(const Pair& pair, int slot) {
   return pair.status == C2D_OPEN;
 }
 
-// Close the gaps of the pairs in contact, from w = (gap, 0) to w = (0, offset) for sticking ones, and turn q into r
-// for slipping ones.
+bool has_left(const Pair& pair, int slot) { return (pair.mark.exchanged >> slot & 1) != 0; }
+
+// From w = (gap, 0) a pair in contact comes to w = (0, offset), if it slips (0, 0): by how much in a slot.
+double closing(const Tableau& t, const Pair& pair, int slot) {
+  if (slot == 0) return -pair.gap / t.length_unit;
+  return pair.status == C2D_STICK ? pair.offset : 0.0;
+}
+
+// Close the gaps of the pairs in contact. Slots in which forces are given on the tape have those motions to come to rest at,
+// in the others they are given.
 void impose_contact(Tableau& t) {
   Real* c = constants(t);
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    if (pair.status == C2D_OPEN) continue;
-    const double normal = -pair.gap / t.length_unit;
-    const double tangential = pair.tangential && pair.status == C2D_STICK ? pair.offset : 0.0;
-    for (int32_t row = 0; row < t.m && normal != 0.0; ++row)
-      c[row] += static_cast<Real>(normal) * entry(t, row, column_of(t, i, 0));
-    for (int32_t row = 0; row < t.m && tangential != 0.0; ++row)
-      c[row] += static_cast<Real>(tangential) * entry(t, row, column_of(t, i, 1));
+    for (int slot = 0; slot <= pair.tangential && pair.status != C2D_OPEN; ++slot) {
+      const double by = closing(t, pair, slot);
+      if (has_left(pair, slot)) {
+        c[pair.dof + slot] -= static_cast<Real>(by);
+        continue;
+      }
+      for (int32_t row = 0; row < t.m && by != 0.0; ++row)
+        c[row] += static_cast<Real>(by) * entry(t, row, column_of(t, i, slot));
+    }
   }
+}
+
+void takes_part(Pair& pair, int slot) { pair.mark.exchanged = static_cast<uint8_t>(pair.mark.exchanged & ~(1 << slot)) & 3; }
+
+// Of a closed pair whose normal force is an unknown on the tape: that of its tangent, too, from which friction is taken.
+bool bring_tangents_in(Tableau& t, int32_t* culprit) {
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    Pair& pair = t.pair[i];
+    const bool rubs = pair.status == C2D_STICK || (pair.status == C2D_SLIP && pair.mu != 0.0);
+    if (pair.tangential == 0 || !rubs || has_left(pair, 0) || !has_left(pair, 1)) continue;
+    if (!compliant(pair, 1, own_entry(t, pair.dof + 1))) {
+      *culprit = i;
+      return false;
+    }
+    pivot(t, pair, 1);
+    takes_part(pair, 1);
+  }
+  return true;
+}
+
+// A closed pair that is open on the tape.
+bool bring_pair_in(Tableau& t, Pair& pair) {
+  const int32_t a = pair.dof;
+  if (pair.status == C2D_STICK) {
+    if (!exchange_pair(t, pair, compliant)) return false;
+    takes_part(pair, 1);
+  } else {
+    const double f = pair.tangential ? friction(pair, pair.sign) : 0.0;
+    if (!compliant(pair, 0, own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, a + 1) : 0.0))) return false;
+    if (f != 0.0) add_column(t, a, f, a + 1);
+    pivot(t, pair, 0);
+  }
+  takes_part(pair, 0);
+  return true;
+}
+
+// All pairs that are closed, the one first that gives way most. Bodies at rest in the slots that hold them give way wherever
+// they are pressed; only friction can be against it.
+bool bring_in(Tableau& t, int32_t* culprit) {
+  if (!bring_tangents_in(t, culprit)) return false;
+  for (;;) {
+    Pair* next = nullptr;
+    double best = -1.0;
+    for (int32_t i = 0; i < t.pairs; ++i) {
+      Pair& pair = t.pair[i];
+      if (pair.status == C2D_OPEN || !has_left(pair, 0)) continue;
+      const double size = pair.stiffness[0] * fabs(static_cast<double>(own_entry(t, pair.dof)));
+      if (size <= best) continue;
+      best = size;
+      next = &pair;
+    }
+    if (!next) return true;
+    if (!bring_pair_in(t, *next)) {
+      *culprit = static_cast<int32_t>(next - t.pair);
+      return false;
+    }
+  }
+}
+
+// q into r of slipping pairs, of which both forces are unknowns.
+void impose_friction(Tableau& t) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    if (pair.status == C2D_SLIP && pair.tangential) add_row(t, pair.dof + 1, -friction(pair, pair.sign), pair.dof);
+    if (pair.status == C2D_SLIP && pair.tangential && !has_left(pair, 1))
+      add_row(t, pair.dof + 1, -friction(pair, pair.sign), pair.dof);
   }
 }
 
@@ -314,7 +405,7 @@ struct Slot {
   int32_t column_in(const Tableau& t) const { return column_of(t, static_cast<int32_t>(pair - t.pair), which); }
   void is_done() const { pair->mark.exchanged = static_cast<uint8_t>(pair->mark.exchanged | 1 << which) & 3; }
 };
-bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.mark.exchanged >> which & 1) != 0; }
+bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || has_left(pair, which); }
 
 template <class Visit> void visit_leaving(const Tableau& t, Visit visit) {
   for (int32_t i = 0; i < t.pairs; ++i)
@@ -396,10 +487,8 @@ int32_t slots_left(const Tableau& t, int32_t left[kMostResting]) {
 
 // Exchanges all slots that must leave the all-stick basis, but for left[0 .. count): false, if others have no pivot.
 bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kMostResting], int32_t* count) {
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    t.pair[i].mark.exchanged = has_normal_columns(t) ? 2 : 0; // slipping, it has left already
+  for (int32_t i = 0; i < t.pairs; ++i)
     for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
-  }
   for (;;) {
     Slot row{nullptr, 0}, column{nullptr, 0};
     const double size = largest_pivot(t, &row, &column);
@@ -454,6 +543,8 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   if (status != C2D_OK) return status;
   if (delays(t)) read_own(t);
   impose_contact(t);
+  if (!kSmallCode && !bring_in(t, culprit)) return C2D_ERR_SINGULAR;
+  impose_friction(t);
   int32_t left[kMostResting], count = 0;
   t.resting = 0;
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;

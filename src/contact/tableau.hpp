@@ -38,12 +38,6 @@ struct Tableau {
 };
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
-// Tableaux with a list: its length, a function of the number of rows alone, so that nothing else decides when it is applied.
-// All of the list has room in two times C2D_DELAYED_ columns.
-constexpr int32_t delayed_exchanges(int64_t m) {
-  const int64_t columns = C2D_DELAYED_(m);
-  return columns == 0 ? 0 : static_cast<int32_t>(columns - 1 - (columns * columns + m - 1) / m);
-}
 // Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.
 void place_list(Tableau& t, Real* numbers, int32_t count);
 
@@ -68,8 +62,8 @@ void apply_list(Tableau& t);
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
 constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
 
-// The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from that on the tape, where all pairs
-// stick or, without friction, slip (contact/frictionless.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block
+// The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from that on the tape
+// (contact/basis.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block
 // store's; C2D_ERR_SINGULAR if the statuses leave a motion free (*culprit: a pair that should have been released), unless no
 // pair touches (contact/let_go.hpp).
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);

@@ -3,6 +3,7 @@
 // was when the list was last applied, and M, a number for each two of the exchanges since then, is all that changes with them.
 // An exchange then needs the column and the row of its pivot alone, one that reverses another takes it off the list, and all
 // that the list holds are applied as one product. METHOD (11.4).
+#include "contact2d_memory.h"
 #include "linalg/engine.hpp"
 
 namespace c2d {
@@ -15,6 +16,12 @@ struct DelayedExchanges {
   int32_t count;      // exchanges in the list
 };
 constexpr int32_t kMostDelayed = 64;
+// The list's length, a function of the number of rows alone, so that nothing else decides when it is applied; 0 in small
+// tableaux. All of the list has room in two times C2D_DELAYED_ columns.
+constexpr int32_t delayed_exchanges(int64_t m) {
+  const int64_t columns = C2D_DELAYED_(m);
+  return columns == 0 ? 0 : static_cast<int32_t>(columns - 1 - (columns * columns + m - 1) / m);
+}
 constexpr int64_t list_numbers(int64_t rows, int64_t most) { return 2 * (rows + most) * most + 2 * rows; }
 
 // Column or row of the tableau.

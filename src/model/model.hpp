@@ -113,7 +113,7 @@ struct Pair {
   double weight;                 // integral of the pair's shape functions along the body of its measure, length unit
   int32_t place[2];              // while the tableau is built: where the column of a slot stands
   // From here on numbers that come from the tableau and have no more digits than it.
-  Real stiffness[2]; // normal and tangential, of this pair alone with every pair sticking
+  Real stiffness[2]; // normal and tangential, of this pair alone while those beside it rest
   // History of friction, written by src/contact alone; w_t = (u1 - u0).t of the sides in the length unit of the model.
   // (Of a pair whose body was let go, where it was: place_of and keep_place of contact/let_go.hpp.)
   Real offset;         // stick: w_t at which the pair sticks

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bie/columns.hpp"
+#include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/frictionless.hpp"
 #include "contact/let_go.hpp"
@@ -26,7 +27,7 @@ double larger(double a, double b) { return a > b ? a : b; }
 
 // Array kJudge.
 struct Book {
-  Real* stick;                     // v.T [m]
+  Real* stick;                     // v.T [m]; of the open form it counts for tau, and what v' is for w'
   double* stick_load;              // v.b [cases]
   Real *equation_w, *equation_tau; // v'.B, v'.A [m]; v' is v without its part along C (contact/reduction.hpp)
   double* equation_load;           // v'.h [cases]
@@ -73,7 +74,7 @@ c2d_status project_motions(const Session& session, Real* out) {
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < m.head->contact; ++i) out[i] = v[i];
   for (int b = 0; b < m.head->bodies; ++b) {
-    if (m.body[b].keeps_equations == 0) continue;
+    if (m.body[b].keeps_equations == 0 || session.solver->open != 0) continue;
     Real* own = session.area.motion; // v' by the body's equations
     for_ranges(m, b, [&](const UnknownRange& range) {
       for (int32_t i = 0; i < range.count; ++i) own[range.own + i] = v[range.all + i];
@@ -140,18 +141,24 @@ c2d_status build_judge(c2d_solver* s) {
   open_session(s, session);
   const Book book = book_of(s);
   const int32_t m = s->model.contact, cases = s->model.load_cases;
+  Form form;
+  c2d_status status = kSmallCode ? c2d_status{C2D_OK} : read_form(session.tape, session.area.column, &form);
+  if (!kSmallCode) s->sliding = form.sliding, s->open = form.open;
   for (int32_t i = 0; i < m; ++i) {
-    session.area.y[i] = static_cast<Real>(sign_of(i)); // no path has begun
+    const bool held = !kSmallCode && form.open && has_force(form, session.model, i);
+    session.area.y[i] = held ? Real(0) : static_cast<Real>(sign_of(i)); // no path has begun
     book.moment[0][i] = book.moment[1][i] = 0;
   }
-  c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
+  if (status == C2D_OK) status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
-  bool sliding = false;
-  if (!kSmallCode && status == C2D_OK) status = read_form(session.tape, session.area.column, &sliding);
-  if (!kSmallCode) s->sliding = sliding;
-  for (int32_t i = 0; i < m && sliding; ++i) // w_t stands where q, which is zero, does else
+  for (int32_t i = 0; i < m && form.sliding && !form.open; ++i) // w_t stands where q, which is zero, does else
     if (is_sliding_slot(session.model, i)) book.stick[i] = -session.area.y[i];
-  // v' in the place of v: so that the equations hold whatever the motions x are.
+  // v' in the place of v: so that the equations hold whatever the motions x are, or what moves as the slots that are held.
+  for (int32_t i = 0; i < m && form.open; ++i) {
+    if (session.area.y[i] != 0) continue;
+    session.area.y[i] = -book.stick[i];
+    book.stick[i] = 0;
+  }
   if (status == C2D_OK)
     status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
   for (int32_t i = 0; i < m && s->model.border == m; ++i) session.area.y[i] = 0; // what is left is round-off
@@ -161,7 +168,7 @@ c2d_status build_judge(c2d_solver* s) {
   for (int32_t k = 0; k < cases; ++k) book.equation_terms[k] = 0.0;
   for (int b = 0; b < s->model.bodies; ++b) {
     const Body& body = session.model.body[b];
-    if (status == C2D_OK && body.contact > 0 && body.keeps_equations == 0)
+    if (status == C2D_OK && body.contact > 0 && (body.keeps_equations == 0 || form.open))
       status = add_terms(session, b, book.equation_w, book.equation_terms);
     if (!floats(body)) continue;
     find_moments(session.model, b, book.moment);
@@ -244,11 +251,13 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
   const double motion[2] = {now.wn - pair.gap / session.tableau.length_unit, now.wt}, motion_rate[2] = {rate.wn, rate.wt};
   for (int32_t d = 0; d <= pair.tangential; ++d) {
     const int32_t j = pair.dof + d;
-    const double sign = sign_of(j), stick = book.stick[j], size = larger(fabs(tau[d]), fabs(tau_rate[d]));
-    out.tableau.add(sign * tau[d]);
-    out.tableau.add(-stick * motion[d]);
-    out.rates.add(sign * tau_rate[d]);
-    out.rates.add(-stick * motion_rate[d]);
+    const bool open = !kSmallCode && session.solver->open != 0;
+    const double own = open ? static_cast<double>(book.equation_w[j]) : sign_of(j), stick = book.stick[j],
+                 size = larger(fabs(tau[d]), fabs(tau_rate[d]));
+    out.tableau.add(own * (open ? motion : tau)[d]);
+    out.tableau.add(-stick * (open ? tau : motion)[d]);
+    out.rates.add(own * (open ? motion_rate : tau_rate)[d]);
+    out.rates.add(-stick * (open ? tau_rate : motion_rate)[d]);
     out.equations.add(book.equation_w[j] * motion[d]);
     out.equations.add(-book.equation_tau[j] * tau[d]);
     out.force += pair.weight * size;

@@ -3,6 +3,7 @@
 
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
+#include "contact/basis.hpp"
 #include "contact/frictionless.hpp"
 #include "contact/reduction.hpp"
 #include "contact/reduction_plan.hpp"
@@ -526,16 +527,13 @@ c2d_status tell(void* context) {
   return C2D_OK;
 }
 
-// From the bodies' equations on the tape. Until all of it is written the tape has what neither form does: where that is left,
+// From the bodies' equations on the tape. Until all of it is written the tape says that it is not: where that is left,
 // match_saved begins again.
 [[gnu::noinline]] c2d_status change_form(c2d_solver* s, bool sliding) {
   Session session;
   open_session(s, session);
-  const Model& m = session.model;
-  Real* const column = session.area.column;
-  for (int32_t i = 0; i < m.head->contact; ++i) column[i] = 1;
-  const c2d_status status = write_column(session.tape, ContactMatrix::stiffness, first_sliding_slot(m), column);
-  return status == C2D_OK ? reduce_bodies(s, m, model_sizes(m), false, sliding, tell) : status;
+  const c2d_status status = write_unfinished(session.tape, session.area.column);
+  return status == C2D_OK ? reduce_bodies(s, session.model, model_sizes(session.model), false, sliding, tell) : status;
 }
 
 bool rubs(const Model& m) {
@@ -559,10 +557,10 @@ c2d_status match_saved(c2d_solver* s, bool* again) {
   Session session;
   open_session(s, session);
   if (!has_sliding_form(session.model)) return C2D_OK;
-  bool sliding = false;
-  const c2d_status status = read_form(session.tape, session.area.column, &sliding);
-  *again = status == C2D_OK && sliding != (s->sliding != 0);
-  return *again ? change_form(s, !sliding) : status;
+  Form form;
+  const c2d_status status = read_form(session.tape, session.area.column, &form);
+  *again = status == C2D_OK && (!form.finished || form.sliding != (s->sliding != 0));
+  return *again ? change_form(s, s->sliding != 0) : status;
 }
 
 c2d_status prepare(c2d_solver* s) {

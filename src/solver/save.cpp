@@ -3,7 +3,9 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "contact/basis.hpp"
 #include "contact/frictionless.hpp"
+#include "contact/open_form.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"
 #include "solver/energy.hpp"
@@ -266,6 +268,7 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
                                   {s->keeps_flexibility, 0, 1},
                                   {s->keeps_energy, 0, 1},
                                   {s->sliding, 0, has_sliding_form(m) ? 1 : 0},
+                                  {s->open, 0, has_open_form(m) ? 1 : 0},
                                   {s->options.keep_factors, 0, 1},
                                   {s->factors, 0, s->options.keep_factors},
                                   {s->loads_changed, 0, 0},

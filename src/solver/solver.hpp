@@ -32,7 +32,8 @@ struct c2d_solver {
   int32_t blocked;          // nothing holds some motion: c2d_advance says so at once
   int8_t keeps_flexibility; // the phase area has room for F
   int8_t sliding;           // the contact system is that without friction (contact/frictionless.hpp)
-  int16_t keeps_energy;     // this program has calls that tell energies (solver/energy.hpp)
+  int8_t open;              // it is that with every pair open (contact/open_form.hpp)
+  int8_t keeps_energy;      // this program has calls that tell energies (solver/energy.hpp)
   int32_t warnings;
   int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed; // since they were last validated

@@ -1,0 +1,51 @@
+#include "contact/basis.hpp"
+
+#include <math.h>
+
+#include "contact/frictionless.hpp"
+
+namespace c2d {
+
+c2d_status read_form(const ContactTape& tape, Real* basis, Form* form) {
+  *form = Form{};
+  const Model& m = *tape.model;
+  const bool open = has_open_form(m), sliding = has_sliding_form(m);
+  for (int32_t i = 0; i < m.head->contact; ++i) basis[i] = kBasisForce;
+  if (!has_basis(m.head->contact)) return C2D_OK;
+  const c2d_status status = read_column(tape, ContactMatrix::basis, 0, basis);
+  for (int32_t i = 0; i < m.head->contact && status == C2D_OK; ++i) {
+    form->finished = form->finished && basis[i] != kBasisUnfinished;
+    form->open = form->open || (open && basis[i] == kBasisMotion);
+    form->sliding = form->sliding || (sliding && basis[i] == kBasisNoForce);
+  }
+  for (int32_t i = 0; i < m.head->contact && form->open && form->count < kMostHeld; ++i)
+    if (basis[i] == kBasisForce) form->held[form->count++] = i;
+  return status;
+}
+
+bool has_force(const Form& form, const Model& m, int32_t dof) {
+  if (!form.open) return !form.sliding || !is_sliding_slot(m, dof);
+  for (int32_t i = 0; i < form.count; ++i)
+    if (form.held[i] == dof) return true;
+  return false;
+}
+
+c2d_status write_unfinished(const ContactTape& tape, Real* basis) {
+  for (int32_t i = 0; i < tape.model->head->contact; ++i) basis[i] = kBasisUnfinished;
+  return write_column(tape, ContactMatrix::basis, 0, basis);
+}
+
+double local_compliance(const Model& m, int32_t index, int slot, const Real* column) {
+  const Zone& zone = m.zone[m.pair[index].zone];
+  const int32_t place = index - zone.first_pair, last = zone.pairs - 1;
+  const auto moves = [&](int32_t at) {
+    const Pair& pair = m.pair[zone.first_pair + at];
+    return pair.tangential < slot ? 0.0 : static_cast<double>(column[pair.dof + slot]);
+  };
+  if (last < 2) return fabs(moves(place));
+  if (place == 0 || place == last)
+    return fabs(moves(place) - 2 * moves(place == 0 ? 1 : last - 1) + moves(place == 0 ? 2 : last - 2));
+  return fabs(moves(place) - (moves(place - 1) + moves(place + 1)) / 2);
+}
+
+} // namespace c2d
