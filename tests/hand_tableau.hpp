@@ -2,6 +2,7 @@
 // A tableau made by hand, of pairs with a stiffness and rates of loads that the test gives, over a block store in memory that
 // may fail, and the follower of a load path on it.
 #include "c2d_memory.h"
+#include "contact/basis.hpp"
 #include "contact/path.hpp"
 
 #include <doctest/doctest.h>
@@ -146,6 +147,8 @@ private:
     REQUIRE(open_tape(tapes_, C2D_TAPE_CONTACT, blocks, sized(m_) * sizeof(Real)) == C2D_OK);
     REQUIRE(write_matrix(tape_, ContactMatrix::stiffness, stiffness_.data(), m_) == C2D_OK);
     REQUIRE(write_matrix(tape_, ContactMatrix::stiffness_load, rates_.data(), m_) == C2D_OK);
+    const std::vector<Real> forces(static_cast<size_t>(m_)); // (kBasisForce)
+    REQUIRE((!has_basis(m_) || write_column(tape_, ContactMatrix::basis, 0, forces.data()) == C2D_OK));
   }
 
   int m_, cases_;

@@ -411,7 +411,11 @@ TEST_CASE("frictionless: whichever operation of the store fails in a step of the
   const struct {
     const char *name, *setting;
     bool sliding;
-  } models[] = {{"rollers", "n=6", true}, {"coating", "n=24", true}, {"coating", "n=6", false}};
+  } models[] = {{"rollers", "n=6", true},
+                {"coating", "n=24", true},
+                {"coating", "n=6", false},
+                {"hertz", "n=70", true}, // with every pair open (METHOD 10.11)
+                {"mindlin", "n=36", false}};
   for (const auto& model : models) {
     CAPTURE(std::string(model.name));
     CAPTURE(model.sliding);

@@ -5,6 +5,7 @@
 #include "many_bodies.hpp"
 #include "reduction_by_hand.hpp"
 #include "solver/judge.hpp"
+#include "solver/session.hpp"
 #include "solver/solver.hpp"
 
 #include <doctest/doctest.h>
@@ -184,4 +185,139 @@ TEST_CASE("open form: not where a body bends much more than it gives way, nor wh
   CHECK(Solver(deck_of(flat)).s->open == 0);
   Solver tied(family("coating", {"n=24"}));
   CHECK(tied.s->open == 0);
+}
+
+namespace {
+
+// So many draws of statuses for the tableau of a path that has begun. What holds the bodies on the tape is one thing after
+// another.
+struct Draws {
+  c2d::Session session;
+  uint32_t state = 7;
+  explicit Draws(c2d_solver* s) { c2d::open_session(s, session); }
+  uint32_t next() { return state = state * 1664525u + 1013904223u, state >> 16; }
+  void take(c2d::Pair& pair, uint32_t which) {
+    constexpr int8_t kStatus[] = {C2D_OPEN, C2D_STICK, C2D_SLIP, C2D_SLIP}, kSign[] = {0, 0, 1, -1};
+    pair.status = kStatus[which];
+    pair.sign = kSign[which];
+    pair.offset = pair.status == C2D_STICK ? static_cast<c2d::Real>(1e-4 * (next() % 7)) : c2d::Real(0);
+  }
+  // All columns of the tableau, forces in units of a stiffness.
+  std::vector<double> tableau(uint32_t draw, const c2d::Form& form, double stiffness, c2d_status& status) {
+    c2d::Tableau& t = session.tableau;
+    state = draw;
+    for (int32_t i = 0; i < t.pairs; ++i) take(t.pair[i], next() % 4);
+    for (int32_t i = 0; i < form.count; ++i)
+      for (int32_t p = 0; p < t.pairs; ++p)
+        if (t.pair[p].dof == form.held[i]) take(t.pair[p], draw % 4);
+    int32_t culprit = -1;
+    status = c2d::build_tableau(t, session.tape, &culprit);
+    std::vector<double> out;
+    for (int32_t j = 0; j < c2d::tableau_columns(t.n, t.cases) && status == C2D_OK; ++j)
+      for (int32_t i = 0; i < t.m; ++i)
+        out.push_back(static_cast<double>(t.t[static_cast<int64_t>(j) * t.m + i]) / (is_force(i) ? stiffness : 1) *
+                      (j < t.n && !is_force(j) ? stiffness : 1));
+    return out;
+  }
+  bool is_force(int32_t slot) const { // in a row
+    const c2d::Tableau& t = session.tableau;
+    for (int32_t p = 0;; ++p)
+      if (slot <= t.pair[p].dof + t.pair[p].tangential)
+        return slot == t.pair[p].dof ? t.pair[p].status != C2D_OPEN : t.pair[p].status == C2D_STICK;
+  }
+};
+
+} // namespace
+
+TEST_CASE("open form: the tableau of any statuses, from either form of the tape") {
+  for (const std::string& text : {family("mindlin", {"n=36"}), deck_of(wedged())}) {
+    CAPTURE(text.substr(0, 200));
+    Solver solver(text);
+    const double mu = 0.3;
+    REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK);
+    Draws draws(solver.s);
+    std::vector<c2d::Real> column(static_cast<size_t>(draws.session.tableau.m));
+    c2d::Form form;
+    REQUIRE(c2d::read_form(draws.session.tape, column.data(), &form) == C2D_OK);
+    REQUIRE(form.count > 0);
+    const double stiffness = draws.session.tableau.stiffness;
+    std::vector<std::vector<double>> open;
+    std::vector<c2d_status> built;
+    for (uint32_t draw = 1; draw <= 12; ++draw) {
+      built.push_back(C2D_OK);
+      open.push_back(draws.tableau(draw, form, stiffness, built.back()));
+    }
+    ByHand sticking(solver.s, false);
+    sticking.r.open = false;
+    REQUIRE(c2d::reduce(sticking.r) == C2D_OK);
+    for (uint32_t draw = 1; draw <= 12; ++draw) {
+      CAPTURE(draw);
+      c2d_status status = C2D_OK;
+      const std::vector<double> closed = draws.tableau(draw, form, stiffness, status);
+      CHECK(status == built[draw - 1]);
+      REQUIRE(closed.size() == open[draw - 1].size());
+      double off = 0, size = 0;
+      for (size_t i = 0; i < closed.size(); ++i) {
+        off = std::max(off, std::fabs(closed[i] - open[draw - 1][i]));
+        size = std::max(size, std::fabs(closed[i]));
+      }
+      CHECK(off < kAlike * size);
+    }
+  }
+}
+
+// Columns of nothing: pairs that give way to no force of their own.
+TEST_CASE("open form: a pair that does not give way cannot come in, and is named") {
+  Solver solver(deck_of(wedged()));
+  const double mu = 0.3;
+  REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK);
+  Draws draws(solver.s);
+  c2d::Tableau& t = draws.session.tableau;
+  const size_t m = static_cast<size_t>(t.m);
+  std::vector<c2d::Real> column(m), kept(m);
+  const std::vector<c2d::Real> nothing(m);
+  c2d::Form form;
+  REQUIRE(c2d::read_form(draws.session.tape, column.data(), &form) == C2D_OK);
+  int32_t held = 0;
+  while (t.pair[held].dof != form.held[0]) ++held;
+  const int32_t free = held == 20 ? 21 : 20;
+  const struct {
+    int32_t pair, slot;
+    uint32_t status;
+  } ways[] = {{free, 0, 1}, {free, 0, 2}, {held, 1, 1}, {held, 1, 3}};
+  for (const auto& way : ways) {
+    CAPTURE(way.pair);
+    CAPTURE(way.status);
+    const int32_t dof = t.pair[way.pair].dof + way.slot;
+    REQUIRE(c2d::read_column(draws.session.tape, c2d::ContactMatrix::stiffness, dof, kept.data()) == C2D_OK);
+    REQUIRE(c2d::write_column(draws.session.tape, c2d::ContactMatrix::stiffness, dof, nothing.data()) == C2D_OK);
+    for (int32_t i = 0; i < t.pairs; ++i) draws.take(t.pair[i], i == way.pair ? way.status : 0);
+    int32_t culprit = -1;
+    // (friction pushes along a column that is left: the normal alone is not enough to be stiff)
+    if (way.status == 2) t.pair[way.pair].mu = 0;
+    CHECK(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_ERR_SINGULAR);
+    CHECK(culprit == way.pair);
+    t.pair[way.pair].mu = 0.3;
+    REQUIRE(c2d::write_column(draws.session.tape, c2d::ContactMatrix::stiffness, dof, kept.data()) == C2D_OK);
+  }
+}
+
+TEST_CASE("open form: whichever operation of the store fails while a tableau is built, that is told") {
+  Solver solver(family("mindlin", {"n=36"}));
+  const double mu = 0.3;
+  REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK);
+  Draws draws(solver.s);
+  const size_t first = solver.store.done.size();
+  int32_t culprit = -1;
+  REQUIRE(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_OK);
+  const size_t operations = solver.store.done.size() - first;
+  REQUIRE(operations > 2 * static_cast<size_t>(draws.session.tableau.m));
+  for (size_t n = 0; n < operations; n += n < 5 || n + 10 > operations ? 1 : 7) {
+    CAPTURE(n);
+    const size_t at = solver.store.done.size() + n;
+    solver.store.before = [at](const RamStore::Operation&, size_t i) { return i == at ? 7 : 0; };
+    CHECK(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_ERR_STORE_READ);
+    solver.store.before = nullptr;
+  }
+  CHECK(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_OK);
 }
