@@ -8,7 +8,7 @@
 namespace c2d {
 
 // Small ones have but the one: the number of unknowns alone says what is worth while. (So does small code, on the same tape.)
-constexpr bool has_basis(int64_t m) { return delayed_exchanges(m) > 0; }
+constexpr bool has_basis(int64_t m) { return C2D_DELAYED_(m) > 0; }
 // Column `basis` on the tape, a number for each slot. Of `no_force` the column is zero, and not looked at.
 constexpr Real kBasisForce = 0, kBasisMotion = 1, kBasisNoForce = 2, kBasisUnfinished = 3;
 
