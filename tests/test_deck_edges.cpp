@@ -174,6 +174,15 @@ TEST_CASE("deck edges: a condition that could not be read makes no second fault 
     CHECK((call.name != "condition" || call.numbers[0] == 2));
 }
 
+TEST_CASE("deck edges: where a count of a body could not be read nothing is said of how it fits the others") {
+  for (const char* card : {"    0    2    4    4", "    1    2    0    4", "    1    2   -4    4", "    1    2    x    4",
+                           "    1    2    4    0"}) {
+    const Fault fault = the_fault(with(5, card));
+    CHECK(fault.line == 5);
+    CHECK(contains_text(fault.text, "what follows cannot be read without it"));
+  }
+}
+
 TEST_CASE("deck edges: a fault says of which body the card is") {
   for (int b = 1; b <= 2; ++b) {
     const Fault sizes = the_fault(with(static_cast<size_t>(4 + b), "    9    2    4    4"));

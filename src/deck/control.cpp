@@ -56,13 +56,11 @@ bool read_counts(Deck& deck) {
   c2d_limits& sizes = deck.sizes;
   if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
   deck.zones_line = cards.line;
-  cards.vital = true;
-  const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, INT32_MAX, &sizes.bodies);
-  const bool zones_known = integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
-  const bool nodes_known = integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
-  cards.vital = false;
+  integer(cards, 1, 5, "number of bodies", 1, INT32_MAX, &sizes.bodies);
+  integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
+  integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
   end_of_fields(cards, 16);
-  if (!bodies_known || !zones_known || !nodes_known) return false;
+  if (cards.ended) return false;
   if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
     field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
                 ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
@@ -88,32 +86,24 @@ bool read_body(Deck& deck, int b) {
   if (!next_card(cards, "the card with the numbers of regions and elements of a body")) return false;
   c2d_body_limits& body = deck.body[b];
   int32_t nodes = 2; // of an element
-  const int32_t old_faults = cards.faults;
-  cards.vital = true;
-  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &body.regions);
-  cards.vital = false;
-  const bool order_known = integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &nodes);
-  cards.vital = true;
-  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &body.elements);
-  const bool points_known = integer_from(cards, 16, "number of boundary points", 1, &body.points);
-  cards.vital = false;
+  integer_from(cards, 1, "number of regions", 1, &body.regions);
+  integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &nodes);
+  integer_from(cards, 11, "number of elements", 1, &body.elements);
+  integer_from(cards, 16, "number of boundary points", 1, &body.points);
   end_of_fields(cards, 21);
-  if (!regions_known || !elements_known || !points_known) return false;
+  if (cards.ended) return false;
   deck.elements += body.elements;
   if (deck.elements > kMostElements)
     field_fault(cards, 11, 15, "number of elements of all bodies is ", deck.elements, ", expected at most ", kMostElements);
   const int64_t expected = int64_t{body.elements} * (nodes - 1), beyond = body.points - expected;
-  if (order_known && (beyond < 0 || beyond > body.regions))
+  if (beyond < 0 || beyond > body.regions)
     field_fault(cards, 16, 20, "number of boundary points is ", body.points, ", expected ", expected, ": ", body.elements,
                 " elements of ", nodes, " nodes");
-  if (body.regions > body.elements) {
+  if (body.regions > body.elements)
     field_fault(cards, 1, 5, "number of regions is ", body.regions, ", expected at most ", body.elements,
                 ", the number of elements");
-    return false;
-  }
   keep_body_card(deck, b, nodes);
-  if (cards.faults != old_faults) return !cards.ended;
-  return set_body(deck, b, 1.0, 0.0);
+  return !cards.ended && set_body(deck, b, 1.0, 0.0);
 }
 
 // Whether the elements of a body are numbered on from those before: the first region card of body 2 says so for all. Where that
