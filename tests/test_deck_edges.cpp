@@ -193,6 +193,16 @@ TEST_CASE("deck edges: a fault says of which body the card is") {
   CHECK(the_fault(with(27, "    9    1 0011       0.0      -1.0")).body == 2);
 }
 
+TEST_CASE("deck edges: a body that meets itself has its pairs twice among those to make room for") {
+  CHECK(read(joined(squares())).sizes.pairs == 2);
+  List deck = squares();
+  deck[29] = "    1   -1    2    1";
+  deck[32] = "    4    2", deck[33] = "    0    0";
+  const Reading r = read(joined(deck));
+  CHECK(r.status == C2D_OK);
+  CHECK(r.sizes.pairs == 4);
+}
+
 TEST_CASE("deck edges: elements of a free zone are numbered as those of its bodies are") {
   List deck = squares();
   deck[7] = "    5    8";

@@ -347,7 +347,8 @@ void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
   ZoneFinding f(C2D_WARN_NORMALS, m, zone, spread.pair);
-  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count, " pairs, most at ");
+  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
+      spread.count == 1 ? " pair, " : " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
   report(reporter, f);
