@@ -4,6 +4,7 @@
 
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 
@@ -77,14 +78,15 @@ bool hold_motions(Held& h) {
   return true;
 }
 
+// False: there forces hold nothing.
 bool hold_resultants(Held& h) {
+  bool holds = true;
   for (int32_t s = 0; s < h.count; ++s) {
+    const auto size = [&](int32_t k) { return fabs(static_cast<double>(h.resultant_at(h.slot[s], k))); };
     int32_t column = s;
     for (int32_t k = s; k < h.count; ++k)
-      if (fabs(static_cast<double>(h.resultant_at(h.slot[s], k))) >
-          fabs(static_cast<double>(h.resultant_at(h.slot[s], column))))
-        column = k;
-    if (!(fabs(static_cast<double>(h.resultant_at(h.slot[s], column))) > kWeighs)) return false;
+      if (size(k) > size(column)) column = k;
+    holds = holds & (size(column) > kWeighs);
     swap_columns_of(h.resultant, h.m, s, column);
     swap_columns_of(h.turn, h.count, s, column);
     Real row[kMostHeld];
@@ -93,7 +95,7 @@ bool hold_resultants(Held& h) {
     clear_row(h.resultant, h.m, h.count, s, row);
     clear_row(h.turn, h.count, h.count, s, same);
   }
-  return true;
+  return holds;
 }
 
 // Uses r.second.
@@ -104,7 +106,10 @@ c2d_status hold(Held& h) {
   if (status != C2D_OK) return status;
   for (int32_t i = 0; i < h.count * h.count; ++i) h.turn[i] = i % (h.count + 1) == 0 ? 1.0 : 0.0;
   for (int32_t& slot : h.slot) slot = -1;
-  return hold_motions(h) && hold_resultants(h) ? C2D_OK : C2D_ERR_SINGULAR;
+  if (!hold_motions(h)) return C2D_ERR_SINGULAR;
+  const bool holds = hold_resultants(h);
+  if (C2D_NEVER(!holds)) return C2D_ERR_SINGULAR; // a pressure works on what moves along its normal
+  return C2D_OK;
 }
 
 Held held_of(const Reduction& r) {
