@@ -11,6 +11,9 @@ namespace {
 Real* column(const DelayedExchanges& d, int32_t j) { return d.t + static_cast<int64_t>(j) * d.rows; }
 
 constexpr Real kRoundOff = sizeof(Real) == 8 ? Real(1e-14) : Real(1e-6);
+// A pivot below this part of what stands in T is a small difference of large numbers, and M, which is an inverse as it stands,
+// would lose as many digits again in all that follows.
+constexpr double kCancels = 0.25;
 
 // Where the list's numbers are: U (rows x most), V (cols x most), M and its inverse, which is where rows and columns of the
 // list's exchanges met in T (most x most), column and row of the last pivot.
@@ -180,10 +183,14 @@ bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_
   if (d.count == d.most) apply_delayed(d, engine);
   Real x[kMostDelayed], y[kMostDelayed], *const pivot_column = last_column(d), *const pivot_row = last_row(d);
   by_column(d, c, 1, x);
-  by_row(d, r, y);
   read_column(d, engine, c, x, pivot_column);
+  if (fabs(static_cast<double>(pivot_column[r])) < kCancels * fabs(static_cast<double>(column(d, c)[r]))) {
+    apply_delayed(d, engine);
+    read_column(d, engine, c, x, pivot_column);
+  }
   const Real pivot = pivot_column[r];
   if ((pivot < 0 ? -pivot : pivot) < kSmallestReal) return false;
+  by_row(d, r, y);
   read_row(d, engine, r, y, pivot_row);
   const int32_t place = place_in_list(d, r, c);
   if (place >= 0)
