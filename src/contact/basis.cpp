@@ -42,9 +42,8 @@ double local_compliance(const Model& m, int32_t index, int slot, const Real* col
     const Pair& pair = m.pair[zone.first_pair + at];
     return pair.tangential < slot ? 0.0 : static_cast<double>(column[pair.dof + slot]);
   };
-  if (last < 2) return fabs(moves(place));
-  if (place == 0 || place == last)
-    return fabs(moves(place) - 2 * moves(place == 0 ? 1 : last - 1) + moves(place == 0 ? 2 : last - 2));
+  if (last == 0) return fabs(moves(place));
+  if (place == 0 || place == last) return fabs(moves(place) - moves(place == 0 ? 1 : last - 1));
   return fabs(moves(place) - (moves(place - 1) + moves(place + 1)) / 2);
 }
 

@@ -30,7 +30,8 @@ inline bool has_open_form(const Model& m) {
          m.head->path_unknowns == m.head->contact;
 }
 // How much farther a slot gives way to a traction of its own than what its neighbours in the zone make of a straight line, in a
-// column of A: what the surface does there, without what shifts, turns or bends it.
+// column of A: what the surface does there, without what shifts, turns or bends it. At the ends of the zone only what shifts it
+// is taken off: own motion and a line through others may be the same by chance.
 double local_compliance(const Model& m, int32_t pair, int slot, const Real* column);
 
 } // namespace c2d
