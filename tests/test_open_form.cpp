@@ -80,6 +80,21 @@ many::Model wedged(int32_t on_the_floor = 60, int32_t on_the_wall = 30) {
   return m;
 }
 
+// A block in a trough of this depth, which alone keeps it from moving aside.
+many::Model in_a_trough(double depth) {
+  using namespace many;
+  Model m;
+  m.add(polygon({{0, -2, 8}, {2, -2, 8}, {2, 0, 45}, {1, -depth, 45}, {0, 0, 8}}));
+  m.add(polygon({{0, 0, 45}, {1, -depth, 45}, {2, 0, 8}, {2, 1, 8}, {0, 1, 8}}));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 2);
+  m.join(C2D_ZONE_MATCHING, 1, 4, 2, 1);
+  m.zones.back().without[0] = 1;
+  m.set(1, 1, end_of(kHeld));
+  m.set(2, 4, end_of(kPulled, 0, -1));
+  m.friction = 0.3;
+  return m;
+}
+
 // A column of width 1, held at its foot, and a block on it that is pressed and pushed.
 many::Model on_a_column(double height, double mu) {
   using namespace many;
@@ -190,13 +205,15 @@ TEST_CASE("open form: the same path as from every pair sticking") {
   }
 }
 
-TEST_CASE("open form: not where a body bends much more than it gives way, nor where it slides freely") {
+TEST_CASE("open form: not where a body bends much more than it gives way, nor where it slides freely, or nearly") {
   CHECK(Solver(deck_of(on_a_column(1, 0.3))).s->open == 1);
   CHECK(Solver(deck_of(on_a_column(60, 0.3))).s->open == 0);
   CHECK(Solver(layer("12")).s->open == 0);
   many::Model flat = on_a_column(1, 0.3);
   flat.set(2, 3, many::end_of(many::kPulled, 0, -1)); // the block is held by friction alone
   CHECK(Solver(deck_of(flat)).s->open == 0);
+  CHECK(Solver(deck_of(in_a_trough(0.5))).s->open == 1);
+  CHECK(Solver(deck_of(in_a_trough(0.02))).s->open == 0);
   Solver tied(family("coating", {"n=24"}));
   CHECK(tied.s->open == 0);
 }

@@ -14,8 +14,9 @@ namespace {
 // on columns up to 200 times as high as wide, pressures lose 4e-16 times this ratio; on layers up to 60 times as long as thick
 // that lie on all their length, 3e-14 to 4e-13 times. It is below 100 for stout bodies, however unequal their elements.
 constexpr double kBendsTooMuch = sizeof(Real) == 8 ? 1e3 : 1e2;
-// Motions at the slots that hold them, against the largest there are.
-constexpr double kHolds = 1e-3, kWeighs = 1e-12;
+// Motions at the slots that hold them, against the largest there are: with R_H = 1 other entries of R are up to so many times
+// larger, and T has squares of them, which cancel where pairs stick.
+constexpr double kHolds = 0.1, kWeighs = 1e-12;
 constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
 
 // R and G combined so that each column has 1 in its own slot among those held and 0 in the others. G turned by `turn`.
