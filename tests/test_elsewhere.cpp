@@ -139,11 +139,11 @@ TEST_CASE("elsewhere: model_by_calls.c is C99 and C++, balances its forces and r
                                      paths::cxx_compiler() + " -x c++ -std=c++17 -Wall -Wextra -Werror "}) {
     must(compile + "-I'" + kRoot + "/include' '" + kRoot + "/examples/model_by_calls.c' -x none '" + paths::library() +
          "' -lm -o '" + (folder / "model") + "'");
-    const std::string told = must("'" + (folder / "model") + "'").out;
+    const std::string told = std::regex_replace(must("'" + (folder / "model") + "'").out, std::regex("-0\\.0000"), "0.0000");
     CHECK(contains(told, "restored twice, the same bits"));
     CHECK_MESSAGE(contains(told, "steel: contact force (0.0000, 800.0000), moment 6400.000; applied (0.0000, -800.0000)"),
                   told);
-    CHECK_MESSAGE(contains(told, "aluminium: contact force (-0.0000, -800.0000), moment -6400.000; applied (0.0000, 800.0000)"),
+    CHECK_MESSAGE(contains(told, "aluminium: contact force (0.0000, -800.0000), moment -6400.000; applied (0.0000, 800.0000)"),
                   told);
   }
 }

@@ -457,3 +457,18 @@ TEST_CASE("open form: of more slots said to have forces than motions can be held
   CHECK(form.open);
   CHECK(form.count == c2d::kMostHeld);
 }
+
+TEST_CASE("open form: friction that a stranger has put where the tape has none is no reason to leave columns out") {
+  Solver solver(family("hertz", {"n=70"}));
+  const double mu = 0;
+  REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK);
+  Draws draws(solver.s);
+  c2d::Tableau& t = draws.session.tableau;
+  int32_t culprit = -1;
+  REQUIRE(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_OK);
+  CHECK(t.smooth);
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mu = 0.3;
+  c2d::build_tableau(t, draws.session.tape, &culprit);
+  CHECK_FALSE(t.smooth);
+  CHECK(t.delayed.cols == t.n);
+}
