@@ -214,6 +214,9 @@ TEST_CASE("open form: not where a body bends much more than it gives way, nor wh
   CHECK(Solver(deck_of(flat)).s->open == 0);
   CHECK(Solver(deck_of(in_a_trough(0.5))).s->open == 1);
   CHECK(Solver(deck_of(in_a_trough(0.02))).s->open == 0);
+  many::Model guided = in_a_trough(1e-6); // it can move in this one way
+  guided.set(2, 4, many::end_of("0110", 0, 0, 0, -1e-3));
+  CHECK(Solver(deck_of(guided)).s->open == 0);
   Solver tied(family("coating", {"n=24"}));
   CHECK(tied.s->open == 0);
 }

@@ -14,9 +14,8 @@ namespace {
 // on columns up to 200 times as high as wide, pressures lose 4e-16 times this ratio; on layers up to 60 times as long as thick
 // that lie on all their length, 3e-14 to 4e-13 times. It is below 100 for stout bodies, however unequal their elements.
 constexpr double kBendsTooMuch = sizeof(Real) == 8 ? 1e3 : 1e2;
-// Motions at the slots that hold them, against the largest there are: with R_H = 1 other entries of R are up to so many times
-// larger, and T has squares of them, which cancel where pairs stick.
-constexpr double kHolds = 0.1, kWeighs = 1e-12;
+// R with 1 at the slots that hold may have so much elsewhere. T has squares of that, which cancel where pairs stick.
+constexpr double kMovesMost = 10, kWeighs = 1e-12;
 constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
 
 // R and G combined so that each column has 1 in its own slot among those held and 0 in the others. G turned by `turn`.
@@ -55,9 +54,8 @@ template <class Number> void clear_row(Number* a, int64_t rows, int32_t columns,
 // The normals along which what is left moves farthest, by the length on which a force would act. (Where they hold it, no body
 // slides freely whatever the friction, METHOD 13.6.)
 bool hold_motions(Held& h) {
-  double first = 0.0;
   for (int32_t s = 0; s < h.count; ++s) {
-    double best = 0.0, size = 0.0;
+    double best = 0.0;
     int32_t column = s;
     for (int32_t i = 0; i < h.r.model.head->pairs; ++i) {
       const Pair& pair = h.r.model.pair[i];
@@ -65,19 +63,18 @@ bool hold_motions(Held& h) {
         const double moves = fabs(static_cast<double>(h.motion_at(pair.dof, k)));
         if (moves * pair.weight <= best) continue;
         best = moves * pair.weight;
-        size = moves;
         column = k;
         h.slot[s] = pair.dof;
       }
     }
-    if (s == 0) first = size;
-    if (!(size > kHolds * first)) return false;
+    if (best == 0.0) return false;
     swap_columns_of(h.motion, h.m, s, column);
     Real row[kMostHeld];
     for (int32_t k = 0; k < h.count; ++k) row[k] = h.motion_at(h.slot[s], k);
     clear_row(h.motion, h.m, h.count, s, row);
   }
-  return true;
+  const double most = static_cast<double>(largest(h.r.engine, h.m * h.count, h.motion));
+  return h.count == 0 || most <= kMovesMost;
 }
 
 // False: there forces hold nothing.
