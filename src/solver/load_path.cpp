@@ -274,12 +274,18 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
 
 bool is_lost(c2d_status status) { return status == kUnsound || status == C2D_ERR_SINGULAR; }
 
+// A tableau that is not new may have found nothing admissible where there is something: jumps under friction without bound are
+// rounds of changes, and what decides between two of them may be round-off.
+bool may_find_more(const Session& session, c2d_outcome outcome) {
+  return outcome == C2D_NO_ADMISSIBLE_CHANGE && session.tableau.exchanges != session.solver->built_exchanges;
+}
+
 // What the limits do not admit is tried once more from the last good state, with a new tableau after every change; then
 // the path ends there.
 c2d_status go_soundly(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_solver* s = session.solver;
   c2d_status status = go(session, target, outcome);
-  if (is_lost(status)) {
+  if (is_lost(status) || (status == C2D_OK && may_find_more(session, *outcome))) {
     s->careful = 1;
     status = return_to_good(session);
     if (status == C2D_OK) status = go(session, target, outcome);
