@@ -1,6 +1,7 @@
 // Compressed elimination against the dense one: solutions, reduced equations, functionals, of every kind of body.
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
+#include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"
 #include "elimination/compressed_work.hpp"
 #include "elimination/stream.hpp"
@@ -1113,4 +1114,29 @@ TEST_CASE("compressed: interpolation finds the columns that others are combinati
             CHECK(c2d::interpolate(again, tolerance, relative, least - 1, order.data(), norms.data(), x.data()) == least);
           }
         }
+}
+
+TEST_CASE("compressed: cells of a thin layer are cut across both its faces, at their middle") {
+  constexpr int32_t kFace = 64;
+  std::vector<double> point;
+  std::vector<int32_t> order, room(2 * kFace);
+  for (int32_t i = 0; i < 2 * kFace; ++i) { // there below, back above
+    point.push_back(i < kFace ? i : 2 * kFace - 1 - i);
+    point.push_back(i < kFace ? 0.0 : 0.1);
+    order.push_back(i);
+  }
+  c2d::order_nodes(point.data(), 2 * kFace, 3, order.data(), room.data());
+  for (int32_t leaf = 0; leaf < 8; ++leaf) {
+    int32_t below = 0;
+    double left = 1e9, right = 0;
+    for (int32_t k = c2d::leaf_begin(2 * kFace, 3, leaf); k < c2d::leaf_begin(2 * kFace, 3, leaf + 1); ++k) {
+      const size_t node = static_cast<size_t>(order[static_cast<size_t>(k)]);
+      below += point[2 * node + 1] == 0.0;
+      left = std::min(left, point[2 * node]);
+      right = std::max(right, point[2 * node]);
+    }
+    CHECK(below == 8);
+    CHECK(left == 8 * leaf);
+    CHECK(right == 8 * leaf + 7);
+  }
 }
