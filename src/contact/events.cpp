@@ -11,6 +11,7 @@ namespace {
 // which it lifts is as large as that of the pressures, which is judged by the largest of the path so far.
 constexpr double kAllButThere = 1.0 - 1e-12;
 constexpr double kNearlyThere = 1.0 - 1e-6;
+constexpr double kAnyProgress = 1e-12; // less of a piece is round-off
 
 void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_t sign) {
   if (step < 0.0) step = 0.0;
@@ -259,9 +260,9 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
   if (f.t->resting > 0) begun = rebuild_for(f, target, outcome);
   if (begun != C2D_OK || *outcome != C2D_REACHED) return begun;
   refresh(f);
-  double part = 0.0;
+  double part = 0.0, before = 0.0;
   int64_t told = f.stats.changes;
-  int32_t standing = 0; // events in a row without any progress
+  int32_t standing = 0; // events in a row that together come nowhere, however many
   const bool jumps = may_jump(f);
   for (;;) {
     c2d_status status = settle_all(f, jumps, outcome);
@@ -275,7 +276,8 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
     slide_guided(f, event.step);
     if (event.pair < 0) break;
-    standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
+    standing = part + event.step > before + kAnyProgress ? 0 : standing + 1;
+    if (standing == 0) before = part + event.step;
     if (standing > 20 + 8 * f.t->pairs) {
       *outcome = C2D_NO_PROGRESS;
       if (is_short(f, part)) return C2D_OK;
