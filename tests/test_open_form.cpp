@@ -1,5 +1,6 @@
 // The contact system with every pair open (METHOD 10.11) against that with every pair sticking, of the same bodies' equations.
 #include "contact/basis.hpp"
+#include "contact/open_form.hpp"
 #include "contact/reduction.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
@@ -474,4 +475,16 @@ TEST_CASE("open form: friction that a stranger has put where the tape has none i
   c2d::build_tableau(t, draws.session.tape, &culprit);
   CHECK_FALSE(t.smooth);
   CHECK(t.delayed.cols == t.n);
+}
+
+TEST_CASE("open form: what no normal moves along with is not held") {
+  Solver solver(deck_of(wedged()));
+  ByHand hand(solver.s, false);
+  std::vector<c2d::Real> motion(static_cast<size_t>(hand.m));
+  for (int32_t k = 0; k < 3; ++k) {
+    REQUIRE(c2d::read_column(hand.r.tape, c2d::ContactMatrix::motions, k, motion.data()) == C2D_OK);
+    for (int32_t i = 0; i < hand.model.head->pairs; ++i) motion[static_cast<size_t>(hand.model.pair[i].dof)] = 0;
+    REQUIRE(c2d::write_column(hand.r.tape, c2d::ContactMatrix::motions, k, motion.data()) == C2D_OK);
+  }
+  CHECK(c2d::form_open_stiffness(hand.r) == C2D_ERR_SINGULAR);
 }
