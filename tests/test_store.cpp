@@ -220,7 +220,7 @@ TEST_CASE("the header stands on the tape as the format page says") {
     return value;
   };
   CHECK(std::string(block.begin(), block.begin() + 4) == "C2DB");
-  CHECK(number(4, 2) == 2);
+  CHECK(number(4, 2) == 3);
   CHECK(number(8, 4) == sizeof(Real));
   CHECK(number(16, 8) == 0x1122334455667788u);
   CHECK(number(24, 4) == C2D_TAPE_UPPER);
@@ -365,7 +365,7 @@ TEST_CASE("another format version, byte order or scalar size is refused as such"
   const Bytes sound = w.on_tape(1);
   const unsigned char other_scalar = sizeof(Real) == 8 ? 4 : 8;
   for (const std::vector<Change>& changes :
-       std::vector<std::vector<Change>>{{{4, 1}}, {{4, 3}}, {{6, sound[7]}, {7, sound[6]}}, {{8, other_scalar}}}) {
+       std::vector<std::vector<Change>>{{{4, 1}}, {{4, 2}}, {{4, 4}}, {{6, sound[7]}, {7, sound[6]}}, {{8, other_scalar}}}) {
     Bytes& block = w.on_tape(1);
     block = sound;
     for (const Change& change : changes) block[change.at] = change.value;

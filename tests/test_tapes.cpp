@@ -294,7 +294,7 @@ TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
   REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
   CHECK(c2d_restore(machine.solver) == C2D_ERR_MISMATCH);
   const std::string text = error_of(machine.solver).text;
-  CHECK_MESSAGE(text.find("format version (another version of the library) is 1, expected 2") != std::string::npos, text);
+  CHECK_MESSAGE(text.find("format version (another version of the library) is 1, expected 3") != std::string::npos, text);
   CHECK(c2d_get_state(machine.solver) == C2D_STATE_MODEL);
   CHECK(std::equal(before[0].begin(), before[0].end(), store.tape[C2D_TAPE_CONTROL][0].begin()));
   CHECK(c2d_prepare(machine.solver) == C2D_OK); // the store is as good as a new one

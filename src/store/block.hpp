@@ -7,7 +7,7 @@
 namespace c2d {
 
 constexpr size_t kBlockHeaderBytes = 64;
-constexpr uint16_t kBlockVersion = 2; // of the format page; any change of a byte on the tape raises it
+constexpr uint16_t kBlockVersion = 3; // of the format page; any change of a byte on the tape raises it
 
 // What a header says about its block.
 struct BlockLabel {
