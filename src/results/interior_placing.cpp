@@ -19,6 +19,20 @@ constexpr double kOnBoundary = 1e-9; // of the element's length
 constexpr double kNearNode = 0.1;    // of the shorter element that meets there
 constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
 
+// Visits the points that have no place yet; rows one after another without looking each up.
+template <class Visit> void for_unplaced(const Points& points, Visit visit) {
+  if (kSmallCode || !points.chosen) {
+    double* row = points.out;
+    for (int32_t i = 0; i < points.count; ++i, row += points.out_stride) {
+      PointSearch& p = *reinterpret_cast<PointSearch*>(row);
+      if (p.place == kUnplaced) visit(p);
+    }
+    return;
+  }
+  for (int32_t i = 0; i < points.count; ++i)
+    if (points.place(i) == kUnplaced) visit(points.search(i));
+}
+
 double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
 void look_closely(const Integrator& in, int b, int32_t element, PointSearch& p) {
@@ -57,15 +71,13 @@ bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
   if (kSmallCode || lines != 0) return false;
   const Element& e = in.element;
   const int last = e.nodes - 1;
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointSearch& p = points.search(i);
-    if (p.place != kUnplaced) continue;
+  for_unplaced(points, [&](PointSearch& p) {
     const Complex a = {e.x[0] - p.x, e.y[0] - p.y}, b = {e.x[last] - p.x, e.y[last] - p.y};
     p.windings += crossings(a, b);
     const Complex middle = 0.5 * (a + b);
     if (!e.straight && dot(middle, middle) <= 4.0 * in.radius * in.radius)
       p.windings += winding(in, p.x, p.y) - angle_of_chord(a, b);
-  }
+  });
   return true;
 }
 
@@ -112,32 +124,24 @@ void begin_placing(const Points& points) {
 // A point of the element as an upper bound of the distance from the boundary, squared: most elements need no closer
 // look then.
 void look_from_afar(const Element& e, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointSearch& p = points.search(i);
-    if (p.place != kUnplaced) continue;
+  for_unplaced(points, [&](PointSearch& p) {
     const double x = p.x - e.c[0][0], y = p.y - e.c[0][1], square = x * x + y * y;
     if (square < p.distance) p.distance = square;
-  }
+  });
 }
 
 // The bound must be undercut, also by a point to which it belongs.
 void leave_afar(const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i)
-    if (points.search(i).place == kUnplaced)
-      points.search(i).distance = (1.0 + 1e-12) * sqrt(points.search(i).distance) + kRounding;
+  for_unplaced(points, [](PointSearch& p) { p.distance = (1.0 + 1e-12) * sqrt(p.distance) + kRounding; });
 }
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointSearch& p = points.search(i);
-    if (p.place == kUnplaced && may_be_nearest(in, p)) look_closely(in, b, element, p);
-  }
+  for_unplaced(points, [&](PointSearch& p) {
+    if (may_be_nearest(in, p)) look_closely(in, b, element, p);
+  });
   if (add_crossings(in, points.lines(b), points)) return;
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointSearch& p = points.search(i);
-    if (p.place == kUnplaced) add_winding(in, points.lines(b), points, p);
-  }
+  for_unplaced(points, [&](PointSearch& p) { add_winding(in, points.lines(b), points, p); });
 }
 
 void place_by_element(const Session& session, int b, int32_t element, const Points& points) {
