@@ -159,7 +159,7 @@
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
   ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
-  ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 2)) /* exchanges (contact/tableau.hpp) */
+  ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 3)) /* exchanges (contact/tableau.hpp) */
 /* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
    side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
    bodies, in units of the model; and what back substitution takes. */

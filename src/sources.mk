@@ -31,6 +31,7 @@ CORE_SOURCES += src/bie/sources.cpp
 CORE_SOURCES += src/bie/straight_moments.cpp
 CORE_SOURCES += src/bie/targets.cpp
 CORE_SOURCES += src/bie/transfer.cpp
+CORE_SOURCES += src/contact/asleep.cpp
 CORE_SOURCES += src/contact/basis.cpp
 CORE_SOURCES += src/contact/body_compliance.cpp
 CORE_SOURCES += src/contact/body_unknowns.cpp

@@ -36,7 +36,7 @@ public:
       : m_(static_cast<int>(k.size())), cases_(static_cast<int>(b.size())), pair_(tangential.size()),
         t_(sized(m_ * (m_ + 1 + cases_))), store_(k.size() * (k.size() + 16) * (sizeof(Real) * 2 + 64) + (1 << 16)),
         buffer_(sized(m_) + 9), y_(sized(m_)), dy_(sized(m_)), area_(sized((m_ + 1) * (m_ + 5)) + 8),
-        delayed_(sized(2 * m_) + static_cast<size_t>(list_numbers(m_, kList))), lists_(pair_.size() * kRateListBytes / 8 + 1) {
+        delayed_(sized(3 * m_) + static_cast<size_t>(list_numbers(m_, kList))), lists_(pair_.size() * kRateListBytes / 8 + 1) {
     for (int j = 0; j < m_; ++j)
       for (int i = 0; i < m_; ++i) stiffness_.push_back(static_cast<Real>(k[sized(i)][sized(j)]));
     for (const std::vector<double>& of_case : b)
@@ -56,7 +56,8 @@ public:
                 0,  nullptr, nullptr};
     tableau_.own = delayed_.data();
     tableau_.cross = tableau_.own + m_;
-    tableau_.delayed = {m_, m_, t_.data(), kList, tableau_.cross + m_, 0};
+    tableau_.column = reinterpret_cast<int32_t*>(tableau_.cross + m_);
+    tableau_.delayed = {m_, m_, t_.data(), kList, tableau_.cross + 2 * m_, 0};
     open_store();
     f_.t = &tableau_;
     f_.model = &model_;

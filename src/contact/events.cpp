@@ -1,6 +1,7 @@
 // From one event to the next: a pair touches, lifts, or starts to slip (METHOD 12).
 #include <math.h>
 
+#include "contact/asleep.hpp"
 #include "contact/path.hpp"
 
 namespace c2d {
@@ -83,7 +84,7 @@ void slide_guided(Follower& f, double step) {
   Pair& pair = t.pair[t.guided - 1];
   const Real by = static_cast<Real>(step * f.guide);
   pair.offset += by;
-  add_column_to(t, pair.dof + 1, by, constants(t));
+  add_column_to(t, column_of(t, t.guided - 1, 1), by, constants(t));
 }
 
 // Does the path go on in the direction of the piece before it, from a load that is not zero?
@@ -209,7 +210,7 @@ c2d_status rebuild(Follower& f) {
   int32_t culprit;
   const c2d_status status = build_tableau(*f.t, *f.tape, &culprit);
   refresh(f);
-  return status;
+  return kSmallCode || status != C2D_OK ? status : wake_touching(f);
 }
 
 double slip_sum(const Follower& f, int32_t index) {

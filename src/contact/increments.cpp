@@ -2,6 +2,7 @@
 // they agree with the values at its end. A pair that closes or turns back sticks where it was when the increment began.
 #include <math.h>
 
+#include "contact/asleep.hpp"
 #include "contact/let_go.hpp"
 
 namespace c2d {
@@ -85,6 +86,8 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
   *outcome = C2D_REACHED;
   if (is_let_go(*f.t)) return follow_events(f, target, outcome);
   end_guide(f);
+  const c2d_status awake = kSmallCode ? c2d_status{C2D_OK} : wake_all(f);
+  if (awake != C2D_OK) return awake;
   refresh(f);
   save(f);
   for (int32_t k = 0; k < f.t->cases; ++k) {

@@ -174,7 +174,7 @@ bool rest_along(const Tableau& t, int32_t slot, Real* response) {
   };
   for (int32_t j = 0; j < tableau_columns(t.n, t.cases); ++j) {
     Real* const values = column(t, j);
-    if (values == motion || (has_normal_columns(t) && j >= t.pairs && j < t.n)) continue;
+    if (values == motion || (j >= used_columns(t) && j < t.n)) continue;
     const bool at_rest = j >= t.n; // no force there, but the gap
     const Real force = at_rest ? Real(0) : static_cast<Real>(values[slot] / against);
     for (int32_t i = 0; i < t.m && force != 0; ++i) values[i] += force * response[i];

@@ -99,6 +99,8 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
 // all sets of cells are tried, which also tells how many solutions there are, f.solutions. Else rounds of changes, then
 // follow_cells. If there are no such statuses, or none are found, they are what they were, and *outcome says why.
 c2d_status settle(Follower& f, c2d_outcome* outcome);
+// Has the pair no pressure and no gap? That of the event that led here is so, whatever the last digits say.
+bool is_unloaded(const Follower& f, int32_t pair, const PairState& now, const PathScales& s);
 // Is the pair's status for its rates to decide? In any case fills what `d` says of the pair itself.
 bool is_in_doubt(const Follower& f, int32_t pair, const PathScales& s, Doubt& d);
 

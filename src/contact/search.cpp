@@ -53,8 +53,8 @@ void keep_motion_before(const Follower& f, RateProblem& r) {
     if (d.kind != DoubtKind::cone || t.pair[d.pair].status != C2D_SLIP) return false;
     for (int32_t j = 0; j <= i; ++j) {
       const Doubt& e = r.doubt[j];
-      const double there = t.t[static_cast<int64_t>(e.dof + 1) * t.m + d.dof + 1] / t.pair[e.pair].length;
-      const double back = t.t[static_cast<int64_t>(d.dof + 1) * t.m + e.dof + 1] / t.pair[d.pair].length;
+      const double there = t.t[static_cast<int64_t>(column_of(t, e.pair, 1)) * t.m + d.dof + 1] / t.pair[e.pair].length;
+      const double back = t.t[static_cast<int64_t>(column_of(t, d.pair, 1)) * t.m + e.dof + 1] / t.pair[d.pair].length;
       a[i][j] = 0.5 * d.sign * e.sign * (there + back);
     }
   }
@@ -276,7 +276,7 @@ void place_in_range(Follower& f) {
   note_solutions(f, 2, true);
   f.range = f.range || f.solutions_load == f.load[0];
   apply_list(*f.t);
-  const Range range{f, end, f.t->t + static_cast<int64_t>(f.t->pair[end].dof + 1) * f.t->m};
+  const Range range{f, end, f.t->t + static_cast<int64_t>(column_of(*f.t, end, 1)) * f.t->m};
   if (range.has_force()) return;
   const PathScales s = decision_scales(f);
   const double none = no_rate(f.t->pair[end], s).motion, least = range.least();

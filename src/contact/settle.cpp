@@ -1,6 +1,7 @@
 // Statuses that agree with the rates: the complementarity problem within one load (METHOD 13).
 #include <math.h>
 
+#include "contact/asleep.hpp"
 #include "contact/let_go.hpp"
 #include "contact/path.hpp"
 #include "contact/rate_cells.hpp"
@@ -50,14 +51,7 @@ Violation judge_slipping(const Pair& pair, const PairState& rate, const PathScal
   return {0.0, 0, 0};
 }
 
-// Is there no pressure and no gap, or is friction at its bound? The pair of the event that brought the path here is, whatever
-// the last digits say.
-bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
-  const Pair& pair = f.t->pair[i];
-  const bool open = pair.status == C2D_OPEN;
-  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
-  return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
-}
+// Is friction at its bound? The pair of the event that brought the path here is there, whatever the last digits say.
 bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) { // one that is not unloaded
   const Pair& pair = f.t->pair[i];
   if (i == f.bound.pair) return true;
@@ -84,6 +78,7 @@ int32_t slips_at_once(const Tableau& t, const Pair& pair, const PairState& rate,
 // Of most pairs the values alone say that their rates do not matter.
 Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
+  if (is_asleep(*f.t, i)) return {0.0, 0, 0};
   const PairState now = pair_state(*f.t, i, f.y);
   const bool unloaded = is_unloaded(f, i, now, s), sticks = pair.status == C2D_STICK;
   if (!unloaded && (pair.status == C2D_OPEN || (sticks && !is_at_bound(f, i, now, s)))) return {0.0, 0, 0};
@@ -222,6 +217,13 @@ PathScales decision_scales(Follower& f) {
   return s;
 }
 
+bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
+  const Pair& pair = f.t->pair[i];
+  const bool open = pair.status == C2D_OPEN;
+  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
+  return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
+}
+
 void refresh(Follower& f) {
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);
@@ -229,7 +231,7 @@ void refresh(Follower& f) {
   const Tableau& t = *f.t;
   const Pair& pair = t.pair[t.guided - 1];
   const int32_t slot = pair.dof + 1;
-  add_column_to(t, slot, f.guide, f.dy);
+  add_column_to(t, column_of(t, t.guided - 1, 1), f.guide, f.dy);
   f.y[slot] = pair.offset; // read as of a slipping pair
   f.dy[slot] = static_cast<Real>(f.guide);
 }
@@ -255,7 +257,7 @@ bool is_in_doubt(const Follower& f, int32_t i, const PathScales& s, Doubt& d) {
   d.dof = pair.dof;
   d.slots = 1 + pair.tangential;
   d.mu = pair.mu;
-  if (i >= f.t->pairs) return false; // tied
+  if (i >= f.t->pairs || is_asleep(*f.t, i)) return false; // tied; far from touching
   d.kind = !pair.tangential || pair.mu == 0.0 ? DoubtKind::normal
            : is_finite_friction(pair)         ? DoubtKind::apex
                                               : DoubtKind::adhesive;
@@ -278,8 +280,8 @@ bool is_held(const Follower& f) {
   if (is_let_go(t)) return false;
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    const int last =
-        has_normal_columns(t) ? 0 : pair.tangential; // without friction what does not hold along holds across at no pair
+    if (is_asleep(t, i)) continue;
+    const int last = last_slot(t, pair); // without friction what does not hold along holds across at no pair
     for (int slot = pair.status == C2D_OPEN ? 0 : 1; slot <= last && pair.status != C2D_STICK; ++slot)
       if (fabs(static_cast<double>(own_entry(t, pair.dof + slot))) * pair.stiffness[slot] > 1.0 / kRegular) return false;
   }
@@ -298,6 +300,8 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (status != C2D_OK) return status;
   bool let_go = is_let_go(*f.t);
   const bool was_let_go = let_go, was_idle = f.idle;
+  if (!kSmallCode) status = wake_touching(f);
+  if (status != C2D_OK) return status;
   PathScales s = decision_scales(f);
   status = kSearchPart.note_idle(f, s);
   if (let_go) status = kSearchPart.hold_again(f, &let_go, outcome); // (of which note_idle asks nothing)

@@ -98,6 +98,8 @@ double pair_product(const Model& m, int b, const double u[3], const double v[3])
 c2d_status start_path(Follower& f, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
+  for (int32_t i = 0; i < t.pairs && delays(t); ++i) t.column[i] = -1; // there may be no tableau yet
+  t.delayed.cols = 0;
   tie_pairs(t, f.model->head->pairs);
   place_as_given(f);
   *floating = 0;

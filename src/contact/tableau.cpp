@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "contact/asleep.hpp"
 #include "contact/basis.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
@@ -27,29 +28,20 @@ Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
 int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
 
-// What is kept of T beside it, as T, which is the tableau, has it.
-void read_own(const Tableau& t) {
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const int32_t a = t.pair[i].dof, b = a + 1;
-    t.own[a] = entry(t, a, column_of(t, i, 0));
-    if (t.pair[i].tangential == 0 || t.smooth) continue;
-    t.own[b] = entry(t, b, b);
-    t.cross[a] = entry(t, a, b);
-    t.cross[b] = entry(t, b, a);
-  }
-}
 
 // As the list's last exchange, of this slot, has changed them.
 void change_own(const Tableau& t, const Pair& changed, int32_t slot, const Real* u, const Real* v) {
   t.own[slot] = 0;
   if (changed.tangential) t.cross[changed.dof] = t.cross[changed.dof + 1] = 0;
   for (int32_t i = 0; i < t.pairs; ++i) {
+    if (t.column[i] < 0) continue;
     const int32_t a = t.pair[i].dof, b = a + 1;
-    t.own[a] -= u[a] * v[column_of(t, i, 0)];
+    const Real *const normal = v + t.column[i], *const tangent = normal + 1;
+    t.own[a] -= u[a] * *normal;
     if (t.pair[i].tangential == 0 || t.smooth) continue;
-    t.own[b] -= u[b] * v[b];
-    t.cross[a] -= u[a] * v[b];
-    t.cross[b] -= u[b] * v[a];
+    t.own[b] -= u[b] * *tangent;
+    t.cross[a] -= u[a] * *tangent;
+    t.cross[b] -= u[b] * *normal;
   }
 }
 
@@ -77,7 +69,7 @@ bool compliant(const Pair& pair, int slot, double value) { return fabs(value) * 
 // Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
 bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int, double)) {
   const int32_t a = pair.dof, b = pair.dof + 1;
-  C2D_ASSERT(a >= 0 && a + pair.tangential < t.n);
+  C2D_ASSERT(a >= 0 && a + pair.tangential < t.n && !is_asleep(t, static_cast<int32_t>(&pair - t.pair)));
   if (!pair.tangential) {
     if (!usable(pair, 0, own_entry(t, a))) return false;
     pivot(t, pair, 0);
@@ -99,7 +91,7 @@ bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int
   return true;
 }
 
-// Rows and columns of one pair: `target` += factor times the other.
+// Rows and columns of one pair: `target` += factor times the other; the normal column += factor times the tangential one.
 void add_row(Tableau& t, int32_t target, double by, int32_t source) {
   const Real factor = static_cast<Real>(by);
   if (factor == 0) return;
@@ -109,11 +101,13 @@ void add_row(Tableau& t, int32_t target, double by, int32_t source) {
   t.own[target] += factor * t.cross[source];
   t.cross[target] += factor * t.own[source];
 }
-void add_column(Tableau& t, int32_t target, double by, int32_t source) {
+void add_tangent_column(Tableau& t, const Pair& pair, double by) {
   const Real factor = static_cast<Real>(by);
   if (factor == 0) return;
+  const int32_t target = pair.dof, source = target + 1;
   if (!delays(t)) return column_add(t.m, t.t, t.m, target, source, factor);
-  delayed_column_add(t.delayed, target, source, factor);
+  const int32_t normal = t.column[&pair - t.pair];
+  delayed_column_add(t.delayed, normal, normal + 1, factor);
   t.own[target] += factor * t.cross[target];
   t.cross[source] += factor * t.own[source];
 }
@@ -163,7 +157,7 @@ bool slip_to_open(Tableau& t, Pair& pair) {
   const int32_t a = pair.dof;
   if (!stiff(pair, 0, own_entry(t, a))) return false;
   pivot(t, pair, 0);
-  if (pair.tangential) add_column(t, a, -friction(pair, pair.sign), a + 1);
+  if (pair.tangential) add_tangent_column(t, pair, -friction(pair, pair.sign));
   return true;
 }
 
@@ -172,7 +166,7 @@ bool open_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const double f = pair.tangential ? friction(pair, sign) : 0.0;
   const double pivot_value = own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, b) : 0.0);
   if (!compliant(pair, 0, pivot_value)) return false;
-  if (pair.tangential) add_column(t, a, f, b);
+  if (pair.tangential) add_tangent_column(t, pair, f);
   pivot(t, pair, 0);
   return true;
 }
@@ -233,7 +227,7 @@ void hold_slide(Tableau& t) {
       const double part = t.stiffness * t.pair[j].length * slide.of(j, c);
       for (int32_t i = 0; i < t.pairs; ++i)
         for (int r = 0; r <= t.pair[i].tangential; ++r)
-          column(t, t.pair[j].dof + c)[t.pair[i].dof + r] += static_cast<Real>(part * slide.of(i, r));
+          column(t, column_of(t, j, c))[t.pair[i].dof + r] += static_cast<Real>(part * slide.of(i, r));
     }
 }
 
@@ -243,9 +237,6 @@ bool is_smooth(const Tableau& t) {
   return smooth;
 }
 
-// The last slot of a pair that has a column.
-int last_slot(const Tableau& t, const Pair& pair) { return has_normal_columns(t) ? 0 : pair.tangential; }
-
 // Slots whose motion is among the unknowns of the tableau on the tape have left the basis in which every pair sticks.
 c2d_status load_basis(Tableau& t, const ContactTape& tape, Form* form) {
   for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mark.exchanged = 0;
@@ -254,13 +245,23 @@ c2d_status load_basis(Tableau& t, const ContactTape& tape, Form* form) {
   const c2d_status status = read_form(tape, basis, form);
   if (status != C2D_OK) return status;
   t.smooth = form->sliding && is_smooth(t); // but in what a stranger may have saved it is
-  t.delayed.cols = t.smooth ? t.pairs : t.n;
   t.delayed.count = 0;
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= t.pair[i].tangential; ++slot)
       if (basis[t.pair[i].dof + slot] != kBasisForce)
         t.pair[i].mark.exchanged = static_cast<uint8_t>(t.pair[i].mark.exchanged | 1 << slot) & 3;
   return C2D_OK;
+}
+
+// Where columns go, one after another; of pairs that sleep they go nowhere.
+void place_columns(Tableau& t, bool some_sleep) {
+  if (!delays(t)) return;
+  t.delayed.cols = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    t.column[i] = some_sleep && pair.status == C2D_OPEN && pair.mark.exchanged == 1 + 2 * pair.tangential ? -1 : t.delayed.cols;
+    if (t.column[i] >= 0) t.delayed.cols += 1 + last_slot(t, pair);
+  }
 }
 
 // How stiff a slot is while those beside it rest: T's own entry with every pair sticking; else A tells.
@@ -274,16 +275,17 @@ c2d_status load_start(Tableau& t, const ContactTape& tape) {
   Form form;
   c2d_status status = load_basis(t, tape, &form);
   t.stiffness = 0.0;
+  place_columns(t, !kSmallCode && may_sleep(t, form));
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot) {
-      Real* const to = column(t, column_of(t, i, slot));
+      Real* const to = is_asleep(t, i) ? constants(t) : column(t, column_of(t, i, slot));
       const int32_t dof = t.pair[i].dof + slot;
       status = read_column(tape, form.open ? ContactMatrix::compliance : ContactMatrix::stiffness, dof, to);
       if (status != C2D_OK) break;
       const double own = own_stiffness(t, tape, form, i, slot, to);
       t.stiffness = fmax(t.stiffness, own);
       t.pair[i].stiffness[slot] = static_cast<Real>(own);
-      if (form.open) status = read_column(tape, ContactMatrix::stiffness, dof, to);
+      if (form.open && !is_asleep(t, i)) status = read_column(tape, ContactMatrix::stiffness, dof, to);
     }
   if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
   if (status != C2D_OK) return status;
@@ -358,7 +360,7 @@ bool bring_pair_in(Tableau& t, Pair& pair) {
   } else {
     const double f = pair.tangential ? friction(pair, pair.sign) : 0.0;
     if (!compliant(pair, 0, own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, a + 1) : 0.0))) return false;
-    if (f != 0.0) add_column(t, a, f, a + 1);
+    if (f != 0.0) add_tangent_column(t, pair, f);
     pivot(t, pair, 0);
   }
   takes_part(pair, 0);
@@ -438,7 +440,8 @@ double largest_pivot(Tableau& t, Slot* row, Slot* column) {
 
 void swap_rows(const Tableau& t, int32_t a, int32_t b) {
   if (a == b) return;
-  for (int32_t j = 0; j < all_columns(t); ++j) {
+  const int32_t used = used_columns(t);
+  for (int32_t j = 0; j < all_columns(t); j = j + 1 == used ? t.n : j + 1) {
     const Real kept = column(t, j)[a];
     column(t, j)[a] = column(t, j)[b];
     column(t, j)[b] = kept;
@@ -513,9 +516,13 @@ void leave_normal_columns(Tableau& t) {
   if (kSmallCode || t.smooth) return;
   t.smooth = is_smooth(t);
   if (!t.smooth) return;
-  for (int32_t i = 0; i < t.pairs; ++i)
-    for (int32_t row = 0; row < t.m; ++row) column(t, i)[row] = entry(t, row, t.pair[i].dof);
-  t.delayed.cols = t.pairs;
+  t.delayed.cols = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    if (t.column[i] < 0) continue;
+    const int32_t to = t.delayed.cols++;
+    for (int32_t row = 0; row < t.m; ++row) column(t, to)[row] = entry(t, row, t.column[i]);
+    t.column[i] = to;
+  }
 }
 
 void restore_gaps(Tableau& t) {
@@ -571,7 +578,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
 // ---- reading ------------------------------------------------------------------------------------------------------
 
 Real* slot_column(const Tableau& t, int32_t slot) {
-  return column(t, has_normal_columns(t) ? slot_of(t, slot).column_in(t) : slot);
+  return column(t, delays(t) ? slot_of(t, slot).column_in(t) : slot);
 }
 
 template <bool hostile> int32_t longest_list(int64_t all) {
@@ -580,15 +587,15 @@ template <bool hostile> int32_t longest_list(int64_t all) {
   return static_cast<int32_t>(all);
 }
 
-void place_list(Tableau& t, Real* numbers, int32_t count) {
+void place_list(Tableau& t, Real* numbers, int32_t count, int32_t columns) {
   if (kSmallCode) return;
   const int64_t m = t.m;
   const int32_t most = longest_list<kHostile>(delayed_exchanges(m));
   t.own = numbers;
   t.cross = numbers + m;
-  t.delayed = {t.m, t.n, t.t, most, numbers + 2 * m, count};
+  t.column = reinterpret_cast<int32_t*>(numbers + 2 * m);
+  t.delayed = {t.m, columns, t.t, most, numbers + 3 * m, count};
   t.smooth = is_smooth(t);
-  if (t.smooth) t.delayed.cols = t.pairs;
 }
 
 void add_column_to(const Tableau& t, int32_t j, double factor, Real* y) {

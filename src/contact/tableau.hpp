@@ -6,7 +6,8 @@
 //   stick  z = w_n, w_t - offset    y = p, q  p, q: force on side 1 per length of side 0 in its stress unit
 //   slip   z = w_n, r   y = p, w_t            r = q - sign mu p
 // A change of status is one or two Gauss-Jordan exchanges. In a large tableau those of T are kept back in a list, `delayed`,
-// which is applied as a whole when it is full; constants and rates of loads are always up to date.
+// which is applied as a whole when it is full; constants and rates of loads are always up to date. Columns of pairs that are
+// far from touching stay on the tape, contact/asleep.hpp.
 #include "contact/contact_tape.hpp"
 #include "linalg/delayed.hpp"
 #include "model/model.hpp"
@@ -34,19 +35,25 @@ struct Tableau {
   DelayedExchanges delayed = {}; // of T
   Real *own = nullptr,
        *cross = nullptr; // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
-  bool smooth = false;   // there is a list, and no pair has friction: only columns of normal slots are left, of pair i column i
+  int32_t* column = nullptr; // [pairs] likewise: where the columns of a pair's slots begin in t; -1: they are asleep
+  bool smooth = false;       // there is a list, and no pair has friction: only columns of normal slots are left
 };
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
 // Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.
-void place_list(Tableau& t, Real* numbers, int32_t count);
+void place_list(Tableau& t, Real* numbers, int32_t count, int32_t columns);
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.n; }
 inline bool has_normal_columns(const Tableau& t) { return !kSmallCode && t.smooth; }
-// The column of a pair's slot.
+// The column of a pair's slot; of a pair that is not asleep.
 inline int32_t column_of(const Tableau& t, int32_t pair, int slot) {
-  return has_normal_columns(t) ? pair : t.pair[pair].dof + slot;
+  return (delays(t) ? t.column[pair] : t.pair[pair].dof) + slot;
 }
+inline bool is_asleep(const Tableau& t, int32_t pair) { return delays(t) && t.column[pair] < 0; }
+// The last slot of a pair that has a column.
+inline int last_slot(const Tableau& t, const Pair& pair) { return has_normal_columns(t) ? 0 : pair.tangential; }
+// The columns of T in use, from the first on.
+inline int32_t used_columns(const Tableau& t) { return delays(t) ? t.delayed.cols : t.n; }
 // Where the column of a slot begins.
 Real* slot_column(const Tableau& t, int32_t slot);
 // T of a slot by itself, and of its row by the other slot of the pair; y += factor times a column: whatever the list holds.

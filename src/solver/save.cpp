@@ -249,6 +249,20 @@ bool are_possible_pairs(const Model& m) {
   return true;
 }
 
+// Of the tableau: each pair's are among those in use, or there is room for them.
+bool are_possible_columns(c2d_solver* s, const Model& m) {
+  Session session;
+  open_session(s, session);
+  const Tableau& t = session.tableau;
+  int64_t columns = s->awake;
+  for (int32_t i = 0; i < t.pairs && delays(t); ++i) {
+    const int32_t own = 1 + last_slot(t, m.pair[i]);
+    if (!all_within({{t.column[i], -1, s->awake - own}})) return false;
+    if (t.column[i] < 0) columns += own;
+  }
+  return columns <= t.n;
+}
+
 template <int32_t size> bool ends(const char (&text)[size]) { return place_of('\0', text, size) < size; }
 
 bool are_possible_texts(const Model& m) {
@@ -260,7 +274,7 @@ bool are_possible_texts(const Model& m) {
 
 // Sums can be made to be right. Could what was taken up have been left by a path? Every number that leads to a place in memory
 // or chooses a way is looked at; the others may be any. `blocked` is what the model says.
-bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
+bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
   constexpr int64_t kMany = int64_t{1} << 60, kSome = 1 << 30; // counts, with room to go on
   const ModelHeader& head = s->model;
   const PathStats& stats = s->stats;
@@ -281,6 +295,7 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
                                   {s->may_rest, 0, 1},
                                   {s->resting, 0, kSome},
                                   {s->delayed, 0, delayed_exchanges(head.contact)},
+                                  {s->awake, 0, head.path_unknowns},
                                   {s->guided, 0, head.path_pairs},
                                   {s->good_guided, 0, head.path_pairs},
                                   {s->table_is_current, 0, 1},
@@ -309,7 +324,8 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
   for (int b = 0; b < head.bodies && !blocked; ++b)
     if (!is_plan_of(sizes, b, plan_of(s, b)) || plan_of(s, b).keep_lower > s->options.keep_factors) return false;
   PathArea area;
-  return open_path_area(s, m, s->keeps_flexibility != 0, area) <= s->bytes - s->layout.persistent;
+  if (open_path_area(s, m, s->keeps_flexibility != 0, area) > s->bytes - s->layout.persistent) return false;
+  return !running || s->blocked || are_possible_columns(s, m);
 }
 
 // Are these the tapes that the state was made with?
@@ -436,7 +452,7 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
   plan_bodies(s, m);
   const int32_t blocked = s->blocked;
   c2d_status status = read_image(s, slots, record, piece, true);
-  if (status == C2D_OK && (!is_possible(s, m, blocked) || !are_its_tapes(s, m, record))) {
+  if (status == C2D_OK && (!is_possible(s, m, blocked, record.state == C2D_STATE_RUNNING) || !are_its_tapes(s, m, record))) {
     tapes.error.status = C2D_OK; // the tape has nothing to say of blocks that are whole
     status = C2D_ERR_STORE_FORMAT;
   }

@@ -76,7 +76,7 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   t.direction = loads + 2 * head.load_cases;
   t.may_rest = s->may_rest;
   t.resting = s->resting;
-  place_list(t, session.area.delayed, s->delayed);
+  place_list(t, session.area.delayed, s->delayed, s->awake);
   t.model = &session.model;
   t.body = &session.free_body;
 }
@@ -135,6 +135,7 @@ void close_session(Session& session) {
   s->may_rest = session.tableau.may_rest;
   s->resting = session.tableau.resting;
   s->delayed = session.tableau.delayed.count;
+  s->awake = session.tableau.delayed.cols;
   s->idle = session.follower.idle;
   s->goes_on = session.follower.goes_on;
 }

@@ -1,0 +1,146 @@
+#include "contact/asleep.hpp"
+
+#include <math.h>
+
+#include "contact/let_go.hpp"
+#include "contact/start.hpp"
+#include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
+
+namespace c2d {
+
+namespace {
+
+Real* t_column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
+
+// Pairs that wake together, as many as the list has room for numbers of their columns: a function of the number of unknowns.
+struct Waking {
+  int32_t count, columns;
+  int32_t pair[kMostDelayed];
+};
+bool add(const Tableau& t, int32_t pair, Waking& w) {
+  const int32_t columns = 1 + last_slot(t, t.pair[pair]);
+  if (w.columns + columns > t.delayed.most) return false;
+  w.pair[w.count++] = pair;
+  w.columns += columns;
+  return true;
+}
+
+// Has y of this slot on the tape changed places with its z? There it is a motion, but a force where bodies are held.
+bool has_changed_places(const Tableau& t, const Form& form, int32_t pair, int slot) {
+  const Pair& p = t.pair[pair];
+  const bool sticks = p.status == C2D_STICK || t.guided - 1 == pair;
+  const bool force = sticks || (p.status == C2D_SLIP && slot == 0);
+  return force != has_force(form, *t.model, p.dof + slot);
+}
+
+// What a column on the tape says of the pairs that are awake goes into `by`, for the columns of T in use, and out of it.
+void take_apart(const Tableau& t, const Form& form, Real* column, Real* by) {
+  for (int32_t j = 0; j < t.delayed.cols; ++j) by[j] = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    for (int slot = 0; slot <= last_slot(t, pair) && !is_asleep(t, i); ++slot) {
+      Real& there = column[pair.dof + slot];
+      if (has_changed_places(t, form, i, slot)) {
+        by[column_of(t, i, slot)] = there;
+        there = 0;
+      } else if (slot == 0 && last_slot(t, pair) == 1 && pair.status == C2D_SLIP && t.guided - 1 != i) {
+        by[column_of(t, i, 1)] = static_cast<Real>(-friction(pair, pair.sign)) * there; // r of a pair that holds a body
+      }
+    }
+  }
+}
+
+c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
+  apply_list(t);
+  const int32_t used = t.delayed.cols;
+  C2D_ASSERT(used + w.columns <= t.n);
+  Real *const first = t_column(t, used), *const by = t.delayed.numbers; // the list is empty
+  Form form;
+  c2d_status status = read_form(tape, first, &form);
+  int32_t next = 0;
+  for (int32_t k = 0; k < w.count; ++k)
+    for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]) && status == C2D_OK; ++slot, ++next) {
+      Real* const column = t_column(t, used + next);
+      status = read_column(tape, ContactMatrix::stiffness, t.pair[w.pair[k]].dof + slot, column);
+      take_apart(t, form, column, by + static_cast<int64_t>(next) * used);
+    }
+  if (status != C2D_OK) return status;
+  if (used > 0) gemm_minus(t.engine, t.m, w.columns, used, t.t, t.m, by, used, first, t.m);
+  for (int32_t k = 0; k < w.count; ++k) {
+    t.column[w.pair[k]] = t.delayed.cols;
+    t.delayed.cols += 1 + last_slot(t, t.pair[w.pair[k]]);
+    read_own(t, w.pair[k]);
+  }
+  return C2D_OK;
+}
+
+// Adds those that sleep with the smallest gaps, as many as have room.
+void add_nearest(const Follower& f, Waking& w) {
+  const Tableau& t = *f.t;
+  const auto gap = [&](int32_t i) { return f.y[t.pair[i].dof]; };
+  for (int32_t last = -1, next = 0; next >= 0; last = next) {
+    next = -1;
+    for (int32_t i = 0; i < t.pairs; ++i) {
+      if (!is_asleep(t, i) || i == w.pair[0]) continue;
+      const bool behind = last < 0 || gap(i) > gap(last) || (gap(i) == gap(last) && i > last);
+      if (behind && (next < 0 || gap(i) < gap(next))) next = i;
+    }
+    if (next >= 0 && !add(t, next, w)) return;
+  }
+}
+
+} // namespace
+
+bool may_sleep(const Tableau& t, const Form& form) {
+  if (!form.open || !delays(t) || t.may_rest != 0 || is_let_go(t) || (form.sliding && !t.smooth)) return false;
+  if (t.body && t.body->slides != 0) return false;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (t.pair[i].tangential != 0 && t.pair[i].mu > 1e300) return false;
+  return true;
+}
+
+c2d_status wake_touching(Follower& f) {
+  Tableau& t = *f.t;
+  for (;;) {
+    PathScales s = path_scales(f);
+    s.w = fmax(s.w, f.gap_scale);
+    int32_t touching = -1;
+    for (int32_t i = 0; i < t.pairs && touching < 0; ++i)
+      if (is_asleep(t, i) && is_unloaded(f, i, pair_state(t, i, f.y), s)) touching = i;
+    if (touching < 0) return C2D_OK;
+    Waking w{};
+    add(t, touching, w);
+    add_nearest(f, w);
+    const c2d_status status = wake(t, *f.tape, w);
+    if (status != C2D_OK) return status;
+  }
+}
+
+c2d_status wake_all(Follower& f) {
+  Tableau& t = *f.t;
+  for (int32_t i = 0; i < t.pairs;) {
+    Waking w{};
+    for (; i < t.pairs && (!is_asleep(t, i) || add(t, i, w)); ++i) {}
+    const c2d_status status = w.count > 0 ? wake(t, *f.tape, w) : c2d_status{C2D_OK};
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+void read_own(const Tableau& t, int32_t i) {
+  const int32_t a = t.pair[i].dof, b = a + 1;
+  const Real *const normal = t_column(t, t.column[i]), *const tangent = normal + t.m;
+  t.own[a] = normal[a];
+  if (t.pair[i].tangential == 0 || t.smooth) return;
+  t.own[b] = tangent[b];
+  t.cross[a] = tangent[a];
+  t.cross[b] = normal[b];
+}
+
+void read_own(const Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (!is_asleep(t, i)) read_own(t, i);
+}
+
+} // namespace c2d

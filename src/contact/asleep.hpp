@@ -1,0 +1,22 @@
+#pragma once
+// Pairs that are far from touching sleep: the tableau has their rows, which tell when they touch, and their columns are on the
+// tape as they were with every pair open (contact/open_form.hpp). What becomes of such a column when others change places is
+// made up for as it wakes, METHOD 11.5.
+#include "contact/basis.hpp"
+#include "contact/path.hpp"
+
+namespace c2d {
+
+// May open pairs of the tableau that is about to be built sleep? Not where a body is let go or rests along a motion, nor where
+// the state may jump.
+bool may_sleep(const Tableau& t, const Form& form);
+
+// Pairs that sleep wake where they touch, with others that are about to. y is that of the tableau. Errors: the block store's.
+c2d_status wake_touching(Follower& f);
+c2d_status wake_all(Follower& f);
+
+// What is kept of T beside it, as T, which is the tableau, has it: of a pair that is awake; of all of them.
+void read_own(const Tableau& t, int32_t pair);
+void read_own(const Tableau& t);
+
+} // namespace c2d
