@@ -1,4 +1,5 @@
 // The contact system with every pair open (METHOD 10.11) against that with every pair sticking, of the same bodies' equations.
+#include "contact/asleep.hpp"
 #include "contact/basis.hpp"
 #include "contact/open_form.hpp"
 #include "contact/reduction.hpp"
@@ -226,9 +227,16 @@ namespace {
 
 // So many draws of statuses for the tableau of a path that has begun. What holds the bodies on the tape is one thing after
 // another.
+int32_t count_asleep(const c2d::Tableau& t) {
+  int32_t count = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) count += c2d::is_asleep(t, i);
+  return count;
+}
+
 struct Draws {
   c2d::Session session;
   uint32_t state = 7;
+  int32_t asleep = 0; // before they were woken
   explicit Draws(c2d_solver* s) { c2d::open_session(s, session); }
   uint32_t next() { return state = state * 1664525u + 1013904223u, state >> 16; }
   void take(c2d::Pair& pair, uint32_t which) {
@@ -245,20 +253,29 @@ struct Draws {
     for (int32_t i = 0; i < form.count; ++i)
       for (int32_t p = 0; p < t.pairs; ++p)
         if (t.pair[p].dof == form.held[i]) take(t.pair[p], draw % 4);
+    t.guided = 0; // every third time a pair slides along with a body that is free to
+    for (int32_t p = 0; p < t.pairs && draw % 3 == 0 && t.guided == 0; ++p)
+      if (t.pair[p].status == C2D_SLIP && t.pair[p].tangential) t.guided = p + 1;
     int32_t culprit = -1;
     status = c2d::build_tableau(t, session.tape, &culprit);
+    asleep = count_asleep(t);
+    if (status == C2D_OK) status = c2d::wake_all(session.follower);
     std::vector<double> out;
-    for (int32_t j = 0; j < c2d::tableau_columns(t.n, t.cases) && status == C2D_OK; ++j)
+    const auto add = [&](int32_t j, bool of_force) {
       for (int32_t i = 0; i < t.m; ++i)
         out.push_back(static_cast<double>(t.t[static_cast<int64_t>(j) * t.m + i]) / (is_force(i) ? stiffness : 1) *
-                      (j < t.n && !is_force(j) ? stiffness : 1));
+                      (of_force ? 1 : stiffness));
+    };
+    for (int32_t p = 0; p < t.pairs && status == C2D_OK; ++p)
+      for (int slot = 0; slot <= t.pair[p].tangential; ++slot) add(c2d::column_of(t, p, slot), is_force(t.pair[p].dof + slot));
+    for (int32_t j = t.n; j < c2d::tableau_columns(t.n, t.cases) && status == C2D_OK; ++j) add(j, true);
     return out;
   }
   bool is_force(int32_t slot) const { // in a row
     const c2d::Tableau& t = session.tableau;
     for (int32_t p = 0;; ++p)
       if (slot <= t.pair[p].dof + t.pair[p].tangential)
-        return slot == t.pair[p].dof ? t.pair[p].status != C2D_OPEN : t.pair[p].status == C2D_STICK;
+        return slot == t.pair[p].dof ? t.pair[p].status != C2D_OPEN : t.pair[p].status == C2D_STICK || t.guided == p + 1;
   }
 };
 
@@ -281,6 +298,7 @@ TEST_CASE("open form: the tableau of any statuses, from either form of the tape"
     for (uint32_t draw = 1; draw <= 12; ++draw) {
       built.push_back(C2D_OK);
       open.push_back(draws.tableau(draw, form, stiffness, built.back()));
+      CHECK(draws.asleep > draws.session.tableau.pairs / 8); // a quarter is open
     }
     ByHand sticking(solver.s, false);
     sticking.r.open = false;
@@ -290,6 +308,7 @@ TEST_CASE("open form: the tableau of any statuses, from either form of the tape"
       c2d_status status = C2D_OK;
       const std::vector<double> closed = draws.tableau(draw, form, stiffness, status);
       CHECK(status == built[draw - 1]);
+      CHECK(draws.asleep == 0);
       REQUIRE(closed.size() == open[draw - 1].size());
       double off = 0, size = 0;
       for (size_t i = 0; i < closed.size(); ++i) {
@@ -348,18 +367,22 @@ TEST_CASE("open form: whichever operation of the store fails while a tableau is 
   REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK);
   Draws draws(solver.s);
   const size_t first = solver.store.done.size();
-  int32_t culprit = -1;
-  REQUIRE(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_OK);
+  const auto build = [&] {
+    int32_t culprit = -1;
+    const c2d_status status = c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit);
+    return status == C2D_OK ? c2d::wake_all(draws.session.follower) : status;
+  };
+  REQUIRE(build() == C2D_OK);
   const size_t operations = solver.store.done.size() - first;
   REQUIRE(operations > 2 * static_cast<size_t>(draws.session.tableau.m));
   for (size_t n = 0; n < operations; n += n < 5 || n + 10 > operations ? 1 : 7) {
     CAPTURE(n);
     const size_t at = solver.store.done.size() + n;
     solver.store.before = [at](const RamStore::Operation&, size_t i) { return i == at ? 7 : 0; };
-    CHECK(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_ERR_STORE_READ);
+    CHECK(build() == C2D_ERR_STORE_READ);
     solver.store.before = nullptr;
   }
-  CHECK(c2d::build_tableau(draws.session.tableau, draws.session.tape, &culprit) == C2D_OK);
+  CHECK(build() == C2D_OK);
 }
 
 namespace {
@@ -487,4 +510,183 @@ TEST_CASE("open form: what no normal moves along with is not held") {
     REQUIRE(c2d::write_column(hand.r.tape, c2d::ContactMatrix::motions, k, motion.data()) == C2D_OK);
   }
   CHECK(c2d::form_open_stiffness(hand.r) == C2D_ERR_SINGULAR);
+}
+
+// ---- pairs that sleep (contact/asleep.hpp) --------------------------------------------------------------------------------
+
+namespace {
+
+void begin(Solver& solver, double mu) { REQUIRE(c2d_begin(solver.s, &mu, 1) == C2D_OK); }
+c2d_status advance(c2d_solver* s, double load) { // of the first case
+  c2d_outcome outcome = C2D_UNDECIDED;
+  std::vector<double> factors(static_cast<size_t>(s->model.load_cases));
+  factors[0] = load;
+  const c2d_status status = c2d_advance(s, factors.data(), s->model.load_cases, &outcome);
+  if (status == C2D_OK) CHECK(outcome == C2D_REACHED);
+  return status;
+}
+int32_t count_asleep(c2d_solver* s) {
+  c2d::Session session;
+  c2d::open_session(s, session);
+  return count_asleep(session.tableau);
+}
+
+} // namespace
+
+TEST_CASE("asleep: the tableau has columns of what touches and of what is about to, few as long as few touch") {
+  for (const bool friction : {true, false}) {
+    CAPTURE(friction);
+    Solver solver(friction ? family("mindlin", {"n=36"}) : family("hertz", {"n=70"}));
+    begin(solver, friction ? 0.3 : 0);
+    int32_t before = summary_of(solver.s).pairs;
+    for (const double load : {0.001, 0.1, 0.4}) {
+      CAPTURE(load);
+      REQUIRE(advance(solver.s, load) == C2D_OK);
+      Draws draws(solver.s);
+      const c2d::Tableau& t = draws.session.tableau;
+      int32_t touching = 0, columns = 0;
+      for (int32_t i = 0; i < t.pairs; ++i) {
+        const bool asleep = c2d::is_asleep(t, i);
+        touching += t.pair[i].status != C2D_OPEN;
+        columns += asleep ? 0 : 1 + c2d::last_slot(t, t.pair[i]);
+        if (asleep) CHECK(t.pair[i].status == C2D_OPEN);
+      }
+      const int32_t asleep = count_asleep(t);
+      CHECK(columns == c2d::used_columns(t));
+      CHECK(asleep < before);
+      CHECK(touching < t.pairs - asleep);
+      CHECK(touching + t.delayed.most > t.pairs - asleep); // no more than one lot is ready beforehand
+      before = asleep;
+    }
+  }
+}
+
+TEST_CASE("asleep: not where friction has no bound, a body is let go, rests or slides freely, nor increment by increment") {
+  Solver solver(family("mindlin", {"n=36"}));
+  begin(solver, INFINITY);
+  REQUIRE(advance(solver.s, 0.1) == C2D_OK);
+  CHECK(count_asleep(solver.s) == 0);
+  begin(solver, 0.3);
+  REQUIRE(advance(solver.s, 0.1) == C2D_OK);
+  CHECK(count_asleep(solver.s) > 0);
+  Draws draws(solver.s);
+  c2d::Tableau& t = draws.session.tableau;
+  int32_t culprit = -1;
+  const auto built_with = [&](int32_t& number) {
+    number = 1;
+    const c2d_status status = c2d::build_tableau(t, draws.session.tape, &culprit);
+    number = 0;
+    CHECK(status == C2D_OK);
+    return count_asleep(t);
+  };
+  CHECK(built_with(t.may_rest) == 0);
+  CHECK(built_with(draws.session.free_body.slides) == 0);
+  CHECK(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_OK);
+  CHECK(count_asleep(t) > 0);
+  for (int32_t i = 0; i < t.pairs; ++i) draws.take(t.pair[i], 0);
+  CHECK(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_OK);
+  CHECK(count_asleep(t) == 0);
+
+  Solver stepping(family("mindlin", {"n=36"}));
+  begin(stepping, 0.3);
+  REQUIRE(advance(stepping.s, 0.01) == C2D_OK); // by events: what touches first holds the body
+  c2d_options options = C2D_INIT(c2d_options);
+  options.stepping = C2D_STEPPING_DECK;
+  REQUIRE(c2d_set_options(stepping.s, &options) == C2D_ERR_STATE); // (not on the way)
+  stepping.s->options.stepping = C2D_STEPPING_DECK;
+  CHECK(count_asleep(stepping.s) > 0);
+  REQUIRE(advance(stepping.s, 0.02) == C2D_OK);
+  CHECK(count_asleep(stepping.s) == 0);
+}
+
+TEST_CASE("asleep: a flat face touches as a whole, lot by lot") {
+  Solver solver(deck_of(on_a_column(1, 0.3)));
+  begin(solver, 0.3);
+  REQUIRE(count_asleep(solver.s) == 0); // all touch from the start
+  Draws draws(solver.s);
+  c2d::Tableau& t = draws.session.tableau;
+  for (int32_t i = 0; i < t.pairs; ++i) draws.take(t.pair[i], i == 3 || i == 60 ? 1 : 0);
+  int32_t culprit = -1;
+  REQUIRE(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_OK);
+  const int32_t asleep = count_asleep(t);
+  CHECK(2 * asleep > t.pairs);
+  c2d::refresh(draws.session.follower);
+  for (int32_t i = 0; i < t.pairs; ++i) draws.session.follower.y[t.pair[i].dof] = 0; // no gap anywhere
+  REQUIRE(c2d::wake_touching(draws.session.follower) == C2D_OK);
+  CHECK(count_asleep(t) == 0);
+  CHECK(2 * asleep > t.delayed.most); // (more than one lot)
+}
+
+TEST_CASE("asleep: whichever read of a column that wakes fails, that is told") {
+  const auto at_little_load = [](Solver& solver) {
+    begin(solver, 0.3);
+    REQUIRE(advance(solver.s, 0.001) == C2D_OK);
+    REQUIRE(count_asleep(solver.s) > 0);
+  };
+  int reads = 0;
+  for (int n = 0; n <= reads; n += n < 8 || n + 4 > reads ? 1 : 9) {
+    CAPTURE(n);
+    Solver solver(family("mindlin", {"n=36"}));
+    at_little_load(solver);
+    int seen = 0;
+    solver.store.before = [&seen, n](const RamStore::Operation& o, size_t) {
+      return o.tape == C2D_TAPE_CONTACT && o.kind == 'r' && seen++ == n ? 7 : 0;
+    };
+    const c2d_status status = advance(solver.s, 0.3);
+    CHECK(status == (seen > n ? C2D_ERR_STORE_READ : C2D_OK));
+    reads = std::max(reads, seen);
+    solver.store.before = nullptr;
+  }
+  CHECK(reads > 40);
+}
+
+TEST_CASE("asleep: a saved state goes on to the same numbers, and forged columns are refused") {
+  const std::string text = family("mindlin", {"n=36"});
+  Solver solver(text);
+  begin(solver, 0.3);
+  REQUIRE(advance(solver.s, 0.1) == C2D_OK);
+  REQUIRE(count_asleep(solver.s) > 0);
+  REQUIRE(c2d_save(solver.s) == C2D_OK);
+  const auto resumed = [&](c2d_status expected) {
+    auto other = std::make_unique<Machine>(solver.deck.limits(), solver.s->bytes, &solver.port);
+    REQUIRE(read_deck(other->solver, solver.deck) == C2D_OK);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.keep_factors = 1;
+    REQUIRE(c2d_set_options(other->solver, &options) == C2D_OK);
+    CHECK(c2d_restore(other->solver) == expected);
+    return other;
+  };
+  const auto pressures = [](c2d_solver* s) {
+    std::vector<double> tn(static_cast<size_t>(summary_of(s).pairs));
+    REQUIRE(c2d_get(s, C2D_TN, 1, 1, summary_of(s).pairs, tn.data(), 1) == C2D_OK);
+    return tn;
+  };
+  std::vector<double> expected;
+  {
+    const auto other = resumed(C2D_OK);
+    CHECK(count_asleep(other->solver) == count_asleep(solver.s));
+    REQUIRE(advance(other->solver, 0.5) == C2D_OK);
+    expected = pressures(other->solver);
+  }
+  const auto column = [&]() -> int32_t* {
+    Draws draws(solver.s);
+    return draws.session.tableau.column;
+  }();
+  const int32_t n = summary_of(solver.s).contact_unknowns, kept = column[5], awake = solver.s->awake;
+  for (const int32_t forged : {-2, awake - 1, n}) {
+    CAPTURE(forged);
+    column[5] = forged;
+    REQUIRE(c2d_save(solver.s) == C2D_OK);
+    resumed(C2D_ERR_STORE_FORMAT);
+  }
+  column[5] = kept;
+  for (const int32_t forged : {-1, n, n + 1}) { // no room for those that sleep; none at all
+    CAPTURE(forged);
+    solver.s->awake = forged;
+    REQUIRE(c2d_save(solver.s) == C2D_OK);
+    resumed(C2D_ERR_STORE_FORMAT);
+  }
+  solver.s->awake = awake;
+  REQUIRE(advance(solver.s, 0.5) == C2D_OK);
+  CHECK(pressures(solver.s) == expected);
 }

@@ -121,7 +121,8 @@ c2d_status wake_all(Follower& f) {
   Tableau& t = *f.t;
   for (int32_t i = 0; i < t.pairs;) {
     Waking w{};
-    for (; i < t.pairs && (!is_asleep(t, i) || add(t, i, w)); ++i) {}
+    for (; i < t.pairs && (!is_asleep(t, i) || add(t, i, w)); ++i) {
+    }
     const c2d_status status = w.count > 0 ? wake(t, *f.tape, w) : c2d_status{C2D_OK};
     if (status != C2D_OK) return status;
   }

@@ -28,7 +28,6 @@ Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
 int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
 
-
 // As the list's last exchange, of this slot, has changed them.
 void change_own(const Tableau& t, const Pair& changed, int32_t slot, const Real* u, const Real* v) {
   t.own[slot] = 0;
@@ -577,9 +576,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
 
 // ---- reading ------------------------------------------------------------------------------------------------------
 
-Real* slot_column(const Tableau& t, int32_t slot) {
-  return column(t, delays(t) ? slot_of(t, slot).column_in(t) : slot);
-}
+Real* slot_column(const Tableau& t, int32_t slot) { return column(t, delays(t) ? slot_of(t, slot).column_in(t) : slot); }
 
 template <bool hostile> int32_t longest_list(int64_t all) {
   if constexpr (hostile)

@@ -34,7 +34,7 @@ struct Tableau {
   int32_t resting = 0;  // so many, along which the bodies keep their place in this tableau
   DelayedExchanges delayed = {}; // of T
   Real *own = nullptr,
-       *cross = nullptr; // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
+       *cross = nullptr;     // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
   int32_t* column = nullptr; // [pairs] likewise: where the columns of a pair's slots begin in t; -1: they are asleep
   bool smooth = false;       // there is a list, and no pair has friction: only columns of normal slots are left
 };
