@@ -340,9 +340,9 @@ enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
 /* Elements on a line of symmetry: kept, or replaced by images. The line bounds every body; each of its elements has zero
    displacement across and zero traction along the line. Results there are 0. Lines are found if none is given. */
 enum { C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1 };
-/* Compressed (METHOD 7.6): cost grows like the number of nodes; to 1e-9 as dense, else C2D_WARN_COMPRESSED. Takes 128 MiB at
-   most beyond twice the least workspace. Bodies on side 1 of a free zone, or with more holes than 2 regions + 2, stay dense. */
-enum { C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1 };
+/* Compressed (METHOD 7.6): cost like the number of nodes; to 1e-9 as dense, else C2D_WARN_COMPRESSED. 128 MiB at most beyond
+   twice the least workspace. Bodies on side 1 of free zones, or of over 2 regions + 2 holes: dense. By size: C2D_COMPRESSES. */
+enum { C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1, C2D_ELIMINATION_BY_SIZE = 2 };
 typedef struct c2d_options {
   uint32_t struct_size;
   int32_t quadrature, stepping; /* C2D_QUADRATURE_..., C2D_STEPPING_...                             */

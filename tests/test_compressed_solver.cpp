@@ -445,7 +445,7 @@ TEST_CASE("compressed solver: other loads, and from one elimination to the other
   CHECK(apart < (kIsDouble ? 1e-10 : 1e-3) * size);
   CHECK(off < (kIsDouble ? 1e-12 : 1e-4) * size);
   c2d_options options = C2D_INIT(c2d_options);
-  for (int32_t wrong : {-1, 2}) {
+  for (int32_t wrong : {-1, 3}) {
     options.elimination = wrong;
     CHECK(c2d_set_options(own.solver(), &options) == C2D_ERR_ARGUMENT);
   }
@@ -606,6 +606,65 @@ TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallC
   CHECK(test::read_file(folder / "a.csv") == test::read_file(folder / "b.csv"));
   CHECK(run("run '" + deck + "' -q --elimination compressed --threads 2 --csv '" + (folder / "c.csv") + "'").status == 0);
   CHECK(test::read_file(folder / "c.csv") == test::read_file(folder / "b.csv"));
+}
+
+TEST_CASE("compressed solver: by size, as the limits say, whatever the memory" * doctest::skip(c2d::kSmallCode)) {
+  const auto by_size = [](int32_t nodes, int32_t pairs, int32_t free_pairs) {
+    host::Limits limits;
+    limits.bodies = 2;
+    limits.function_nodes = 2;
+    limits.body[0] = {20, 20, 1, 0};
+    limits.body[1] = {nodes, nodes, 1, 0};
+    limits.zones = 1;
+    limits.pairs = pairs, limits.contact_elements = pairs, limits.free_pairs = free_pairs;
+    limits.coefficients = limits.paths = 1;
+    Own own(limits, enough_for(limits));
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = C2D_ELIMINATION_BY_SIZE;
+    REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    const int32_t chosen = own.solver()->options.elimination;
+    c2d_options same = options;
+    same.elimination = chosen;
+    for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+      uint64_t blocks[2], bytes[2];
+      REQUIRE(c2d_tape_need(&limits, &options, enough_for(limits), tape, &blocks[0], &bytes[0], nullptr) == C2D_OK);
+      REQUIRE(c2d_tape_need(&limits, &same, enough_for(limits), tape, &blocks[1], &bytes[1], nullptr) == C2D_OK);
+      CHECK(blocks[0] == blocks[1]);
+      CHECK(bytes[0] == bytes[1]);
+    }
+    return chosen;
+  };
+  CHECK(by_size(1003, 2, 0) == C2D_ELIMINATION_DENSE);
+  CHECK(by_size(1004, 2, 0) == C2D_ELIMINATION_COMPRESSED);
+  CHECK(by_size(1301, 201, 0) == C2D_ELIMINATION_DENSE);
+  CHECK(by_size(1302, 201, 0) == C2D_ELIMINATION_COMPRESSED);
+  CHECK(by_size(2000, 201, 201) == C2D_ELIMINATION_DENSE); // (bodies with equations of free zones are)
+}
+
+TEST_CASE("compressed solver: the program chooses by size, and check says from where on" * doctest::skip(c2d::kSmallCode)) {
+  const test::Folder folder;
+  const auto run = [&](const std::string& words) {
+    return test::run_shell("cd '" + folder.path() + "' && '" + paths::program() + "' " + words);
+  };
+  REQUIRE(run("make ring n=499 order=1 >small && '" + paths::program() + "' make ring n=500 order=1 >large").status == 0);
+  const auto says = [&](const std::string& words, const std::string& expected) {
+    const test::Result out = run("check " + words);
+    CHECK_MESSAGE(out.out.find("elimination                 " + expected + "\n") != std::string::npos, out.out);
+    return out.out.find("memory, compressed") != std::string::npos;
+  };
+  CHECK_FALSE(says("small", "dense by size: compressed from 1001 nodes of a body on"));
+  CHECK(says("large", "compressed by size: compressed from 1001 nodes of a body on"));
+  CHECK_FALSE(says("large --elimination dense", "dense"));
+  CHECK(says("small --elimination compressed", "compressed"));
+  CHECK_FALSE(says("'" + paths::root() + "/examples/three_bodies.dat'", "dense, as there are free zones"));
+  for (const std::string file : {"small", "large"}) {
+    REQUIRE(run("run " + file + " -q --json j").status == 0);
+    const std::string own = test::read_file(folder / "j");
+    CHECK(own.find("\"elimination\": \"" + std::string(file == "small" ? "dense" : "compressed")) != std::string::npos);
+  }
+  const test::Result little = run("run large -q --memory 1M");
+  CHECK(little.status == 4);
+  CHECK(little.err.find("bytes would do") != std::string::npos);
 }
 
 // ---- points inside ----------------------------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
-  integer(c_int32_t), parameter :: C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1
+  integer(c_int32_t), parameter :: C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1, C2D_ELIMINATION_BY_SIZE = 2
   integer(c_int32_t), parameter :: C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1, C2D_ZONE_TIED = 2, &
       C2D_ZONE_SELF = 4
   integer(c_int32_t), parameter :: C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2

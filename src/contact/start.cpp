@@ -98,8 +98,9 @@ double pair_product(const Model& m, int b, const double u[3], const double v[3])
 c2d_status start_path(Follower& f, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
-  for (int32_t i = 0; i < t.pairs && delays(t); ++i) t.column[i] = -1; // there may be no tableau yet
-  t.delayed.cols = 0;
+  for (int32_t i = 0; i < t.pairs && delays(t); ++i)
+    t.column[i] = t.pair[i].dof; // there may be no tableau for long; none sleeps
+  t.delayed.cols = t.n;
   tie_pairs(t, f.model->head->pairs);
   place_as_given(f);
   *floating = 0;

@@ -6,6 +6,7 @@
 // (Small code has none.)
 const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                             : CompressedPart{true,
+                                                                             elimination_by_size,
                                                                              plan_compression,
                                                                              compression_that_will_do,
                                                                              compression_tape,

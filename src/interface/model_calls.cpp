@@ -33,8 +33,10 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   status = take(s, "c2d_options", options, ours);
   if (status != C2D_OK) return status;
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
-      !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1) || !in_range(ours.elimination, 0, 1))
+      !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1) || !in_range(ours.elimination, 0, 2))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
+  if (ours.elimination == C2D_ELIMINATION_BY_SIZE)
+    ours.elimination = kSmallCode ? C2D_ELIMINATION_DENSE : kCompressedPart.elimination_by_size(sizes_of(s));
   if (ours.symmetry == C2D_SYMMETRY_IMAGES && !kSymmetryPart.linked)
     return fail(s, C2D_ERR_ARGUMENT,
                 "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): c2d_set_symmetry links it");

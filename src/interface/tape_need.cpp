@@ -97,6 +97,8 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
   copy_in(limits, &ours, sizeof ours);
   derive_sizes(ours, sizes); // what has a need has sizes, and a layout
   lay_out(sizes, sizeof(c2d_solver), layout);
+  if (!kSmallCode && chosen.elimination == C2D_ELIMINATION_BY_SIZE)
+    chosen.elimination = kCompressedPart.elimination_by_size(sizes);
   Tape need = {0, 0};
   if (tape == C2D_TAPE_CONTROL)
     need = control_tape(sizes, layout);

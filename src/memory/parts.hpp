@@ -189,6 +189,7 @@ struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction.cpp
 };
 
 struct PhaseSizes;
+struct Sizes;
 struct TapeUse;
 struct PivotStats;
 
@@ -197,6 +198,7 @@ struct Points;
 struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp,
                         // results/interior_cells.cpp with bie/far_field.cpp
   bool linked = false;
+  Function<int32_t, const Sizes&> elimination_by_size = Nothing(); // C2D_ELIMINATION_DENSE
   Function<c2d_status, const PhaseSizes&, uint64_t, const Model&, EliminationPlan*> plan_compression = NotLinked();
   Function<uint64_t, const PhaseSizes&, int32_t> compression_that_will_do = Nothing();
   Function<c2d_status, const PhaseSizes&, uint64_t, bool, TapeUse&> compression_tape = NotLinked();

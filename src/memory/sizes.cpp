@@ -75,6 +75,15 @@ BodySizes sizes_of_body(const Sizes& sizes, int b) {
   return body;
 }
 
+int32_t elimination_by_size(const Sizes& sizes) {
+  for (int b = 0; b < sizes.bodies - sizes.platens && sizes.free_pairs == 0; ++b) {
+    const c2d_body_limits& body = sizes.body[b];
+    if (C2D_COMPRESSES(sizes.function_nodes, body.points, body.elements, body.regions, sizes.pairs))
+      return C2D_ELIMINATION_COMPRESSED;
+  }
+  return C2D_ELIMINATION_DENSE;
+}
+
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   WrongLimit wrong;
   if (find_wrong_limit(limits, wrong)) return C2D_ERR_ARGUMENT;

@@ -35,6 +35,8 @@ struct Sizes {
   int64_t platens; // the last of the bodies, without a mesh of their own
 };
 BodySizes sizes_of_body(const Sizes& sizes, int b);
+// C2D_ELIMINATION_DENSE or COMPRESSED: which one by size.
+int32_t elimination_by_size(const Sizes& sizes);
 
 // The first of the limits that cannot be meant: its name (null: there is no list of bodies), the body it is for (from 0; -1:
 // none), and what it may be.

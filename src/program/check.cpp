@@ -55,7 +55,17 @@ void append_tapes(std::string& out, const Session& session, int32_t elimination)
   }
 }
 
-void append_check(std::string& out, const Session& session, const Summary& s, int32_t elimination) {
+// How it is eliminated, and from where on by size.
+std::string elimination_text(const Session& session, int32_t wanted) {
+  const std::string chosen = elimination_of(session.limits, wanted) == C2D_ELIMINATION_COMPRESSED ? "compressed" : "dense";
+  if (wanted != C2D_ELIMINATION_BY_SIZE) return chosen;
+  if (session.limits.free_pairs > 0) return chosen + ", as there are free zones";
+  return chosen + " by size: compressed from " + std::to_string(1001 + int64_t{3} * session.limits.pairs / 2) +
+         " nodes of a body on";
+}
+
+void append_check(std::string& out, const Session& session, const Summary& s, int32_t wanted) {
+  const int32_t elimination = elimination_of(session.limits, wanted);
   append_line(out, "deck", session.deck.name());
   append_line(out, "title", s.title);
   append_line(out, "bodies", std::to_string(s.bodies));
@@ -70,6 +80,7 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
   if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
   if (session.limits.curves > 0) append_line(out, "surfaces told", std::to_string(session.limits.curves));
   append_line(out, "increments", std::to_string(s.steps));
+  append_line(out, "elimination", elimination_text(session, wanted));
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
   append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
   if (elimination == C2D_ELIMINATION_COMPRESSED)

@@ -58,9 +58,9 @@ const OptionRow kOptions[] = {
     {"--quadrature", nullptr, "accurate|thesis", kRun | kSweep, "accurate (default) or thesis: the rule of 2, 4 and 10 points"},
     {"--symmetry", nullptr, "deck|images", kRun | kCheck | kSweep,
      "deck (default): elements on a line of symmetry are kept; images: they are replaced by images"},
-    {"--elimination", nullptr, "dense|compressed", kRun | kCheck | kSweep,
-     "dense (default) or compressed: time and memory grow with the number of nodes, not with its cube and square; for bodies "
-     "of more than 1000"},
+    {"--elimination", nullptr, "dense|compressed|size", kRun | kCheck | kSweep,
+     "compressed: time and memory grow with the number of nodes, not with its cube and square as dense; size (default): "
+     "compressed where a body has more than 1000 nodes and 1.5 for each pair"},
     {"--memory", nullptr, "SIZE", kRun | kSweep,
      "bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most half of what is free; compressed: what it "
      "needs"},

@@ -1,5 +1,7 @@
 #include "program/workspace.hpp"
 
+#include "contact2d_memory.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -41,6 +43,16 @@ void ask_for_huge_pages(void* memory, uint64_t bytes) {
 // (The minimum grows with the nodes, as what compressed elimination lists of them.)
 uint64_t compressed_bytes(uint64_t minimum) { return 2 * minimum + (uint64_t{128} << 20); }
 
+int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
+  if (chosen != C2D_ELIMINATION_BY_SIZE) return chosen;
+  for (int32_t b = 0; b < limits.bodies && limits.free_pairs == 0; ++b) {
+    const c2d_body_limits& body = limits.body[b];
+    if (C2D_COMPRESSES(limits.function_nodes, body.points, body.elements, body.regions, limits.pairs))
+      return C2D_ELIMINATION_COMPRESSED;
+  }
+  return C2D_ELIMINATION_DENSE;
+}
+
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error) {
   c2d_error why = C2D_INIT(c2d_error);
   const c2d_status status = c2d_memory_need(&limits, &out.minimum, &out.in_core, &why);
@@ -48,7 +60,7 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t eli
     error = why.text;
     return status;
   }
-  const bool compressed = elimination == C2D_ELIMINATION_COMPRESSED;
+  const bool compressed = elimination_of(limits, elimination) == C2D_ELIMINATION_COMPRESSED;
   const uint64_t useful = compressed ? compressed_bytes(out.minimum) : std::max(out.in_core, out.minimum);
   if (wanted != 0)
     out.bytes = compressed ? wanted : std::min(wanted, useful);

@@ -29,6 +29,9 @@ void ask_for_huge_pages(void* memory, uint64_t bytes);
 // What compressed elimination makes use of, beside this minimum.
 uint64_t compressed_bytes(uint64_t minimum);
 
+// C2D_ELIMINATION_DENSE or COMPRESSED: what is chosen, by size or as it is.
+int32_t elimination_of(const c2d_limits& limits, int32_t chosen);
+
 // Takes `wanted` bytes, 0: everything in memory but at most half of what is free, at least the minimum; for compressed
 // elimination what that makes use of. Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error);

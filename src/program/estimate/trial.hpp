@@ -22,8 +22,8 @@ struct Place {
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
   std::vector<Place> points;
-  bool all_steps = false;                                // states of every increment; else only where the loads turn and midway
-  int32_t symmetry = 0, quadrature = 0, elimination = 0; // as in c2d_options
+  bool all_steps = false; // states of every increment; else only where the loads turn and midway
+  int32_t symmetry = 0, quadrature = 0, elimination = C2D_ELIMINATION_BY_SIZE; // as in c2d_options
 };
 
 enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
