@@ -87,8 +87,8 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
   return false;
 }
 
-// Pairs are looked at in a first pass by blocks: a member outside the box of a block meets none in it. Only if that
-// finds anything are all pairs gone through in order, to tell of them. Small code goes straight to that.
+// Pairs are looked at in a first pass by halves of halves. Only if that finds anything are all pairs gone through in order, to
+// tell of them. Small code goes straight to that.
 constexpr int32_t kBoxes = 32;
 
 void widen(Box& box, const Box& by) {
@@ -98,22 +98,37 @@ void widen(Box& box, const Box& by) {
   box.y_max = fmax(box.y_max, by.y_max);
 }
 
-// visit(i, j) for i <= j < count whose boxes meet, until it says true; returns whether it did.
-template <class BoxOf, class Visit> bool visit_meeting(int32_t count, BoxOf box_of, Visit visit) {
+struct Range {
+  int32_t first, end;
+  int32_t count() const { return end - first; }
+  int32_t middle() const { return first + count() / 2; }
+  Range half(int which) const { return which == 0 ? Range{first, middle()} : Range{middle(), end}; }
+};
+
+template <class BoxOf> Box box_around_all(const Range& range, BoxOf box_of) {
+  Box all = box_of(range.first);
+  for (int32_t i = range.first + 1; i < range.end; ++i) widen(all, box_of(i));
+  return all;
+}
+
+// visit(i, j) for i of `a` and j of `b`, i <= j, whose boxes meet, until it says true; returns whether it did. The ranges are
+// the same or apart. Halves that do not meet as a whole are left out: their boxes are found anew each time, which costs no
+// memory, and a boundary n log n of them.
+template <class BoxOf, class Visit> bool visit_meeting(const Range& a, const Range& b, BoxOf box_of, Visit visit) {
+  const bool same = a.first == b.first;
+  if (!same && !boxes_meet(box_around_all(a, box_of), box_around_all(b, box_of))) return false;
+  if (a.count() > kBoxes || b.count() > kBoxes) {
+    for (int i = 0; i < 2; ++i)
+      for (int j = same ? i : 0; j < 2; ++j)
+        if (visit_meeting(a.half(i), b.half(j), box_of, visit)) return true;
+    return false;
+  }
   Box box[kBoxes];
-  for (int32_t first = 0; first < count; first += kBoxes) {
-    const int32_t end = count - first < kBoxes ? count : first + kBoxes;
-    Box all = box_of(first);
-    for (int32_t j = first; j < end; ++j) {
-      box[j - first] = box_of(j);
-      widen(all, box[j - first]);
-    }
-    for (int32_t i = 0; i < end; ++i) {
-      const Box own = box_of(i);
-      if (!boxes_meet(own, all)) continue;
-      for (int32_t j = i > first ? i : first; j < end; ++j)
-        if (boxes_meet(own, box[j - first]) && visit(i, j)) return true;
-    }
+  for (int32_t j = b.first; j < b.end; ++j) box[j - b.first] = box_of(j);
+  for (int32_t i = a.first; i < a.end; ++i) {
+    const Box own = box_of(i);
+    for (int32_t j = same ? i : b.first; j < b.end; ++j)
+      if (boxes_meet(own, box[j - b.first]) && visit(i, j)) return true;
   }
   return false;
 }
@@ -125,7 +140,8 @@ bool some_coincide(const Model& m, int b) {
     const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
     return Box{p[0] - half, p[0] + half, p[1] - half, p[1] + half};
   };
-  return visit_meeting(body_of(m, b).geometry_nodes, box_of, [&](int32_t i, int32_t j) {
+  const Range all{0, body_of(m, b).geometry_nodes};
+  return visit_meeting(all, all, box_of, [&](int32_t i, int32_t j) {
     return i != j && !(body_of(m, b).element_nodes == 2 && joined(m, b, i, j));
   });
 }
@@ -185,8 +201,9 @@ bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
 bool some_cross(const Model& m, int b) {
   if (kSmallCode) return true;
   Chords p, q;
+  const Range all{0, body_of(m, b).elements};
   return visit_meeting(
-      body_of(m, b).elements, [&](int32_t i) { return box_around(m, b, i); },
+      all, all, [&](int32_t i) { return box_around(m, b, i); },
       [&](int32_t i, int32_t j) {
         if (is_zero_length(m, b, i) || is_zero_length(m, b, j)) return false;
         chords_of(m, b, i, p);

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,10 +31,22 @@ struct Outcome {
   std::vector<double> pressure, status;
 };
 
-struct FreeMemory {
-  void operator()(void* memory) const { std::free(memory); }
+// Pages that are not touched cost nothing; so much may be asked for that the system would not promise it all.
+class Memory {
+public:
+  explicit Memory(uint64_t bytes) : bytes_(bytes) {
+    memory_ = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory_ == MAP_FAILED) give_up("no memory");
+  }
+  Memory(const Memory&) = delete;
+  Memory& operator=(const Memory&) = delete;
+  ~Memory() { munmap(memory_, bytes_); }
+  void* get() const { return memory_; }
+
+private:
+  void* memory_;
+  uint64_t bytes_;
 };
-using Memory = std::unique_ptr<void, FreeMemory>;
 
 [[noreturn]] void fail(c2d_solver* solver, c2d_status status) {
   c2d_error why = C2D_INIT(c2d_error);
@@ -79,7 +92,7 @@ void solve(const many::Model& m, int32_t elimination, int32_t points, int file) 
     if (c2d_tape_need(&limits, &options, bytes, tape, &blocks, &each, nullptr) != C2D_OK) give_up("no tapes");
     tapes += blocks * each + 64;
   }
-  const Memory workspace(std::malloc(bytes)), region(std::calloc(tapes, 1)); // pages that are not touched cost nothing
+  const Memory workspace(bytes), region(tapes);
   c2d_memory_store store;
   c2d_memory_store_init(&store, region.get(), tapes);
   c2d_port port = C2D_INIT(c2d_port);
