@@ -680,6 +680,16 @@ TEST_CASE("asleep: a saved state goes on to the same numbers, and forged columns
     resumed(C2D_ERR_STORE_FORMAT);
   }
   column[5] = kept;
+  const auto pair_asleep = [&]() -> c2d::Pair& {
+    Draws draws(solver.s);
+    int32_t i = 0;
+    while (column[i] >= 0) ++i;
+    return draws.session.model.pair[i];
+  };
+  pair_asleep().status = C2D_STICK; // that it is closed
+  REQUIRE(c2d_save(solver.s) == C2D_OK);
+  resumed(C2D_ERR_STORE_FORMAT);
+  pair_asleep().status = C2D_OPEN;
   for (const int32_t forged : {-1, n, n + 1}) { // no room for those that sleep; none at all
     CAPTURE(forged);
     solver.s->awake = forged;

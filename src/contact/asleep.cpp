@@ -13,14 +13,15 @@ namespace {
 
 Real* t_column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 
-// Pairs that wake together, as many as the list has room for numbers of their columns: a function of the number of unknowns.
+// Pairs that wake together: one, and as many as the list has room for numbers of their columns, a function of the number of
+// unknowns.
 struct Waking {
   int32_t count, columns;
   int32_t pair[kMostDelayed];
 };
 bool add(const Tableau& t, int32_t pair, Waking& w) {
   const int32_t columns = 1 + last_slot(t, t.pair[pair]);
-  if (w.columns + columns > t.delayed.most) return false;
+  if (w.count > 0 && w.columns + columns > t.delayed.most) return false;
   w.pair[w.count++] = pair;
   w.columns += columns;
   return true;

@@ -86,8 +86,6 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
   *outcome = C2D_REACHED;
   if (is_let_go(*f.t)) return follow_events(f, target, outcome);
   end_guide(f);
-  const c2d_status awake = kSmallCode ? c2d_status{C2D_OK} : wake_all(f);
-  if (awake != C2D_OK) return awake;
   refresh(f);
   save(f);
   for (int32_t k = 0; k < f.t->cases; ++k) {
@@ -97,6 +95,7 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
   }
   for (int32_t round = 1; round <= iteration_limit; ++round) {
     c2d_status status = f.watch.tick(f.watch.context);
+    if (!kSmallCode && status == C2D_OK) status = wake_all(f); // the tableau may be a new one
     if (status != C2D_OK) return status;
     refresh(f);
     f.stats.iterations = round;

@@ -185,6 +185,7 @@ bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, doub
   C2D_ASSERT(index != t.guided - 1 && !(t.smooth && pair.tangential && status == C2D_STICK));
   if (pair.status == status && (status != C2D_SLIP || pair.sign == sign)) return true;
   if (pair.status == C2D_OPEN && is_let_go(t)) return false;
+  if (C2D_NEVER(is_asleep(t, index))) return false;    // whatever touches has been woken
   if (pair.status == C2D_SLIP && status == C2D_SLIP) { // the other way: by sticking in between
     const int32_t old_sign = pair.sign;
     if (!slip_to_stick(t, pair, at)) return false;

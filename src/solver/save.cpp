@@ -258,6 +258,7 @@ bool are_possible_columns(c2d_solver* s, const Model& m) {
   for (int32_t i = 0; i < t.pairs && delays(t); ++i) {
     const int32_t own = 1 + last_slot(t, m.pair[i]);
     if (!all_within({{t.column[i], -1, s->awake - own}})) return false;
+    if (t.column[i] < 0 && m.pair[i].status != C2D_OPEN) return false;
     if (t.column[i] < 0) columns += own;
   }
   return columns <= t.n;
