@@ -223,10 +223,9 @@
 #define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */  \
   (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1) +                                        \
    ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
-/* By size (C2D_ELIMINATION_BY_SIZE) elimination is compressed if this holds of the limits of any body and there are no free
-   zones: then it takes less time. */
-#define C2D_COMPRESSES(function_nodes, points, elements, regions, pairs)                                               \
-  (C2D_NODES_(function_nodes, points, elements, regions) > 1000 + UINT64_C(3) * (pairs) / 2)
+/* By size (C2D_ELIMINATION_BY_SIZE) elimination is compressed if this holds of the limits: of the functional nodes of any body
+   and all pairs, unless there are free zones. Then it takes less time. */
+#define C2D_COMPRESSES(nodes, pairs) ((nodes) > 1000 + (pairs) + (pairs) / 2)
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
 /* Free motions of all bodies that the contact can hold: of all together it holds none. */

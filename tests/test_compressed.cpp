@@ -1076,7 +1076,9 @@ TEST_CASE("compressed: interpolation finds the columns that others are combinati
   for (int32_t columns : {1, 2, 7, 40})
     for (int32_t rank : {0, 1, 5, 40})
       for (int32_t samples : {1, 30, 400})
-        for (bool relative : {false, true}) {
+        for (int turn = 0; turn < 4; ++turn) {
+          const bool relative = turn % 2 == 1;
+          const c2d::Kernel* const kernel = turn < 2 ? nullptr : c2d::kernel_for(c2d::best_instructions());
           CAPTURE(columns);
           CAPTURE(rank);
           CAPTURE(samples);
@@ -1093,7 +1095,7 @@ TEST_CASE("compressed: interpolation finds the columns that others are combinati
           const int32_t kept = c2d::rows_to_keep(samples, columns), least = std::min(std::min(rank, columns), samples);
           Numbers w(static_cast<size_t>(kept * columns)), x(static_cast<size_t>(columns * (columns + 2))), norms(x.size());
           std::vector<int32_t> order(static_cast<size_t>(columns));
-          c2d::SampleSum sum = c2d::begin_samples(w.data(), columns, samples);
+          c2d::SampleSum sum = c2d::begin_samples(w.data(), columns, samples, kernel);
           for (int32_t i = 0; i < samples; ++i) c2d::add_sample(sum, a.data() + i * columns, 1, false);
           const int32_t k = c2d::interpolate(sum, tolerance, relative, columns, order.data(), norms.data(), x.data());
           CHECK(k == least);
@@ -1109,7 +1111,7 @@ TEST_CASE("compressed: interpolation finds the columns that others are combinati
             }
           CHECK(worst < 1e3 * tolerance);
           if (least > 1) { // fewer than are needed
-            c2d::SampleSum again = c2d::begin_samples(w.data(), columns, samples);
+            c2d::SampleSum again = c2d::begin_samples(w.data(), columns, samples, kernel);
             for (int32_t i = 0; i < samples; ++i) c2d::add_sample(again, a.data() + i * columns, 1, true);
             CHECK(c2d::interpolate(again, tolerance, relative, least - 1, order.data(), norms.data(), x.data()) == least);
           }

@@ -188,7 +188,7 @@ int32_t choose_rows(Compression& t, const Depth& d, int32_t cell) {
   const int32_t *rows = w.rows[d.which] + range.first, count = range.last - range.first;
   int64_t samples = 2 * kProxies + 3 + t.plan.holes;
   visit_near_columns(t, d, cell, [&](int32_t, int32_t) { ++samples; });
-  SampleSum sum = begin_samples(w.samples, count, samples);
+  SampleSum sum = begin_samples(w.samples, count, samples, t.engine.kernel);
   double* proxies = w.point + 2 * static_cast<int64_t>(t.plan.nodes);
   add_proxy_forces(t, rows, count, proxies, place_proxies(t, circle_of(t, cell), proxies), sum);
   add_motions(t, rows, count, sum);
@@ -266,7 +266,7 @@ int32_t choose_columns(Compression& t, const Depth& d, int32_t cell) {
   const ChosenColumns columns{w.place, count, w.elements, list_elements(t, w.list, count, w.elements)};
   int64_t samples = 2 * kProxies + 3 + t.plan.holes;
   visit_near_rows(t, d, cell, [&](int32_t) { ++samples; });
-  SampleSum sum = begin_samples(w.samples, count, samples);
+  SampleSum sum = begin_samples(w.samples, count, samples, t.engine.kernel);
   add_proxy_fields(t, columns, circle_of(t, cell), sum);
   add_sums(t, columns, circle_of(t, cell), sum);
   RowSamples near{t, columns, sum, w.pivots, 0};

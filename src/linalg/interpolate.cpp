@@ -18,11 +18,19 @@ uint64_t mixed(uint64_t n) {
   return z ^ (z >> 31);
 }
 
-void add_row(int32_t n, Real factor, const Real* x, int64_t step, Real* y) {
-  if (step == 1)
-    for (int32_t j = 0; j < n; ++j) y[j] += factor * x[j];
-  else
-    for (int32_t j = 0; j < n; ++j) y[j] += factor * x[j * step];
+// y += factor x, and two such at once.
+void add_multiple(const Kernel* kernel, int32_t n, Real factor, const Real* x, Real* y) {
+  if (kernel) return kernel->add(n, factor, x, y);
+  for (int32_t j = 0; j < n; ++j) y[j] += factor * x[j];
+}
+void add_multiples(const Kernel* kernel, int32_t n, Real f, const Real* x, Real g, const Real* z, Real* y) {
+  if (kernel) return kernel->add_two(n, f, x, g, z, y);
+  for (int32_t j = 0; j < n; ++j) y[j] += f * x[j] + g * z[j];
+}
+
+void add_to_row(const SampleSum& sum, Real factor, const Real* x, int64_t step, Real* row) {
+  if (step == 1) return add_multiple(sum.kernel, sum.columns, factor, x, row);
+  for (int32_t j = 0; j < sum.columns; ++j) row[j] += factor * x[j * step];
 }
 
 Real largest_of(int32_t n, const Real* x, int64_t step) {
@@ -40,10 +48,10 @@ int32_t rows_to_keep(int64_t samples, int32_t columns) {
   return samples < columns + kSpare ? static_cast<int32_t>(samples) : columns + kSpare;
 }
 
-SampleSum begin_samples(Real* w, int32_t columns, int64_t samples) {
+SampleSum begin_samples(Real* w, int32_t columns, int64_t samples, const Kernel* kernel) {
   const int32_t rows = rows_to_keep(samples, columns);
   for (int64_t i = 0; i < static_cast<int64_t>(rows) * columns; ++i) w[i] = 0;
-  return SampleSum{w, columns, rows, 0, samples};
+  return SampleSum{w, columns, rows, 0, samples, kernel};
 }
 
 void add_sample(SampleSum& sum, const Real* x, int64_t step, bool unit) {
@@ -52,13 +60,13 @@ void add_sample(SampleSum& sum, const Real* x, int64_t step, bool unit) {
   if (!(most > kSmallestReal)) return;
   const Real factor = 1 / most;
   if (sum.rows == sum.samples) {
-    add_row(sum.columns, factor, x, step, sum.w + number * sum.columns);
+    add_to_row(sum, factor, x, step, sum.w + number * sum.columns);
     return;
   }
   uint64_t bits = mixed(static_cast<uint64_t>(number) + 1);
   for (int32_t k = 0; k < kSpread; ++k, bits = mixed(bits)) {
     const int64_t row = static_cast<int64_t>((bits >> 33) % static_cast<uint64_t>(sum.rows));
-    add_row(sum.columns, (bits & 1) != 0 ? factor : -factor, x, step, sum.w + row * sum.columns);
+    add_to_row(sum, (bits & 1) != 0 ? factor : -factor, x, step, sum.w + row * sum.columns);
   }
 }
 
@@ -69,6 +77,7 @@ struct Reflections {
   int32_t rows, columns;
   Real* norms; // squared, of what is left of each column
   int32_t* order;
+  const Kernel* kernel;
   Real* row(int32_t i) const { return w + static_cast<int64_t>(i) * columns; }
 };
 
@@ -109,18 +118,14 @@ void reflect(const Reflections& r, int32_t k, Real* work) {
   const Real beta = top > 0 ? -norm : norm, head = top - beta; // v = column - beta e, v.v = -2 beta head
   const Real scale = 1 / (beta * head);                        // -2 / v.v
   r.row(k)[k] = head;
-  for (int32_t j = k + 1; j < r.columns; ++j) work[j] = 0;
-  for (int32_t i = k; i < r.rows; ++i) {
-    const Real* w = r.row(i);
-    const Real v = w[k];
-    for (int32_t j = k + 1; j < r.columns; ++j) work[j] += v * w[j];
-  }
-  for (int32_t j = k + 1; j < r.columns; ++j) work[j] *= scale;
-  for (int32_t i = k; i < r.rows; ++i) {
-    Real* w = r.row(i);
-    const Real v = w[k];
-    for (int32_t j = k + 1; j < r.columns; ++j) w[j] += v * work[j];
-  }
+  const int32_t right = k + 1, rest = r.columns - right;
+  for (int32_t j = 0; j < rest; ++j) work[j] = 0;
+  int32_t i = k;
+  for (; i + 1 < r.rows; i += 2)
+    add_multiples(r.kernel, rest, r.row(i)[k], r.row(i) + right, r.row(i + 1)[k], r.row(i + 1) + right, work);
+  if (i < r.rows) add_multiple(r.kernel, rest, r.row(i)[k], r.row(i) + right, work);
+  for (int32_t j = 0; j < rest; ++j) work[j] *= scale;
+  for (i = k; i < r.rows; ++i) add_multiple(r.kernel, rest, r.row(i)[k], work, r.row(i) + right);
   r.row(k)[k] = beta;
   const Real* w = r.row(k);
   for (int32_t j = k + 1; j < r.columns; ++j) r.norms[j] -= w[j] * w[j];
@@ -145,8 +150,7 @@ void solve_columns(const Reflections& r, int32_t k, Real* x) {
     for (int32_t j = k; j < r.columns; ++j) own[j] /= pivot;
     for (int32_t above = 0; above < i; ++above) {
       Real* w = r.row(above);
-      const Real factor = w[i];
-      for (int32_t j = k; j < r.columns; ++j) w[j] -= factor * own[j];
+      add_multiple(r.kernel, rest, -w[i], own + k, w + k);
     }
   }
   for (int32_t j = 0; j < rest; ++j)
@@ -179,7 +183,7 @@ int32_t choose(const Reflections& r, double tolerance, int32_t most, Real* work)
 
 int32_t interpolate(SampleSum& sum, double tolerance, bool relative, int32_t most, int32_t* order, Real* norms, Real* x) {
   // x is room for the scales and for one row until it is filled: it has columns^2 numbers.
-  const Reflections r{sum.w, sum.rows, sum.columns, norms, order};
+  const Reflections r{sum.w, sum.rows, sum.columns, norms, order, sum.kernel};
   for (int32_t j = 0; j < r.columns; ++j) order[j] = j;
   Real *scale = x, *work = x + r.columns;
   measure(r, 0);

@@ -4,7 +4,7 @@
 // The matrix is given by samples, a row each, that come one after another. Where more samples come than there is room for, each
 // is added into several of the rows kept, with signs that a fixed sequence decides: combinations that hold for all samples hold
 // for these sums and, with as many rows as columns and some more, the other way round.
-#include "linalg/engine.hpp"
+#include "linalg/kernel.hpp"
 #include <stdint.h>
 
 namespace c2d {
@@ -15,10 +15,11 @@ struct SampleSum {
   int32_t rows;    // that are kept
   int64_t taken;   // samples so far
   int64_t samples; // that will come, at least as many as do
+  const Kernel* kernel;
 };
 // Rows that are kept of so many samples of so many columns.
 int32_t rows_to_keep(int64_t samples, int32_t columns);
-SampleSum begin_samples(Real* w, int32_t columns, int64_t samples);
+SampleSum begin_samples(Real* w, int32_t columns, int64_t samples, const Kernel* kernel = nullptr);
 // One sample, x[j * step]; with `unit` divided by its largest entry.
 void add_sample(SampleSum& sum, const Real* x, int64_t step, bool unit);
 

@@ -44,11 +44,13 @@ void ask_for_huge_pages(void* memory, uint64_t bytes) {
 uint64_t compressed_bytes(uint64_t minimum) { return 2 * minimum + (uint64_t{128} << 20); }
 
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
+  const auto count = [](int32_t limit) { return static_cast<uint64_t>(limit); };
   if (chosen != C2D_ELIMINATION_BY_SIZE) return chosen;
   for (int32_t b = 0; b < limits.bodies && limits.free_pairs == 0; ++b) {
     const c2d_body_limits& body = limits.body[b];
-    if (C2D_COMPRESSES(limits.function_nodes, body.points, body.elements, body.regions, limits.pairs))
-      return C2D_ELIMINATION_COMPRESSED;
+    const uint64_t nodes =
+        C2D_NODES_(count(limits.function_nodes), count(body.points), count(body.elements), count(body.regions));
+    if (C2D_COMPRESSES(nodes, count(limits.pairs))) return C2D_ELIMINATION_COMPRESSED;
   }
   return C2D_ELIMINATION_DENSE;
 }
