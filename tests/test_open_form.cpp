@@ -254,8 +254,10 @@ struct Draws {
       for (int32_t p = 0; p < t.pairs; ++p)
         if (t.pair[p].dof == form.held[i]) take(t.pair[p], draw % 4);
     t.guided = 0; // every third time a pair slides along with a body that is free to
-    for (int32_t p = 0; p < t.pairs && draw % 3 == 0 && t.guided == 0; ++p)
-      if (t.pair[p].status == C2D_SLIP && t.pair[p].tangential) t.guided = p + 1;
+    for (int32_t p = t.pairs - 1; p >= 0 && draw % 3 == 0; --p)
+      if (t.pair[p].status == C2D_SLIP && t.pair[p].tangential &&
+          (t.guided == 0 || c2d::has_force(form, session.model, t.pair[p].dof)))
+        t.guided = p + 1; // one that holds a body, if there is such a one
     int32_t culprit = -1;
     status = c2d::build_tableau(t, session.tape, &culprit);
     asleep = count_asleep(t);

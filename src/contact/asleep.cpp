@@ -94,8 +94,8 @@ void add_nearest(const Follower& f, Waking& w) {
 } // namespace
 
 bool may_sleep(const Tableau& t, const Form& form) {
-  if (!form.open || !delays(t) || t.may_rest != 0 || is_let_go(t) || (form.sliding && !t.smooth)) return false;
-  if (t.body && t.body->slides != 0) return false;
+  if (!form.open || t.may_rest != 0 || is_let_go(t) || (form.sliding && !t.smooth)) return false;
+  if (t.body->slides != 0) return false;
   for (int32_t i = 0; i < t.pairs; ++i)
     if (t.pair[i].tangential != 0 && t.pair[i].mu > 1e300) return false;
   return true;
@@ -103,7 +103,7 @@ bool may_sleep(const Tableau& t, const Form& form) {
 
 c2d_status wake_touching(Follower& f) {
   Tableau& t = *f.t;
-  for (;;) {
+  while (some_sleep(t)) {
     PathScales s = path_scales(f);
     s.w = fmax(s.w, f.gap_scale);
     int32_t touching = -1;
@@ -116,11 +116,12 @@ c2d_status wake_touching(Follower& f) {
     const c2d_status status = wake(t, *f.tape, w);
     if (status != C2D_OK) return status;
   }
+  return C2D_OK;
 }
 
 c2d_status wake_all(Follower& f) {
   Tableau& t = *f.t;
-  for (int32_t i = 0; i < t.pairs;) {
+  for (int32_t i = 0; i < t.pairs && some_sleep(t);) {
     Waking w{};
     for (; i < t.pairs && (!is_asleep(t, i) || add(t, i, w)); ++i) {
     }

@@ -100,7 +100,12 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
 // follow_cells. If there are no such statuses, or none are found, they are what they were, and *outcome says why.
 c2d_status settle(Follower& f, c2d_outcome* outcome);
 // Has the pair no pressure and no gap? That of the event that led here is so, whatever the last digits say.
-bool is_unloaded(const Follower& f, int32_t pair, const PairState& now, const PathScales& s);
+inline bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
+  const Pair& pair = f.t->pair[i];
+  const bool open = pair.status == C2D_OPEN;
+  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
+  return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
+}
 // Is the pair's status for its rates to decide? In any case fills what `d` says of the pair itself.
 bool is_in_doubt(const Follower& f, int32_t pair, const PathScales& s, Doubt& d);
 

@@ -217,13 +217,6 @@ PathScales decision_scales(Follower& f) {
   return s;
 }
 
-bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
-  const Pair& pair = f.t->pair[i];
-  const bool open = pair.status == C2D_OPEN;
-  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
-  return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
-}
-
 void refresh(Follower& f) {
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);

@@ -249,7 +249,7 @@ bool are_possible_pairs(const Model& m) {
   return true;
 }
 
-// Of the tableau: each pair's are among those in use, or there is room for them.
+// Of the tableau, which stands where any model has room for it: each pair's are among those in use, or there is room for them.
 bool are_possible_columns(c2d_solver* s, const Model& m) {
   Session session;
   open_session(s, session);
@@ -324,9 +324,9 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
   const PhaseSizes sizes = model_sizes(m);
   for (int b = 0; b < head.bodies && !blocked; ++b)
     if (!is_plan_of(sizes, b, plan_of(s, b)) || plan_of(s, b).keep_lower > s->options.keep_factors) return false;
+  if (running && !s->blocked && !are_possible_columns(s, m)) return false;
   PathArea area;
-  if (open_path_area(s, m, s->keeps_flexibility != 0, area) > s->bytes - s->layout.persistent) return false;
-  return !running || s->blocked || are_possible_columns(s, m);
+  return open_path_area(s, m, s->keeps_flexibility != 0, area) <= s->bytes - s->layout.persistent;
 }
 
 // Are these the tapes that the state was made with?
