@@ -662,13 +662,12 @@ TEST_CASE("compressed solver: the program chooses by size, and check says from w
     const std::string own = test::read_file(folder / "j");
     CHECK(own.find("\"elimination\": \"" + std::string(file == "small" ? "dense" : "compressed")) != std::string::npos);
   }
-  const test::Result little = run("run large -q --memory 1M"),
-                     as_asked = run("run large -q --memory 1M --elimination compressed");
+  const test::Result little = run("run large --memory 1M"), as_asked = run("run large --memory 1M --elimination compressed");
   CHECK((little.status == 4 && as_asked.status == 4));
   CHECK(little.err.find("bytes would do") != std::string::npos);
   CHECK(little.err.find("--elimination dense takes less memory") != std::string::npos);
   CHECK(as_asked.err.find("--elimination dense") == std::string::npos);
-  CHECK(run("run large -q --memory 1M --elimination dense").status == 0);
+  CHECK(run("run large --memory 1M --elimination dense").status == 0);
 }
 
 // ---- points inside ----------------------------------------------------------------------------------------------------
