@@ -308,6 +308,7 @@ int Run::keep_sketch(const std::vector<NamedText>& files) {
 
 int Run::open_store(uint64_t budget) {
   if (!store_.folder().empty()) return 0;
+  if (elimination_of(session_.limits, options_.elimination) == C2D_ELIMINATION_COMPRESSED) store_.expect_little();
   return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
 }
 

@@ -82,7 +82,7 @@ bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_by
     tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
     tape.bytes = tape.region != nullptr ? bytes : 0;
     if (tape.region == nullptr) return false;
-    ask_for_huge_pages(tape.region, tape.bytes);
+    if (!expects_little_) ask_for_huge_pages(tape.region, tape.bytes);
     c2d_memory_store_init(&tape.store, tape.region, bytes);
     tape.port = C2D_INIT(c2d_port);
     c2d_memory_store_port(&tape.store, &tape.port);

@@ -23,6 +23,8 @@ public:
   // not called on a folder the user named. False with an error text if the folder cannot be made or is in
   // use.
   bool choose(const std::string& wanted, uint64_t budget, bool keep, std::string& error);
+  // Most of the tapes may never be written: their memory is not asked for in large pages.
+  void expect_little() { expects_little_ = true; }
   // The functions of c2d_port.
   int32_t open(int32_t tape, uint64_t blocks, uint64_t block_bytes);
   int32_t read(int32_t tape, uint64_t block, void* data, uint64_t bytes) const;
@@ -64,6 +66,7 @@ private:
   c2d_posix_store files_;
   c2d_port files_port_;
   uint64_t budget_ = 0;
+  bool expects_little_ = false;
   std::string folder_, tried_;
   bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false, busy_ = false;
 };

@@ -132,9 +132,10 @@ CornerState support_state(const Corner& c, const Ends& ends) {
     return out;
   }
   const bool first = c.joint == 0;
+  const double farthest = reach(c, first);
   std::vector<PressureSample> samples;
   for (const Corner::Sample& s : c.samples) {
-    if (s.first != first || s.distance < kNearest * c.element || s.distance > reach(c, first)) continue;
+    if (s.first != first || s.distance < kNearest * c.element || s.distance > farthest) continue;
     const size_t i = static_cast<size_t>(s.row);
     samples.push_back({s.distance, -(ends.tx[i] * s.normal[0] + ends.ty[i] * s.normal[1])});
   }
