@@ -618,11 +618,13 @@ TEST_CASE("compressed solver: by size, as the limits say, whatever the memory" *
     limits.zones = 1;
     limits.pairs = pairs, limits.contact_elements = pairs, limits.free_pairs = free_pairs;
     limits.coefficients = limits.paths = 1;
-    Own own(limits, enough_for(limits));
+    Own own(limits, enough_for(limits)), least(limits, minimum_of(limits));
     c2d_options options = C2D_INIT(c2d_options);
     options.elimination = C2D_ELIMINATION_BY_SIZE;
     REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    REQUIRE(c2d_set_options(least.solver(), &options) == C2D_OK);
     const int32_t chosen = own.solver()->options.elimination;
+    CHECK(least.solver()->options.elimination == chosen);
     c2d_options same = options;
     same.elimination = chosen;
     for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {

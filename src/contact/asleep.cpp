@@ -131,19 +131,4 @@ c2d_status wake_all(Follower& f) {
   return C2D_OK;
 }
 
-void read_own(const Tableau& t, int32_t i) {
-  const int32_t a = t.pair[i].dof, b = a + 1;
-  const Real *const normal = t_column(t, t.column[i]), *const tangent = normal + t.m;
-  t.own[a] = normal[a];
-  if (t.pair[i].tangential == 0 || t.smooth) return;
-  t.own[b] = tangent[b];
-  t.cross[a] = tangent[a];
-  t.cross[b] = normal[b];
-}
-
-void read_own(const Tableau& t) {
-  for (int32_t i = 0; i < t.pairs; ++i)
-    if (!is_asleep(t, i)) read_own(t, i);
-}
-
 } // namespace c2d

@@ -15,8 +15,4 @@ bool may_sleep(const Tableau& t, const Form& form);
 c2d_status wake_touching(Follower& f);
 c2d_status wake_all(Follower& f);
 
-// What is kept of T beside it, as T, which is the tableau, has it: of a pair that is awake; of all of them.
-void read_own(const Tableau& t, int32_t pair);
-void read_own(const Tableau& t);
-
 } // namespace c2d

@@ -28,6 +28,12 @@ Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
 int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
 
+// What is kept of T beside it, of all that are awake.
+void read_all_own(const Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (!is_asleep(t, i)) read_own(t, i);
+}
+
 // As the list's last exchange, of this slot, has changed them.
 void change_own(const Tableau& t, const Pair& changed, int32_t slot, const Real* u, const Real* v) {
   t.own[slot] = 0;
@@ -446,7 +452,7 @@ void swap_rows(const Tableau& t, int32_t a, int32_t b) {
     column(t, j)[a] = column(t, j)[b];
     column(t, j)[b] = kept;
   }
-  if (delays(t)) read_own(t);
+  if (delays(t)) read_all_own(t);
 }
 Slot slot_of(const Tableau& t, int32_t dof) {
   for (int32_t i = 0;; ++i)
@@ -548,7 +554,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   const GuidedSticks guided(t);
   const c2d_status status = load_start(t, tape);
   if (status != C2D_OK) return status;
-  if (delays(t)) read_own(t);
+  if (delays(t)) read_all_own(t);
   impose_contact(t);
   if (!kSmallCode && !bring_in(t, culprit)) return C2D_ERR_SINGULAR;
   impose_friction(t);
@@ -571,7 +577,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   }
   sort_columns(t);
   leave_normal_columns(t);
-  if (delays(t)) read_own(t);
+  if (delays(t)) read_all_own(t);
   return C2D_OK;
 }
 
@@ -594,6 +600,15 @@ void place_list(Tableau& t, Real* numbers, int32_t count, int32_t columns) {
   t.column = reinterpret_cast<int32_t*>(numbers + 2 * m);
   t.delayed = {t.m, columns, t.t, most, numbers + 3 * m, count};
   t.smooth = is_smooth(t);
+}
+
+void read_own(const Tableau& t, int32_t i) {
+  const int32_t a = t.pair[i].dof, b = a + 1, normal = t.column[i], tangent = normal + 1;
+  t.own[a] = entry(t, a, normal);
+  if (t.pair[i].tangential == 0 || t.smooth) return;
+  t.own[b] = entry(t, b, tangent);
+  t.cross[a] = entry(t, a, tangent);
+  t.cross[b] = entry(t, b, normal);
 }
 
 void add_column_to(const Tableau& t, int32_t j, double factor, Real* y) {

@@ -65,6 +65,8 @@ inline Real own_entry(const Tableau& t, int32_t slot) {
 inline Real cross_entry(const Tableau& t, int32_t slot, int32_t other) {
   return delays(t) ? t.cross[slot] : t.t[static_cast<int64_t>(other) * t.m + slot];
 }
+// read_own: once T is the tableau, of a pair that is awake.
+void read_own(const Tableau& t, int32_t pair);
 void add_column_to(const Tableau& t, int32_t column, double factor, Real* y);
 void apply_list(Tableau& t);
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
