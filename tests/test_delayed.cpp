@@ -161,6 +161,47 @@ TEST_CASE("delayed exchanges: the list is as long as there are places whose exch
   }
 }
 
+TEST_CASE("delayed exchanges: those that are kept while the others are applied can be reversed as before") {
+  const Worker best(full_scratch(kMostDelayed, 64));
+  for (const Engine& engine : {kPlainEngine, best.engine}) {
+    for (const int32_t cols : {40, 23}) {
+      for (const int32_t kept : {0, 1, 7, 19, 20}) {
+        CAPTURE(kept);
+        Both both(40, cols, 32, 12);
+        for (int32_t r = 0; r < 20; ++r) both.exchange_both(engine, r);
+        both.add_both(1, 0);
+        bool keep[kMostDelayed] = {};
+        for (int32_t k = 0; k < kept; ++k) keep[place_in_list(both.d, 19 - k * 7 % 18, 19 - k * 7 % 18)] = true;
+        const int32_t there = static_cast<int32_t>(std::count(keep, keep + 20, true));
+        const Traps traps;
+        apply_all_but(both.d, engine, keep);
+        CHECK(both.d.count == there);
+        CHECK(both.worst(engine) < 1000 * kEps);
+        for (int32_t r = 20; r < 23; ++r) both.exchange_both(engine, r);
+        CHECK(both.worst(engine) < 1000 * kEps);
+        for (int32_t k = 0; k < there; ++k) both.exchange_both(engine, 19 - k * 7 % 18);
+        CHECK(both.d.count == 3);
+        CHECK(both.worst(engine) < 1000 * kEps);
+        CHECK(both.list.back() == kMark);
+      }
+    }
+  }
+}
+
+TEST_CASE("delayed exchanges: one of whose pivot little is left is not kept") {
+  Both both(8, 8, 8, 3);
+  both.now[0] = both.delayed[0] = Real(0.01);
+  both.now[1] = both.delayed[1] = both.now[8] = both.delayed[8] = 1;
+  both.now[9] = both.delayed[9] = Real(1);
+  both.exchange_both(kPlainEngine, 1);
+  both.exchange_both(kPlainEngine, 0); // the pivot is -0.99, a hundred times what stood there
+  CHECK(both.d.count == 2);
+  const bool keep[kMostDelayed] = {false, true};
+  apply_all_but(both.d, kPlainEngine, keep);
+  CHECK(both.worst(kPlainEngine) < 1000 * kEps);
+  CHECK(both.d.count == 0);
+}
+
 TEST_CASE("delayed exchanges: a zero pivot is refused, and nothing changes but that a full list is applied") {
   Both both(3, 3, 1, 4);
   both.exchange_both(kPlainEngine, 0);

@@ -50,6 +50,24 @@ void change_own(const Tableau& t, const Pair& changed, int32_t slot, const Real*
   }
 }
 
+// A full list is applied before one more exchange, but for those of pairs that have begun to slip since: where an edge of slip
+// passes they stick again, some events later, and then both exchanges are gone.
+void make_room(Tableau& t, const Pair& changing, int32_t row, int32_t column) {
+  DelayedExchanges& list = t.delayed;
+  if (list.count < list.most || place_in_list(list, row, column) >= 0) return;
+  bool kept[kMostDelayed] = {};
+  int32_t count = 0;
+  for (int32_t i = 0; i < t.pairs && !t.smooth; ++i) {
+    const Pair& pair = t.pair[i];
+    if (pair.status != C2D_SLIP || pair.tangential == 0 || is_asleep(t, i) || &pair == &changing) continue;
+    const int32_t place = place_in_list(list, pair.dof + 1, column_of(t, i, 1));
+    if (place < 0) continue;
+    kept[place] = true;
+    ++count;
+  }
+  apply_all_but(list, t.engine, 2 * count <= list.most ? kept : nullptr); // else there would be little room
+}
+
 void pivot(Tableau& t, const Pair& pair, int slot) {
   ++t.exchanges;
   const int32_t row = pair.dof + slot;
@@ -58,7 +76,9 @@ void pivot(Tableau& t, const Pair& pair, int slot) {
     return;
   }
   const Real *u = nullptr, *v = nullptr;
-  const bool done = delay_exchange(t.delayed, t.engine, row, column_of(t, static_cast<int32_t>(&pair - t.pair), slot), &u, &v);
+  const int32_t place = column_of(t, static_cast<int32_t>(&pair - t.pair), slot);
+  make_room(t, pair, row, place);
+  const bool done = delay_exchange(t.delayed, t.engine, row, place, &u, &v);
   if (C2D_NEVER(!done)) return; // pivots have been judged
   for (int32_t j = t.n; j < all_columns(t); ++j) {
     const Real factor = column(t, j)[row];

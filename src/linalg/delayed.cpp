@@ -92,9 +92,7 @@ void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t j, R
   subtract(d, engine, d.rows, list_left(d), by, y);
 }
 
-namespace {
-
-// The list's exchange of row r and column c, if what it left of them there has not been mixed with others since; else -1.
+// What the exchange left of row and column must not have been mixed with others since.
 int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c) {
   int32_t place = -1;
   for (int32_t k = 0; k < d.count; ++k) {
@@ -111,6 +109,8 @@ int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c) {
     if (column(d, j)[r] != 0) return -1;
   return place;
 }
+
+namespace {
 
 // x, y: M V_c^T and U_r M. Column c and row r of T go to the list, whose new numbers alone stand there.
 void add_exchange(DelayedExchanges& d, int32_t r, int32_t c, Real pivot, const Real* x, const Real* y) {
@@ -180,7 +180,8 @@ void take_exchange(DelayedExchanges& d, int32_t r, int32_t c, int32_t place) {
 
 bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v) {
   C2D_ASSERT(d.most > 0 && d.most <= kMostDelayed && r >= 0 && r < d.rows && c >= 0 && c < d.cols && d.cols <= d.rows);
-  if (d.count == d.most) apply_delayed(d, engine);
+  int32_t place = place_in_list(d, r, c);
+  if (d.count == d.most && place < 0) apply_delayed(d, engine);
   Real x[kMostDelayed], y[kMostDelayed], *const pivot_column = last_column(d), *const pivot_row = last_row(d);
   by_column(d, c, 1, x);
   read_column(d, engine, c, x, pivot_column);
@@ -192,7 +193,6 @@ bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_
   if ((pivot < 0 ? -pivot : pivot) < kSmallestReal) return false;
   by_row(d, r, y);
   read_row(d, engine, r, y, pivot_row);
-  const int32_t place = place_in_list(d, r, c);
   if (place >= 0)
     take_exchange(d, r, c, place);
   else
@@ -215,9 +215,51 @@ void delayed_column_add(DelayedExchanges& d, int32_t target, int32_t source, Rea
   row_add(d.count, list_right(d), d.cols, target, source, factor);
 }
 
-// U <- U M, as many rows at a time as the corner, of no use any more, has room for.
-void apply_delayed(DelayedExchanges& d, const Engine& engine) {
-  const int32_t n = d.count;
+namespace {
+
+void swap_columns(int64_t n, Real* a, Real* b) {
+  for (int64_t i = 0; i < n; ++i) {
+    const Real kept = a[i];
+    a[i] = b[i];
+    b[i] = kept;
+  }
+}
+
+void swap_places(const DelayedExchanges& d, int32_t a, int32_t b) {
+  if (a == b) return;
+  swap_columns(d.rows, &left(d, 0, a), &left(d, 0, b));
+  swap_columns(d.cols, &right(d, 0, a), &right(d, 0, b));
+  swap_columns(d.count, &middle(d, 0, a), &middle(d, 0, b));
+  for (int32_t l = 0; l < d.count; ++l) {
+    const Real kept = middle(d, a, l);
+    middle(d, a, l) = middle(d, b, l);
+    middle(d, b, l) = kept;
+  }
+}
+
+// Those that are kept go behind the others, and their rows and columns of M change places: where the first of them is. What is
+// left of M then is what the others alone would have made of it. One without which little would be left of a pivot is not kept.
+int32_t set_aside(const DelayedExchanges& d, const Engine& engine, const bool* kept) {
+  int32_t first = d.count;
+  for (int32_t k = d.count - 1; k >= 0 && kept; --k) {
+    if (!kept[k] || fabs(static_cast<double>(middle(d, k, k) * corner(d, k, k))) < kCancels) continue;
+    swap_places(d, k, --first);
+    exchange(d.count, d.count, list_middle(d), d.most, first, first, engine.kernel);
+  }
+  return first;
+}
+
+// U and V of those set aside, columns and rows of what T is about to be.
+void bring_up(const DelayedExchanges& d, const Engine& engine, int32_t first) {
+  const int32_t kept = d.count - first;
+  for (int32_t k = first; k < d.count; ++k)
+    for (int32_t l = 0; l < first; ++l) middle(d, l, k) = -middle(d, l, k);
+  gemm_minus(engine, d.rows, kept, first, list_left(d), d.rows, &middle(d, 0, first), d.most, &left(d, 0, first), d.rows);
+  outer_minus(engine, d.cols, kept, first, list_right(d), d.cols, &middle(d, first, 0), d.most, &right(d, 0, first), d.cols);
+}
+
+// U <- U M of the first n, as many rows at a time as the corner, of no use any more, has room for.
+void multiply(const DelayedExchanges& d, const Engine& engine, int32_t n) {
   Real* const product = list_corner(d);
   for (int32_t top = 0; top < d.rows && n > 0; top += n) {
     const int32_t some = d.rows - top < n ? d.rows - top : n;
@@ -226,8 +268,30 @@ void apply_delayed(DelayedExchanges& d, const Engine& engine) {
     for (int32_t k = 0; k < n; ++k)
       for (int32_t i = 0; i < some; ++i) left(d, top + i, k) = -product[i + static_cast<int64_t>(k) * n];
   }
-  outer_minus(engine, d.rows, d.cols, n, list_left(d), d.rows, list_right(d), d.cols, d.t, d.rows);
-  d.count = 0;
 }
+
+// Those set aside are the list.
+void take_back(DelayedExchanges& d, const Engine& engine, int32_t first) {
+  const int32_t kept = d.count - first;
+  for (int32_t l = 0; l < kept; ++l) {
+    for (int32_t i = 0; i < d.rows; ++i) left(d, i, l) = left(d, i, first + l);
+    for (int32_t j = 0; j < d.cols; ++j) right(d, j, l) = right(d, j, first + l);
+    for (int32_t k = 0; k < kept; ++k) corner(d, k, l) = middle(d, k, l) = middle(d, first + k, first + l);
+  }
+  d.count = kept;
+  for (int32_t k = 0; k < kept; ++k) exchange(kept, kept, list_middle(d), d.most, k, k, engine.kernel);
+}
+
+} // namespace
+
+void apply_all_but(DelayedExchanges& d, const Engine& engine, const bool* kept) {
+  const int32_t first = set_aside(d, engine, kept);
+  if (first < d.count) bring_up(d, engine, first);
+  multiply(d, engine, first);
+  outer_minus(engine, d.rows, d.cols, first, list_left(d), d.rows, list_right(d), d.cols, d.t, d.rows);
+  take_back(d, engine, first);
+}
+
+void apply_delayed(DelayedExchanges& d, const Engine& engine) { apply_all_but(d, engine, nullptr); }
 
 } // namespace c2d

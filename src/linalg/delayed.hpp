@@ -39,7 +39,12 @@ bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_
 void delayed_row_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);
 void delayed_column_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);
 
+// Which of the list's exchanges that of row r and column c would take off it; -1: none.
+int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c);
 // T is the tableau, the list is empty.
 void apply_delayed(DelayedExchanges& d, const Engine& engine);
+// All but those that `kept` says of their places in the list: T is what the tableau would be without them. Some may be applied
+// nevertheless.
+void apply_all_but(DelayedExchanges& d, const Engine& engine, const bool* kept);
 
 } // namespace c2d
