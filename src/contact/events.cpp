@@ -19,33 +19,35 @@ void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_
   if (step < best.step) best = Event{step, pair, status, sign};
 }
 
-// Values that are zero but for round-off, now and at the end of the piece, and rates that do not count; the rest of the piece.
+// Of a pair's forces or motions: values that are zero but for round-off, now and at the end of the piece, of which `rest` is
+// left.
 struct Sizes {
-  double value, end, rate, rest;
+  const Pair& pair;
+  const PathScales& scales;
+  double NoRate::*none; // rates that do not count: hardly ever asked for
+  double value, end, rest;
 };
 
 // Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, at whose end
 // round-off below zero is zero, or if it is zero already and settle() has found the rate to be none.
-void meet(Event& best, double margin, double rate, const Sizes& none, int32_t pair, int32_t status, int32_t sign) {
-  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * none.rest >= -none.end) return;
-  if (margin <= none.value && -rate <= none.rate) return;
+void meet(Event& best, double margin, double rate, const Sizes& of, int32_t pair, int32_t status, int32_t sign) {
+  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * of.rest >= -of.end) return;
+  if (margin <= of.value && -rate <= no_rate(of.pair, of.scales).*of.none) return;
   keep_earlier(best, margin / -rate, pair, status, sign);
 }
 
 void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, Event& best) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
-  const NoRate none = no_rate(pair, s);
-  const double gap = kValueTolerance * s.w;
-  const Sizes force{kValueTolerance * s.p, kValueTolerance * f.pressure_scale, none.force, rest};
-  const Sizes motion{gap, gap, none.motion, rest};
   if (pair.status == C2D_OPEN) {
+    const double gap = kValueTolerance * s.w;
     const bool slides = pair.mu == 0.0;
-    meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
+    meet(best, now.wn, rate.wn, {pair, s, &NoRate::motion, gap, gap, rest}, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     return;
   }
   // Without any force now, and with none to come: its margins are round-off.
-  if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= none.force) return;
+  if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= no_rate(pair, s).force) return;
+  const Sizes force{pair, s, &NoRate::force, kValueTolerance * s.p, kValueTolerance * f.pressure_scale, rest};
   meet(best, now.p, rate.p, force, i, C2D_OPEN, 0);
   if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
   for (int32_t sign = -1; sign <= 1; sign += 2)
@@ -53,20 +55,18 @@ void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, E
 }
 
 // Round-off must not let a rate that is zero but for its last digits make an event.
-void silence_round_off(Follower& f, const PathScales& s) {
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const bool open = pair.status == C2D_OPEN;
-    Real& normal = f.dy[pair.dof];
-    if (fabs(static_cast<double>(normal)) < 1e-13 * (open ? s.dw : s.dp)) normal = 0;
-  }
+void silence_round_off(Follower& f, const Pair& pair, const PathScales& s) {
+  Real& normal = f.dy[pair.dof];
+  if (fabs(static_cast<double>(normal)) < 1e-13 * (pair.status == C2D_OPEN ? s.dw : s.dp)) normal = 0;
 }
 
 Event nearest_event(Follower& f, double rest) {
   const PathScales s = decision_scales(f);
-  silence_round_off(f, s);
   Event best{rest, -1, 0, 0};
-  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, s, rest, best);
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    silence_round_off(f, f.t->pair[i], s);
+    meet_pair(f, i, s, rest, best);
+  }
   return best;
 }
 

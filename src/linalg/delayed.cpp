@@ -52,6 +52,11 @@ void subtract(const DelayedExchanges& d, const Engine& engine, int32_t n, const 
   gemm_minus(engine, n, 1, d.count, list, n, by, d.count, x, n);
 }
 
+void scale(const Engine& engine, int32_t n, Real factor, Real* x) {
+  if (!kSmallCode && engine.kernel) return engine.kernel->scale(n, factor, x);
+  for (int32_t i = 0; i < n; ++i) x[i] *= factor;
+}
+
 // Column and row of the tableau, of what by_column() and by_row() say.
 void read_column(const DelayedExchanges& d, const Engine& engine, int32_t j, const Real* by, Real* out) {
   const Real* const from = column(d, j);
@@ -112,10 +117,21 @@ int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c) {
 
 namespace {
 
-// x, y: M V_c^T and U_r M. Column c and row r of T go to the list, whose new numbers alone stand there.
-void add_exchange(DelayedExchanges& d, int32_t r, int32_t c, Real pivot, const Real* x, const Real* y) {
+// Row r of T goes to the list in one pass, as each of its numbers is on a page of its own. `met`: where column c meets it.
+Real put_row_by(const DelayedExchanges& d, int32_t r, int32_t c) {
+  const Real met = column(d, c)[r];
+  for (int32_t j = 0; j < d.cols; ++j) {
+    Real& there = column(d, j)[r];
+    right(d, j, d.count) = there;
+    there = 0;
+  }
+  return met;
+}
+
+// x, y: M V_c^T and U_r M. Column c of T goes to the list, too, whose new numbers alone stand where row and column were.
+void add_exchange(DelayedExchanges& d, int32_t r, int32_t c, Real met, Real pivot, const Real* x, const Real* y) {
   const int32_t n = d.count;
-  corner(d, n, n) = column(d, c)[r];
+  corner(d, n, n) = met;
   for (int32_t k = 0; k < n; ++k) {
     corner(d, n, k) = left(d, r, k);
     corner(d, k, n) = right(d, c, k);
@@ -132,10 +148,6 @@ void add_exchange(DelayedExchanges& d, int32_t r, int32_t c, Real pivot, const R
   for (int32_t i = 0; i < d.rows; ++i) {
     left(d, i, n) = column(d, c)[i];
     column(d, c)[i] = 0;
-  }
-  for (int32_t j = 0; j < d.cols; ++j) {
-    right(d, j, n) = column(d, j)[r];
-    column(d, j)[r] = 0;
   }
   left(d, r, n) = 1;
   right(d, c, n) = -1;
@@ -192,12 +204,14 @@ bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_
   const Real pivot = pivot_column[r];
   if ((pivot < 0 ? -pivot : pivot) < kSmallestReal) return false;
   by_row(d, r, y);
-  read_row(d, engine, r, y, pivot_row);
+  const Real met = place < 0 ? put_row_by(d, r, c) : Real(0);
+  for (int32_t j = 0; j < d.cols; ++j) pivot_row[j] = place < 0 ? right(d, j, d.count) : Real(0); // reversed: none is left in T
+  subtract(d, engine, d.cols, list_right(d), y, pivot_row);
   if (place >= 0)
     take_exchange(d, r, c, place);
   else
-    add_exchange(d, r, c, pivot, x, y);
-  for (int32_t i = 0; i < d.rows; ++i) pivot_column[i] /= pivot;
+    add_exchange(d, r, c, met, pivot, x, y);
+  scale(engine, d.rows, 1 / pivot, pivot_column);
   pivot_column[r] = 1 / pivot;
   pivot_row[c] = -1;
   *u = pivot_column;

@@ -105,20 +105,21 @@ struct Pair {
   PairMarks mark;
   int8_t saved_status, saved_sign;
   int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
-  double nx, ny;                 // the frame: n from side 0 to side 1; t = (ny, -nx)
-  double gap;                    // initial normal gap >= 0
-  double overlap;                // by which the bodies overlap there; ModelHeader::interference closes it
-  double length;                 // shorter of the contact elements that meet there, both sides
-  double mu;                     // coefficient of friction in force
-  double weight;                 // integral of the pair's shape functions along the body of its measure, length unit
-  int32_t place[2];              // while the tableau is built: where the column of a slot stands
-  // From here on numbers that come from the tableau and have no more digits than it.
+  // What every event looks at of every pair lies close together, from `dof` to here.
+  double gap;        // initial normal gap >= 0
+  double mu;         // coefficient of friction in force
   Real stiffness[2]; // normal and tangential, of this pair alone while those beside it rest
   // History of friction, written by src/contact alone; w_t = (u1 - u0).t of the sides in the length unit of the model.
   // (Of a pair whose body was let go, where it was: place_of and keep_place of contact/let_go.hpp.)
-  Real offset;         // stick: w_t at which the pair sticks
+  Real offset;      // stick: w_t at which the pair sticks
+  Real slip_from;   // slip: w_t at which this episode began
+  double nx, ny;    // the frame: n from side 0 to side 1; t = (ny, -nx)
+  double overlap;   // by which the bodies overlap there; ModelHeader::interference closes it
+  double length;    // shorter of the contact elements that meet there, both sides
+  double weight;    // integral of the pair's shape functions along the body of its measure, length unit
+  int32_t place[2]; // while the tableau is built: where the column of a slot stands
+  // These, too, come from the tableau and have no more digits than it.
   Real slip_done;      // slip summed over finished episodes
-  Real slip_from;      // slip: w_t at which this episode began
   Real increment_from; // w_t at the start of the increment (deck stepping)
   Real saved_offset, saved_slip_done, saved_slip_from;
   Real saved_q; // q at the start of the increment (deck stepping)
