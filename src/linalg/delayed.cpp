@@ -16,7 +16,7 @@ constexpr Real kRoundOff = sizeof(Real) == 8 ? Real(1e-14) : Real(1e-6);
 constexpr double kCancels = 0.25;
 
 // Where the list's numbers are: U (rows x most), V (cols x most), M and its inverse, which is where rows and columns of the
-// list's exchanges met in T (most x most), column and row of the last pivot.
+// list's exchanges met in T (most x most), column and row of the last pivot. What is behind M serves as a buffer, too.
 Real* list_left(const DelayedExchanges& d) { return d.numbers; }
 Real* list_right(const DelayedExchanges& d) { return list_left(d) + static_cast<int64_t>(d.rows) * d.most; }
 Real* list_middle(const DelayedExchanges& d) { return list_right(d) + static_cast<int64_t>(d.rows) * d.most; }
@@ -272,15 +272,18 @@ void bring_up(const DelayedExchanges& d, const Engine& engine, int32_t first) {
   outer_minus(engine, d.cols, kept, first, list_right(d), d.cols, &middle(d, first, 0), d.most, &right(d, 0, first), d.cols);
 }
 
-// U <- U M of the first n, as many rows at a time as the corner, of no use any more, has room for.
+// U <- U M of the first n, as many rows at a time as there is room for behind M, where nothing is of use any more.
 void multiply(const DelayedExchanges& d, const Engine& engine, int32_t n) {
+  constexpr int32_t kTiles = 24; // high, of any kernel
   Real* const product = list_corner(d);
-  for (int32_t top = 0; top < d.rows && n > 0; top += n) {
-    const int32_t some = d.rows - top < n ? d.rows - top : n;
-    for (int32_t i = 0; i < n * n; ++i) product[i] = 0;
-    gemm_minus(engine, some, n, n, list_left(d) + top, d.rows, list_middle(d), d.most, product, n);
+  const int64_t room = n > 0 ? (static_cast<int64_t>(d.most) * d.most + 2 * d.rows) / n : 0;
+  const int32_t most = static_cast<int32_t>(room < kTiles ? room : room - room % kTiles);
+  for (int32_t top = 0; top < d.rows && n > 0; top += most) {
+    const int32_t some = d.rows - top < most ? d.rows - top : most;
+    for (int32_t i = 0; i < n * some; ++i) product[i] = 0;
+    gemm_minus(engine, some, n, n, list_left(d) + top, d.rows, list_middle(d), d.most, product, some);
     for (int32_t k = 0; k < n; ++k)
-      for (int32_t i = 0; i < some; ++i) left(d, top + i, k) = -product[i + static_cast<int64_t>(k) * n];
+      for (int32_t i = 0; i < some; ++i) left(d, top + i, k) = -product[i + static_cast<int64_t>(k) * some];
   }
 }
 

@@ -33,7 +33,8 @@ void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t colu
 
 // y_r and z_c change places. A full list is applied first, and one that most of the pivot cancels with. False, and nothing else
 // has changed, if the pivot is below the smallest normal number. Else what was done to an entry outside row r and column c is
-// T_ij - u_i v_j, with u_r = 1 / pivot and v_c = -1; `u` and `v` stay until the next exchange.
+// T_ij - u_i v_j, with u_r = 1 / pivot and v_c = -1; `u` and `v` stay until the next exchange, or until the list is
+// applied.
 bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v);
 // As row_add and column_add.
 void delayed_row_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);
