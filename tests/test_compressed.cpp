@@ -4,9 +4,12 @@
 #include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"
 #include "elimination/compressed_work.hpp"
+#include "elimination/later_sides.hpp"
 #include "elimination/stream.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/interpolate.hpp"
+#include "linalg/lu.hpp"
+#include "model/pair_frame.hpp"
 #include "model_fixture.hpp"
 #include "solver_runs.hpp"
 
@@ -313,6 +316,89 @@ constexpr double kNear = sizeof(c2d::Real) == 8 ? 1e-10 : 2e-3;
 
 } // namespace
 
+namespace {
+
+// The displacement of a body's contact unknown among all its unknowns, `stride` apart, where nodes in contact are as others.
+double displacement_at(const Body& body, const c2d::Real* x, int64_t stride, int32_t unknown) {
+  const c2d::Model& m = body.model;
+  for (int32_t node = 0; node < m.body[body.b].nodes; ++node) {
+    const c2d::PairSide at = c2d::pair_of_node(m, body.b, node);
+    if (at.pair < 0) continue;
+    const c2d::Pair& pair = m.pair[at.pair];
+    const int32_t first = c2d::dof_on(m, pair, at.side);
+    if (unknown < first || unknown > first + pair.tangential) continue;
+    double sum = 0;
+    for (int c = 0; c < 2; ++c) sum += c2d::along(pair, unknown - first, c) * x[c2d::outer_column(m, body.b, node, c) * stride];
+    return sum;
+  }
+  FAIL("no node has contact unknown " << unknown);
+  return 0;
+}
+
+// S_u u = S_t t, for a traction at one contact unknown.
+Numbers displacements_by(const Dense& dense, const Numbers& traction) {
+  const int32_t n = dense.left, own = dense.model.body[dense.b].contact;
+  REQUIRE(n == own);
+  Numbers a(dense.s.begin(), dense.s.begin() + n * n), u(static_cast<size_t>(n), 0), norms(static_cast<size_t>(n));
+  for (int32_t j = 0; j < n; ++j)
+    for (int32_t i = 0; i < n; ++i)
+      u[static_cast<size_t>(i)] += dense.s[static_cast<size_t>(i + (own + j) * n)] * traction[static_cast<size_t>(j)];
+  std::vector<int32_t> pivots(static_cast<size_t>(n));
+  REQUIRE(c2d::lu_factor(c2d::kPlainEngine, n, a.data(), n, pivots.data(), norms.data(), nullptr) == 0);
+  c2d::lu_solve(c2d::kPlainEngine, n, 1, a.data(), n, pivots.data(), u.data(), n);
+  return u;
+}
+
+// Tractions on a body in contact by its reduced equations, and by right-hand sides that come later: how far they differ.
+double later_differs(ModelData& d, int b, int32_t rank, int32_t leaf, int32_t count) {
+  Dense dense(d, b);
+  const int32_t own = dense.model.body[b].contact;
+  dense.model.body[b].on_demand = 1;
+  Compressed tree(d, b, rank, leaf);
+  CHECK(tree.status == C2D_OK);
+  REQUIRE(tree.plan.keeps == 1);
+  Aligned work(c2d::later_sides_bytes(tree.plan));
+  const c2d::LaterSides later = {tree.plan, tree.system, tree.tapes, work.at, c2d::kPlainEngine};
+  std::vector<int32_t> unknown;
+  for (int32_t k = 0; k < count; ++k) unknown.push_back((7 * k + 3) % own);
+  c2d::Real* x = nullptr;
+  REQUIRE(c2d::solve_unit_tractions(later, unknown.data(), count, &x) == C2D_OK);
+  double most = 0, size = 0;
+  Numbers all(static_cast<size_t>(own), 0), together(static_cast<size_t>(tree.pivots), 0);
+  for (int32_t k = 0; k < count; ++k) {
+    Numbers traction(static_cast<size_t>(own), 0);
+    traction[static_cast<size_t>(unknown[static_cast<size_t>(k)])] = 1;
+    all[static_cast<size_t>(unknown[static_cast<size_t>(k)])] += k - 1.5;
+    const Numbers u = displacements_by(dense, traction);
+    for (int32_t i = 0; i < own; ++i) {
+      most = std::max(most, std::fabs(u[static_cast<size_t>(i)] - displacement_at(tree, x + k, count, i)));
+      size = std::max(size, std::fabs(static_cast<double>(u[static_cast<size_t>(i)])));
+    }
+  }
+  REQUIRE(c2d::add_tractions(later, all.data(), together.data()) == C2D_OK);
+  const Numbers u = displacements_by(dense, all);
+  for (int32_t i = 0; i < own; ++i)
+    most = std::max(most, std::fabs(u[static_cast<size_t>(i)] - displacement_at(tree, together.data(), 1, i)) / 4);
+  dense.model.body[b].on_demand = 0;
+  return most / size;
+}
+
+} // namespace
+
+TEST_CASE("compressed: tractions that come later as by the reduced equations, all orders, holes, leaves") {
+  for (int32_t trial = 0; trial < 12; ++trial) {
+    CAPTURE(trial);
+    ModelData d = boxes(1 + trial % 4, 2 + trial / 4, trial % 4, trial % 4 < 2 ? 24 : 12, 0.1 * trial);
+    REQUIRE(d.complete());
+    for (int32_t leaf : {1, 10, 40, 1000}) {
+      CAPTURE(leaf);
+      const double differs = later_differs(d, 0, leaf == 1000 ? 1000 : 400, leaf, leaf == 10 ? 48 : 5);
+      if (std::getenv("SHOW")) MESSAGE(trial << " leaf " << leaf << " " << differs);
+      CHECK(differs < kNear);
+    }
+  }
+}
+
 TEST_CASE("compressed: a disc with elements of all orders") {
   for (int32_t functions = 1; functions <= 4; ++functions)
     for (int32_t element_nodes = 2; element_nodes <= 4; ++element_nodes) {
@@ -566,14 +652,14 @@ TEST_CASE("compressed: sizes that no machine has are told as such") {
 }
 
 TEST_CASE("compressed: plans for bodies that are large, or nearly all in contact") {
-  const c2d::CompressedPlan wide = c2d::plan_compressed(c2d::CompressedLimits{1, 100000, 200000, 1, 0}, 160, 12);
+  const c2d::CompressedPlan wide = c2d::plan_compressed(c2d::CompressedLimits{1, 100000, 200000, 1, 0, 0}, 160, 12);
   const uint64_t rows = static_cast<uint64_t>(wide.border.rows), pivots = static_cast<uint64_t>(wide.border.pivots);
   CHECK(rows > 200000);
   CHECK(wide.block_bytes >= rows * sizeof(c2d::Real)); // a column of the border is not cut
   CHECK(c2d::block_numbers(wide) >= static_cast<int64_t>(4 * rows));
   CHECK(c2d::compressed_back_bytes(wide) >= pivots * (sizeof(c2d::Real) + sizeof(int32_t)));
   CHECK(c2d::compressed_bytes(wide) > c2d::compressed_back_bytes(wide));
-  const c2d::CompressedPlan huge = c2d::plan_compressed(c2d::CompressedLimits{1 << 29, 0, 0, 1, 0}, (1 << 29) - 16, 12);
+  const c2d::CompressedPlan huge = c2d::plan_compressed(c2d::CompressedLimits{1 << 29, 0, 0, 1, 0, 0}, (1 << 29) - 16, 12);
   CHECK(c2d::compressed_bytes(huge) == UINT64_MAX); // n^2 numbers, n = 2^30, more than once
 }
 
@@ -875,7 +961,7 @@ TEST_CASE("compressed: circles round cells hold their points and what reaches fr
   REQUIRE(d.complete());
   Body body(d, 0);
   const c2d::CompressedPlan plan = c2d::plan_compressed(body.model, 0, 100, 16);
-  c2d::Compression t{plan, body.system, {}, c2d::kPlainEngine, 2, 0, nullptr, nullptr, {}, {}, {}};
+  c2d::Compression t{plan, body.system, {}, c2d::kPlainEngine, 2, 0, nullptr, nullptr, {}, {}, {}, {}};
   std::vector<int32_t> ids(128), begin = {0, 32, 64, 96, 128};
   for (int32_t k = 0; k < 128; ++k) ids[static_cast<size_t>(k)] = k;
   std::vector<double> circle(12), reach(64, 0.05);
@@ -917,7 +1003,7 @@ struct OneCell {
     body = std::make_unique<Body>(data, 0);
     plan = c2d::plan_compressed(body->model, 0, kIds, kNodes);
     work = std::make_unique<Aligned>(c2d::compressed_bytes(plan));
-    t.reset(new c2d::Compression{plan, body->system, {}, c2d::kPlainEngine, 0, 0, nullptr, nullptr, {}, {}, {}});
+    t.reset(new c2d::Compression{plan, body->system, {}, c2d::kPlainEngine, 0, 0, nullptr, nullptr, {}, {}, {}, {}});
     c2d::CompressedWork& w = t->w;
     c2d::lay_out_work(plan, static_cast<char*>(work->at), &w);
     for (int32_t node = 0; node < kNodes; ++node) w.position[node] = w.stamp[node] = w.hole_at[node] = -1;

@@ -52,14 +52,22 @@ void clear_rows(int32_t rows, int32_t columns, Real* out, int64_t ld) {
 }
 
 // visit(element, targets, measure) for every element of the columns and each measure of its tractions there are.
-template <class Visit> void visit_elements(const ColumnSystem& system, const ChosenColumns& columns, Visit visit) {
+template <class Visit>
+void visit_elements(const ColumnSystem& system, const Range& range, const ChosenColumns& columns, Visit visit) {
   ElementTargets& targets = system.scratch->targets;
   for (int32_t k = 0; k < columns.element_count; ++k) {
     const int32_t element = columns.elements[k];
-    aim(system.model, system.body, element, all_unknowns(system), targets);
+    aim(system.model, system.body, element, range, targets);
     if (targets.want_h || targets.want_g) visit(element, targets, Measure::own_length);
     if (targets.want_contact) visit(element, targets, Measure::contact);
   }
+}
+
+void add_elements(const ColumnSystem& system, const Range& range, const ChosenColumns& columns, const Panel& panel) {
+  clear_rows(2 * system.sources, columns.count, panel.data, panel.ld);
+  visit_elements(system, range, columns, [&](int32_t element, const ElementTargets& targets, Measure measure) {
+    add_element(system, nullptr, panel, element, targets, measure);
+  });
 }
 
 // Where symmetry fixes the displacement, the row says that it is zero.
@@ -76,12 +84,17 @@ void hold_rows(const ColumnSystem& system, const ChosenColumns& columns, const P
 
 } // namespace
 
+void fill_tractions(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld) {
+  const Panel panel = panel_of(system, columns, out, ld);
+  Range tractions = all_unknowns(system);
+  tractions.first = tractions.last - system.model.body[system.body].contact;
+  add_elements(system, tractions, columns, panel);
+  if (system.model.body[system.body].lines != 0) hold_rows(system, columns, panel);
+}
+
 void fill_chosen(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld) {
   const Panel panel = panel_of(system, columns, out, ld);
-  clear_rows(2 * system.sources, columns.count, out, ld);
-  visit_elements(system, columns, [&](int32_t element, const ElementTargets& targets, Measure measure) {
-    add_element(system, nullptr, panel, element, targets, measure);
-  });
+  add_elements(system, all_unknowns(system), columns, panel);
   if (system.alone) return; // points off the boundary
   for (int32_t s = 0; s < system.sources; ++s) add_node(system, panel, s);
   if (system.model.body[system.body].lines != 0) hold_rows(system, columns, panel);
@@ -90,7 +103,7 @@ void fill_chosen(const ColumnSystem& system, const ChosenColumns& columns, Real*
 void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld) {
   const Panel panel = panel_of(system, columns, out, ld);
   clear_rows(3, columns.count, out, ld);
-  visit_elements(system, columns, [&](int32_t element, const ElementTargets& targets, Measure measure) {
+  visit_elements(system, all_unknowns(system), columns, [&](int32_t element, const ElementTargets& targets, Measure measure) {
     if (measure == Measure::contact || targets.want_g) add_balance(system, panel, element, targets, measure, 0);
   });
   const int32_t lines = system.model.body[system.body].lines;
@@ -106,7 +119,7 @@ void fill_hole_row(const ColumnSystem& system, const Hole& hole, const ChosenCol
   const Model& m = system.model;
   AssemblyScratch& scratch = *system.scratch;
   clear_rows(1, columns.count, out, ld);
-  visit_elements(system, columns, [&](int32_t element, const ElementTargets& t, Measure measure) {
+  visit_elements(system, all_unknowns(system), columns, [&](int32_t element, const ElementTargets& t, Measure measure) {
     const bool contact = measure == Measure::contact;
     make_integrator(m, system.body, element, system.quadrature, measure, scratch.integrator);
     kHolePart.hole_row(m, system.body, hole, scratch.integrator, !contact, true, scratch.hole_field, scratch.hole_row);

@@ -20,6 +20,8 @@ struct ChosenColumns {
 // Assigns rows 0 ... 2 sources - 1 of all places: out[i + j * ld]. Without what the equations at a hole have beside those of
 // other nodes (METHOD (4.1)), and without what free zones hand over.
 void fill_chosen(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld);
+// The same of contact tractions alone, which have neither free terms nor twins.
+void fill_tractions(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld);
 // Assigns three rows, the balances, from out[0] on.
 void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld);
 // Assigns one row: L tr V of a hole (bie/holes.hpp), which its nodes' equations have times n.

@@ -115,13 +115,7 @@ void start_leaves(Compression& t) {
 
 // ---- a cell's own equations ---------------------------------------------------------------------------------------------
 
-// A cell while it is worked on: its unknowns `ids`, in w.d (transposed) what its rows, in w.v what its columns have of them.
-struct Cell {
-  int32_t unknowns, rows, columns;
-  const int32_t *row_ids, *column_ids;
-};
-
-void read_leaf(Compression& t, Cell& cell) {
+void read_leaf(Compression& t, TreeCell& cell) {
   CompressedWork& w = t.w;
   const int32_t n = cell.rows, loads = right_sides(t.plan);
   cell.unknowns = n;
@@ -165,8 +159,8 @@ c2d_status read_result(Compression& t, uint64_t& at, CellResult& out, int32_t* i
 }
 
 // Rows of `to` under the unknowns of `from`: minus what stands in `block` goes through v; into w.d from (row, column) on.
-void couple(Compression& t, const Cell& cell, const CellResult& to, int32_t first_row, const int32_t* row_ids,
-            const CellResult& from, int32_t first_unknown, const int32_t* column_ids) {
+void couple(Compression& t, const TreeCell& cell, const CellResult& to, int32_t first_row, const int32_t* row_ids,
+            const CellResult& from, int32_t first_unknown, const int32_t* column_ids, Real* kept) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, loads = right_sides(t.plan);
   int64_t ld;
@@ -177,6 +171,7 @@ void couple(Compression& t, const Cell& cell, const CellResult& to, int32_t firs
     const int64_t at = 2 * w.position[row_ids[i] / 2] + row_ids[i] % 2;
     for (int32_t j = 0; j < from.columns; ++j) block[j + static_cast<int64_t>(i) * from.columns] = -w.block[at + j * ld];
   }
+  for (int64_t i = 0; i < static_cast<int64_t>(to.rows) * from.columns && t.plan.keeps != 0; ++i) kept[i] = -block[i];
   forget_sources(t, w.sources, sources);
   Real* d = w.d + first_unknown + static_cast<int64_t>(first_row) * n;
   gemm_minus(t.engine, from.kept, to.rows, from.columns, from.v, from.kept, block, from.columns, d, n);
@@ -195,7 +190,7 @@ void copy_block(int32_t rows, int32_t columns, const Real* from, Real* to, int64
 }
 
 // Two halves become one cell.
-c2d_status join_halves(Compression& t, Cell& cell, uint64_t& at) {
+c2d_status join_halves(Compression& t, TreeCell& cell, uint64_t& at) {
   CompressedWork& w = t.w;
   CellResult half[2];
   c2d_status status = read_result(t, at, half[0], w.ids, w.result[0]);
@@ -203,6 +198,8 @@ c2d_status join_halves(Compression& t, Cell& cell, uint64_t& at) {
   if (status != C2D_OK) return status;
   const int32_t n = half[0].kept + half[1].kept, loads = right_sides(t.plan);
   cell.unknowns = n;
+  cell.half_rows = half[0].rows;
+  cell.half_columns = half[0].columns;
   for (int64_t i = 0; i < static_cast<int64_t>(n) * cell.rows; ++i) w.d[i] = 0;
   for (int64_t i = 0; i < static_cast<int64_t>(n) * cell.columns; ++i) w.v[i] = 0;
   int32_t unknown = 0, row = 0, column = 0;
@@ -213,20 +210,15 @@ c2d_status join_halves(Compression& t, Cell& cell, uint64_t& at) {
     copy_block(h.columns, loads, h.c, w.c + column, cell.columns);
     unknown += h.kept, row += h.rows, column += h.columns;
   }
-  couple(t, cell, half[0], 0, cell.row_ids, half[1], half[0].kept, cell.column_ids + half[0].columns);
-  couple(t, cell, half[1], half[0].rows, cell.row_ids + half[0].rows, half[0], 0, cell.column_ids);
+  couple(t, cell, half[0], 0, cell.row_ids, half[1], half[0].kept, cell.column_ids + half[0].columns, w.coupling[0]);
+  couple(t, cell, half[1], half[0].rows, cell.row_ids + half[0].rows, half[0], 0, cell.column_ids, w.coupling[1]);
   return C2D_OK;
 }
 
 // ---- what is left of it ---------------------------------------------------------------------------------------------
 
-// In w.e: transposed, the `spare` equations that are the cell's own, then those that stand for it, then its columns.
-struct Split {
-  int32_t spare, rows, columns; // equations; equations and columns that stand for the cell
-};
-
 // w.e's columns from the orders: first what goes on its own and then what stands for the rest, which is taken off it.
-void split_rows(Compression& t, const Cell& cell, const Split& s) {
+void split_rows(Compression& t, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, loads = right_sides(t.plan);
   for (int32_t i = 0; i < cell.rows; ++i) {
@@ -247,7 +239,7 @@ void split_rows(Compression& t, const Cell& cell, const Split& s) {
 }
 
 // Z V, transposed, behind that; Z c in place of c.
-void split_columns(Compression& t, const Cell& cell, const Split& s) {
+void split_columns(Compression& t, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, loads = right_sides(t.plan), rest = cell.columns - s.columns;
   Real *to = w.e + static_cast<int64_t>(cell.rows) * n, *others = w.samples, *x = w.d; // (free by now)
@@ -271,7 +263,7 @@ void split_columns(Compression& t, const Cell& cell, const Split& s) {
 }
 
 // g := U^-T g for the spare equations, then what their unknowns bring to the others and to the columns.
-void carry_loads(Compression& t, const Cell& cell, const Split& s) {
+void carry_loads(Compression& t, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, loads = right_sides(t.plan);
   for (int32_t k = 0; k < loads; ++k) {
@@ -295,7 +287,7 @@ void carry_loads(Compression& t, const Cell& cell, const Split& s) {
 }
 
 // M = L_1^-T L_2^T in w.d, spare x kept; g := L_1^-T g.
-void find_dependence(Compression& t, const Cell& cell, const Split& s) {
+void find_dependence(Compression& t, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, kept = n - s.spare, loads = right_sides(t.plan);
   for (int32_t j = 0; j < kept; ++j)
@@ -320,7 +312,7 @@ void append_columns(Stream& to, int32_t rows, int32_t columns, const Real* from,
 }
 
 // Counts, the unknowns eliminated and kept, M, h; the length last, for reading backwards.
-c2d_status write_record(Compression& t, const Cell& cell, const Split& s) {
+c2d_status write_record(Compression& t, const TreeCell& cell, const Split& s) {
   const int32_t counts[2] = {s.spare, cell.unknowns - s.spare};
   const uint64_t start = t.upper.end;
   append(t.upper, counts, sizeof counts);
@@ -333,7 +325,7 @@ c2d_status write_record(Compression& t, const Cell& cell, const Split& s) {
 }
 
 // As read_result reads it.
-c2d_status write_result(Compression& t, const Cell& cell, const Split& s) {
+c2d_status write_result(Compression& t, const TreeCell& cell, const Split& s) {
   const CompressedWork& w = t.w;
   const int32_t n = cell.unknowns, kept = n - s.spare, loads = right_sides(t.plan);
   const int32_t counts[4] = {kept, s.rows, s.columns, 0};
@@ -355,7 +347,7 @@ c2d_status note_rank(Compression& t, int32_t rank) {
 }
 
 // The cell's own equations are factored, and what stands for it updated with them.
-c2d_status eliminate_cell(Compression& t, const Cell& cell, const Split& s) {
+c2d_status eliminate_cell(Compression& t, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int32_t n = cell.unknowns;
   for (int32_t j = 0; j < s.spare; ++j) w.norms[j] = largest(t.engine, n, w.e + static_cast<int64_t>(j) * n);
@@ -378,7 +370,7 @@ c2d_status eliminate_cell(Compression& t, const Cell& cell, const Split& s) {
 }
 
 // Those that stand for the cell, in the lists of the depth above.
-void list_kept(Compression& t, const Depth& d, int32_t i, const Cell& cell, const Split& s) {
+void list_kept(Compression& t, const Depth& d, int32_t i, const TreeCell& cell, const Split& s) {
   CompressedWork& w = t.w;
   const int to = 1 - d.which;
   int32_t *row = w.row_begin[to], *column = w.column_begin[to];
@@ -389,13 +381,14 @@ void list_kept(Compression& t, const Depth& d, int32_t i, const Cell& cell, cons
   column[i + 1] = column[i] + s.columns;
 }
 
-Cell cell_at(const Compression& t, const Depth& d, int32_t i) {
+TreeCell cell_at(const Compression& t, const Depth& d, int32_t i) {
   const int32_t *row = t.w.row_begin[d.which], *column = t.w.column_begin[d.which];
-  return Cell{0, row[i + 1] - row[i], column[i + 1] - column[i], t.w.rows[d.which] + row[i], t.w.columns[d.which] + column[i]};
+  return TreeCell{
+      0, row[i + 1] - row[i], column[i + 1] - column[i], t.w.rows[d.which] + row[i], t.w.columns[d.which] + column[i], -1, 0};
 }
 
 c2d_status reduce_cell(Compression& t, const Depth& d, int32_t i, bool leaf, uint64_t& at) {
-  Cell cell = cell_at(t, d, i);
+  TreeCell cell = cell_at(t, d, i);
   Split s;
   s.rows = choose_rows(t, d, i);
   c2d_status status = note_rank(t, s.rows);
@@ -412,7 +405,8 @@ c2d_status reduce_cell(Compression& t, const Depth& d, int32_t i, bool leaf, uin
   split_rows(t, cell, s);
   split_columns(t, cell, s);
   list_kept(t, d, i, cell, s);
-  return eliminate_cell(t, cell, s);
+  status = eliminate_cell(t, cell, s);
+  return status == C2D_OK && t.plan.keeps != 0 ? keep_cell(t, cell, s) : status;
 }
 
 // Two by two the lists of a depth are those of the cells above.
@@ -438,15 +432,14 @@ c2d_status reduce_depth(Compression& t, const Depth& d, bool leaf, uint64_t& at,
 // The root stays as it is, and goes to the border.
 c2d_status keep_root(Compression& t, const Depth& d, bool leaf, uint64_t at, const RowSink& sink, Tapes& tapes,
                      const Watch& watch) {
-  Cell cell = cell_at(t, d, 0);
+  TreeCell cell = cell_at(t, d, 0);
   if (leaf) {
     read_leaf(t, cell);
   } else {
     const c2d_status status = join_halves(t, cell, at);
     if (status != C2D_OK) return status;
   }
-  return eliminate_border(t, RootCell{cell.unknowns, cell.rows, cell.columns, cell.row_ids, cell.column_ids}, sink, tapes,
-                          watch);
+  return eliminate_border(t, cell, sink, tapes, watch);
 }
 
 } // namespace
@@ -454,13 +447,15 @@ c2d_status keep_root(Compression& t, const Depth& d, bool leaf, uint64_t at, con
 c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes,
                                 void* work, PivotStats* pivots, CompressedStats* stats, const Watch& watch,
                                 const Engine& engine) {
-  Compression t{plan, system, {}, engine, tree_depth(plan.tree, plan.leaf), 0, stats, pivots, {}, {}, {}};
+  Compression t{plan, system, {}, engine, tree_depth(plan.tree, plan.leaf), 0, stats, pivots, {}, {}, {}, {}};
   lay_out_work(plan, static_cast<char*>(work), &t.w);
   *t.stats = CompressedStats{};
   t.pivots->base = 0;
   start_stats(*t.pivots);
+  const KeptPlace kept = kept_place(plan);
   const uint64_t lower_first = plan.border.lower_first_block + lower_use(plan.border).blocks;
-  const uint64_t lower_blocks = compressed_lower_use(plan).blocks - lower_use(plan.border).blocks;
+  const uint64_t lower_blocks = kept.first_block - lower_first;
+  t.kept = open_stream(tapes, C2D_TAPE_LOWER, kept.first_block, kept.blocks, plan.block_bytes, t.w.kept_buffer);
   t.lower = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.lower_buffer);
   t.read = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.read_buffer);
   t.upper = records_of(plan, tapes, t.w.upper_buffer);
@@ -478,6 +473,7 @@ c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& 
     join_lists(t, depth);
   }
   if (status == C2D_OK) status = keep_root(t, depth, leaf, from, sink, tapes, watch);
+  if (status == C2D_OK && plan.keeps != 0) status = finish_block(t.kept);
   return status == C2D_OK ? finish_records(t) : status;
 }
 

@@ -15,6 +15,7 @@ struct CompressedPlan {
   int32_t contact, loads; // contact unknowns; load cases
   int32_t tree, holes;    // nodes in the tree; holes
   int32_t rank, leaf;     // most equations and unknowns that a cell may keep; nodes of a leaf, at most `rank`
+  int32_t keeps;          // 1: all nodes are in the tree, and it keeps what later right-hand sides go through
   EliminationPlan border; // of the dense system; its blocks come first on both tapes
   uint64_t block_bytes;   // of data, of the blocks behind them
 };
@@ -30,7 +31,7 @@ bool may_compress(const Model& model, int b);
 CompressedPlan plan_compressed(const Model& model, int b, int32_t rank, int32_t leaf);
 // One that no body with at most so many nodes, of them so many in contact, contact unknowns and holes goes beyond.
 struct CompressedLimits {
-  int32_t nodes, touching, contact, loads, holes;
+  int32_t nodes, touching, contact, loads, holes, keeps;
 };
 CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int32_t leaf);
 // Cuts the border for a work area of `bytes` bytes. Errors: C2D_ERR_MEMORY, with *needed = the bytes that would do.

@@ -1,7 +1,8 @@
 // Solutions from what compressed elimination has written: the border first, then the cells from the root to the leaves.
 #include <string.h>
 
-#include "elimination/compressed_work.hpp"
+#include "elimination/later_sides.hpp"
+#include "linalg/dense.hpp"
 #include "memory/sizes.hpp"
 
 namespace c2d {
@@ -137,7 +138,7 @@ void substitute(const Records& r, const Record& cell, Real* x) {
   for (int32_t i = 0; i < cell.spare; ++i) {
     Real sum = 0;
     for (int32_t k = 0; k < right_sides(r.plan); ++k)
-      sum += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * r.w.coefficient[2 * r.plan.contact + k];
+      sum += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * r.w.coefficient[2 * border_contact(r.plan) + k];
     x[cell.id(i)] = sum;
   }
   for (int32_t j = 0; j < cell.kept; ++j) {
@@ -186,6 +187,45 @@ c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, v
   return solve(r, tapes, x);
 }
 
+int64_t later_room(const CompressedPlan& plan) {
+  const int64_t n = most_dofs(plan);
+  return n * n / 4 + 1 + n * kMostSides;
+}
+
+namespace {
+
+// substitute() of many side by side.
+void substitute_sides(const Engine& engine, const Record& cell, int32_t count, Real* x, Real* room) {
+  const int64_t sides = count;
+  const size_t bytes = static_cast<size_t>(count) * sizeof(Real);
+  Real *const kept = room, *const spare = kept + cell.kept * sides, *const m = spare + cell.spare * sides;
+  for (int32_t i = 0; i < cell.spare; ++i) memcpy(spare + i * sides, x + cell.id(i) * sides, bytes);
+  for (int32_t j = 0; j < cell.kept; ++j) {
+    memcpy(kept + j * sides, x + cell.id(cell.spare + j) * sides, bytes);
+    for (int32_t i = 0; i < cell.spare; ++i)
+      m[j + static_cast<int64_t>(i) * cell.kept] = number(cell.m, i + static_cast<int64_t>(j) * cell.spare);
+  }
+  gemm_minus(engine, count, cell.spare, cell.kept, kept, count, m, cell.kept, spare, count);
+  for (int32_t i = 0; i < cell.spare; ++i) memcpy(x + cell.id(i) * sides, spare + i * sides, bytes);
+}
+
+} // namespace
+
+c2d_status carry_down(const CompressedPlan& plan, Tapes& tapes, const Engine& engine, int32_t count, Real* x, Real* room,
+                      void* work) {
+  Records r = begin_reading(plan, tapes, work);
+  uint64_t end = r.end;
+  if (r.stream.status != C2D_OK) return r.stream.status;
+  if (!read_border(r, end)) return fault_of(r);
+  while (end > sample_bytes(plan)) {
+    Record cell;
+    const uint64_t length = read_backwards(r, end);
+    if (length == 0 || !open_record(r, length, cell)) return fault_of(r);
+    substitute_sides(engine, cell, count, x, room);
+  }
+  return C2D_OK;
+}
+
 namespace {
 
 // The next record from `at` on comes into w.record; its length stands behind it. False: no record.
@@ -201,7 +241,7 @@ bool read_forwards(Records& r, uint64_t& at, Record& out) {
 void carry_weights(const Records& r, const Record& cell, Real* f, Real* w) {
   for (int32_t k = 0; k < r.plan.loads; ++k)
     for (int32_t i = 0; i < cell.spare; ++i)
-      w[2 * r.plan.contact + k] += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * f[cell.id(i)];
+      w[2 * border_contact(r.plan) + k] += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * f[cell.id(i)];
   for (int32_t j = 0; j < cell.kept; ++j) {
     Real sum = 0;
     for (int32_t i = 0; i < cell.spare; ++i) sum += number(cell.m, i + static_cast<int64_t>(j) * cell.spare) * f[cell.id(i)];

@@ -10,15 +10,16 @@ namespace {
 
 struct Border {
   Compression& t;
-  const RootCell& root;
+  const TreeCell& root;
   ColumnSystem chosen; // the root's nodes and those of the border
   int32_t room, nodes; // of the root; of the border
   int32_t elements;    // at nodes of the border, in w.elements
   int32_t outer;       // unknowns of nodes of the border, rho, omega
   const RowSink* sink;
+  int32_t rows() const { return room + border_rows(t.plan); }
   int32_t first_hole() const { return room + 2 * nodes + 3; }
   int32_t first_contact() const { return room + outer + t.plan.holes; }
-  int32_t first_right() const { return first_contact() + 2 * t.plan.contact; }
+  int32_t first_right() const { return first_contact() + 2 * border_contact(t.plan); }
 };
 
 // The column of the body that the k-th outer unknown of the border is.
@@ -47,7 +48,7 @@ void fill_sums(const Compression& t, const ChosenColumns& columns, int32_t sourc
 // ---- what the root's columns do to the border -------------------------------------------------------------------------
 
 // root_q += block times v, root_c likewise with c, for columns first ... of the root.
-void add_products(Compression& t, const RootCell& root, int32_t first, int32_t count) {
+void add_products(Compression& t, const TreeCell& root, int32_t first, int32_t count) {
   CompressedWork& w = t.w;
   const int32_t n = root.unknowns, rows = border_rows(t.plan), loads = right_sides(t.plan);
   Real* v = w.e; // transposed and negative
@@ -61,7 +62,7 @@ void add_products(Compression& t, const RootCell& root, int32_t first, int32_t c
             w.block[i + static_cast<int64_t>(j) * rows] * w.c[first + j + static_cast<int64_t>(k) * root.columns];
 }
 
-void find_root_products(Compression& t, const RootCell& root) {
+void find_root_products(Compression& t, const TreeCell& root) {
   CompressedWork& w = t.w;
   const int32_t rows = border_rows(t.plan), nodes = t.plan.nodes - t.plan.tree, n = root.unknowns, loads = right_sides(t.plan);
   for (int64_t i = 0; i < static_cast<int64_t>(rows) * n; ++i) w.root_q[i] = 0;
@@ -88,6 +89,8 @@ void find_root_products(Compression& t, const RootCell& root) {
     fill_sums(t, columns, nodes);
     for (int32_t j = 0; j < count; ++j) w.place[column_of(t, root.column_ids[first + j])] = -1;
     add_products(t, root, first, count);
+    for (int64_t i = 0; i < static_cast<int64_t>(rows) * count && t.plan.keeps != 0; ++i)
+      w.sums[i + static_cast<int64_t>(first) * rows] = w.block[i];
   }
   for (int64_t i = 0; i < static_cast<int64_t>(n) * n; ++i) w.root_d[i] = w.d[i];
 }
@@ -112,7 +115,7 @@ void fill_hole_column(const Border& b, int32_t hole, Real* to) {
   };
   for (int32_t i = 0; i < b.room; ++i) to[i] = i < b.root.rows ? normal(b.root.row_ids[i] / 2, b.root.row_ids[i] % 2) : Real(0);
   for (int32_t i = 0; i < 2 * b.nodes; ++i) to[b.room + i] = normal(t.w.border[i / 2], i % 2);
-  for (int32_t i = b.first_hole() - 3; i < t.plan.border.rows; ++i) to[i] = i == b.first_hole() + hole ? Real(-1) : Real(0);
+  for (int32_t i = b.first_hole() - 3; i < b.rows(); ++i) to[i] = i == b.first_hole() + hole ? Real(-1) : Real(0);
 }
 
 void fill_right_column(const Border& b, int32_t k, Real* to) {
@@ -171,7 +174,7 @@ c2d_status fill_border(void* context, int32_t first, int32_t count, Real* panel,
 // All but the noise.
 c2d_status take_rows(void* context, int32_t first, int32_t count, const Real* rows, int64_t ld) {
   const Border& b = *static_cast<const Border*>(context);
-  const int32_t end = 2 * b.t.plan.contact + b.t.plan.loads, some = first + count > end ? end - first : count;
+  const int32_t end = 2 * border_contact(b.t.plan) + b.t.plan.loads, some = first + count > end ? end - first : count;
   if (some == 0) return C2D_OK;
   return b.sink->take(b.sink->context, first, some, rows, ld);
 }
@@ -192,9 +195,19 @@ c2d_status write_unknowns(Border& b) {
   return t.upper.status;
 }
 
+// The same at its real size.
+c2d_status keep_whole(const Border& border) {
+  Compression& t = border.t;
+  Border own = border;
+  own.room = border.root.unknowns;
+  const int32_t size = own.rows();
+  const c2d_status status = fill_border(&own, 0, size, t.w.whole, size);
+  return status == C2D_OK ? keep_border(t, border.root, t.w.sources + own.chosen.sources, size) : status;
+}
+
 } // namespace
 
-c2d_status eliminate_border(Compression& t, const RootCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch) {
+c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch) {
   CompressedWork& w = t.w;
   find_root_products(t, root);
   const int32_t nodes = t.plan.nodes - t.plan.tree;
@@ -211,6 +224,7 @@ c2d_status eliminate_border(Compression& t, const RootCell& root, const RowSink&
                 t.plan.columns - 2 * t.plan.tree,
                 &sink};
   c2d_status status = write_unknowns(border);
+  if (status == C2D_OK && t.plan.keeps != 0) status = keep_whole(border);
   if (status != C2D_OK) return status;
   PivotStats stats;
   status = eliminate(t.plan.border, ColumnSource{&border, fill_border}, RowSink{&border, take_rows}, tapes, w.dense, &stats,

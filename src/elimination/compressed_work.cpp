@@ -75,6 +75,12 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
     bump.take(w.column_begin[i], cells + 1);
   }
   bump.take(w.upper_buffer, kBlockHeaderBytes + plan.block_bytes);
+  if (plan.keeps != 0) {
+    for (Real*& coupling : w.coupling) bump.take(coupling, k * k);
+    bump.take(w.sums, border * n);
+    bump.take(w.whole, (n + border) * (n + border));
+    bump.take(w.kept_buffer, kBlockHeaderBytes + plan.block_bytes);
+  }
   // From here on the work area of eliminate() may stand, when the tree is done.
   const uint64_t behind = bump.carver.used;
   bump.take(w.order, tree);
@@ -112,7 +118,7 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
 bool is_tree_node(const Model& m, int b, int32_t node) {
-  const bool inside = pair_of_node(m, b, node).pair < 0;
+  const bool inside = m.body[b].on_demand != 0 || pair_of_node(m, b, node).pair < 0;
   C2D_ASSERT(!inside || m.node_column[b][node + 1] - m.node_column[b][node] == 2);
   return inside;
 }
@@ -143,7 +149,7 @@ void complete_plan(int32_t rank, int32_t leaf, CompressedPlan& plan) {
   plan.border = EliminationPlan{};
   plan.border.rows = root + border_rows(plan);
   plan.border.pivots = root + plan.columns - 2 * plan.tree + plan.holes;
-  plan.border.trailing = 2 * plan.contact + right_sides(plan);
+  plan.border.trailing = 2 * border_contact(plan) + right_sides(plan);
   plan.border.panel_columns = plan.border.block_columns = 1;
   plan.border.rank = plan.rank;
   const uint64_t column = round_up(static_cast<uint64_t>(plan.border.rows) * sizeof(Real));
@@ -157,7 +163,8 @@ CompressedPlan plan_with_holes(const Model& m, int b, int32_t holes, int32_t ran
   plan.columns = outer_columns(m, b);
   plan.contact = body.contact;
   plan.loads = m.head->load_cases;
-  plan.tree = body.nodes - touching_nodes(m, b);
+  plan.keeps = body.on_demand;
+  plan.tree = body.nodes - (plan.keeps != 0 ? 0 : touching_nodes(m, b));
   plan.holes = holes;
   complete_plan(rank, leaf, plan);
   return plan;
@@ -181,6 +188,7 @@ CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int
   plan.contact = limits.contact;
   plan.loads = limits.loads;
   plan.holes = limits.holes;
+  plan.keeps = limits.keeps;
   complete_plan(rank, leaf, plan);
   return plan;
 }
@@ -243,10 +251,42 @@ TapeUse with_stream(const CompressedPlan& plan, TapeUse use, uint64_t bytes, uin
 
 } // namespace
 
-TapeUse compressed_lower_use(const CompressedPlan& plan) {
+// With r equations and columns that stand for it: (n - r) (n + r) of factors, 2 r (n - r) of combinations, n^2 / 2 of
+// couplings.
+int64_t kept_numbers(int64_t n) { return 2 * n * n + 3 * n + 8; }
+int64_t kept_of_border(const CompressedPlan& plan) {
+  const int64_t n = most_dofs(plan), rows = border_rows(plan);
+  return (n + rows) * (n + rows) + rows * n + n * n / 2 + 3 * (n + rows) + 8;
+}
+
+namespace {
+
+uint64_t kept_bytes(const CompressedPlan& plan) {
+  const int64_t rank = plan.rank;
+  int64_t n = 2 * static_cast<int64_t>(plan.leaf), sum = kept_of_border(plan);
+  for (int64_t cells = static_cast<int64_t>(cells_of(plan)); cells > 1; cells /= 2) {
+    sum += cells * kept_numbers(n);
+    n = 2 * (n < rank ? n : rank);
+  }
+  return static_cast<uint64_t>(sum) * sizeof(double);
+}
+
+// Without what is kept.
+TapeUse passing_use(const CompressedPlan& plan) {
   // Each depth begins a block.
   return with_stream(plan, lower_use(plan.border), numbers_of_cells(plan, false) * sizeof(double),
                      static_cast<uint64_t>(tree_depth(plan.tree, plan.leaf)));
+}
+
+} // namespace
+
+TapeUse compressed_lower_use(const CompressedPlan& plan) {
+  const TapeUse use = passing_use(plan);
+  return plan.keeps != 0 ? with_stream(plan, use, kept_bytes(plan), 0) : use;
+}
+KeptPlace kept_place(const CompressedPlan& plan) {
+  const uint64_t before = passing_use(plan).blocks;
+  return {plan.border.lower_first_block + before, compressed_lower_use(plan).blocks - before};
 }
 TapeUse compressed_upper_use(const CompressedPlan& plan, bool most) {
   const uint64_t border = static_cast<uint64_t>(plan.border.pivots) * sizeof(int32_t) + sizeof(uint64_t);

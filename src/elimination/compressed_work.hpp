@@ -1,6 +1,7 @@
 #pragma once
 // What compressed elimination works with.
 #include "bie/chosen.hpp"
+#include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"
 #include "elimination/stream.hpp"
 #include "linalg/interpolate.hpp"
@@ -49,11 +50,16 @@ struct CompressedWork {
   // of the border
   Real *root_d, *root_q, *root_c; // [n * n], [border rows * n], [border rows * loads]
   void* dense;                    // of eliminate()
+  // of what is kept for later right-hand sides
+  Real *coupling[2], *sums, *whole; // [rank * rank], [border rows * rank], [(n + border rows)^2]
+  char* kept_buffer;
 };
 constexpr int64_t kLoadsBeside = 1; // right-hand sides beside the load cases: noise
 
 int64_t block_numbers(const CompressedPlan& plan);
 uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* out);
+// Columns of the contact that the border has.
+inline int32_t border_contact(const CompressedPlan& plan) { return plan.keeps != 0 ? 0 : plan.contact; }
 inline int32_t most_dofs(const CompressedPlan& plan) { return 2 * plan.rank; }
 inline int32_t right_sides(const CompressedPlan& plan) { return plan.loads + static_cast<int32_t>(kLoadsBeside); }
 inline int32_t root_size(const CompressedPlan& plan) { return 2 * (plan.tree < plan.rank ? plan.tree : plan.rank); }
@@ -75,6 +81,18 @@ inline uint64_t sample_bytes(const CompressedPlan& plan) {
   return static_cast<uint64_t>(sample_count(plan)) * each;
 }
 
+// ---- what is kept for later right-hand sides (compressed_kept.cpp) ----------------------------------------------------
+
+// A cell's own, cell after cell as they were eliminated: how its equations are combined, its factors, and what the columns of
+// its halves have of each other's equations. Then that of the border. All of a plan that keeps it.
+int64_t kept_numbers(int64_t unknowns); // of a cell with no more unknowns, at most
+int64_t kept_of_border(const CompressedPlan& plan);
+struct KeptPlace {
+  uint64_t first_block, blocks;
+};
+KeptPlace kept_place(const CompressedPlan& plan); // on LOWER, behind all that compressed elimination writes there
+inline int64_t cells_below_root(const CompressedPlan& plan) { return (int64_t{2} << tree_depth(plan.tree, plan.leaf)) - 2; }
+
 // The records, to be read: what of them there is stands in a block of its own, before them. The stream's status tells what went
 // wrong.
 constexpr uint64_t kEndBytes = 64;
@@ -83,6 +101,19 @@ Stream records_of(const CompressedPlan& plan, Tapes& tapes, char* buffer);
 
 // The holes of a body, so many.
 void list_holes(const ColumnSystem& system, int32_t count, Hole* out);
+
+// A cell while it is worked on: its unknowns `ids`, in w.d (transposed) what its rows, in w.v what its columns have of them.
+// The first of its rows and columns are those of its first half; a leaf has no halves.
+struct TreeCell {
+  int32_t unknowns, rows, columns;
+  const int32_t *row_ids, *column_ids;
+  int32_t half_rows, half_columns;
+};
+// What is left of it, in w.e: transposed, the `spare` equations that are the cell's own, then those that stand for it, then its
+// columns.
+struct Split {
+  int32_t spare, rows, columns; // equations; equations and columns that stand for the cell
+};
 
 // A tree under way.
 struct Compression {
@@ -94,8 +125,13 @@ struct Compression {
   int32_t tick; // of stamps
   CompressedStats* stats;
   PivotStats* pivots;
-  Stream lower, upper, read;
+  Stream lower, upper, read, kept;
 };
+
+// (compressed_kept.cpp)
+c2d_status keep_cell(Compression& t, const TreeCell& cell, const Split& s);
+// The border's matrix, of `size` rows, stands in w.whole: it is factored.
+c2d_status keep_border(Compression& t, const TreeCell& root, const int32_t* unknowns, int32_t size);
 
 // ---- blocks of the equations (compressed_blocks.cpp) ----------------------------------------------------------------
 
@@ -139,11 +175,7 @@ int32_t choose_columns(Compression& t, const Depth& depth, int32_t cell);
 
 // ---- the border (compressed_border.cpp) -------------------------------------------------------------------------------
 
-// The root of the tree: its equations and columns (ids); w.ids, w.d, w.v, w.b, w.c are its own.
-struct RootCell {
-  int32_t unknowns, rows, columns;
-  const int32_t *row_ids, *column_ids;
-};
-c2d_status eliminate_border(Compression& t, const RootCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch);
+// With the root of the tree; w.ids, w.d, w.v, w.b, w.c are its own.
+c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch);
 
 } // namespace c2d

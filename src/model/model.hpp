@@ -155,6 +155,7 @@ struct Body {
   int8_t has_force;       // 1: body forces
   int8_t keeps_equations; // 1: its displacements follow from those of the bodies it meets (contact/reduction_plan.hpp)
   int8_t lines;           // of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
+  int8_t on_demand;       // 1: nodes in contact are as others, and tractions of theirs right-hand sides (METHOD 10.12)
   double youngs_modulus, poisson_ratio;
   double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
   double centre[2];
@@ -290,7 +291,10 @@ enum class UnknownKind : int32_t {
 struct Unknown {
   UnknownKind kind;
   int32_t end[2]; // traction: end[0]; shared_traction: both
+  bool loaded;    // displacement: the contact acts there all the same, on demand
 };
+// Do tractions of the contact act along this component, where an end is in contact?
+inline bool is_in_contact(const Unknown& unknown) { return unknown.kind == UnknownKind::contact || unknown.loaded; }
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);

@@ -132,7 +132,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l, do
     const Unknown& unknown = both[c];
     const bool here = unknown.end[0] == end || unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
-    if (in_contact && unknown.kind == UnknownKind::contact)
+    if (in_contact && is_in_contact(unknown))
       t[c] = contact[c];
     else if (solved && here)
       t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);

@@ -23,7 +23,7 @@ CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
   const int64_t pairs = most.limits->pairs, touching = body.nodes < pairs ? body.nodes : pairs;
   return plan_compressed(CompressedLimits{static_cast<int32_t>(body.nodes), static_cast<int32_t>(touching),
                                           static_cast<int32_t>(body.contact), static_cast<int32_t>(most.cases),
-                                          most_holes(static_cast<int32_t>(sizes_of_body(*most.limits, b).regions))},
+                                          most_holes(static_cast<int32_t>(sizes_of_body(*most.limits, b).regions)), 0},
                          rank, kLeafNodes);
 }
 

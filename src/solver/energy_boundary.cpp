@@ -29,7 +29,7 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
 TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c) {
   const int32_t end = element * m.head->function_nodes + l;
   const Unknown unknown = unknown_at(m, b, functional_node(m, b, element, l), c);
-  if (unknown.kind == UnknownKind::contact && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
+  if (is_in_contact(unknown) && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
   if (unknown.kind == UnknownKind::traction && unknown.end[0] == end) return TractionKind::solved;
   if (unknown.kind == UnknownKind::shared_traction) return TractionKind::solved; // (at both ends of its node)
   return TractionKind::given;

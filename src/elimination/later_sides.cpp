@@ -1,0 +1,361 @@
+#include "elimination/later_sides.hpp"
+
+#include <string.h>
+
+#include "linalg/dense.hpp"
+#include "linalg/lu.hpp"
+#include "memory/sizes.hpp"
+
+namespace c2d {
+
+namespace {
+
+// Right-hand sides stand side by side: `count` numbers for every equation, column and unknown. Those of a cell come together
+// as the columns of a matrix with as many rows.
+struct LaterWork {
+  Real *b, *c;                 // [2 nodes * count] by equation; by column, what it has beside its cell's unknowns
+  Real* x;                     // [columns * count]; before that right-hand sides, as they are assembled
+  Real *own, *sums, *beside;   // [count * n], [count * n], [count * n] of a cell
+  Real *matrix, *right, *room; // [(n + border rows)^2], [(n + border rows) * count], later_room()
+  int32_t* ids;                // [8 n + border rows + ...] of a cell
+  int32_t *place, *elements, *nodes;
+  Hole* hole;
+  char* buffer;
+  void* back; // compressed_back_bytes
+};
+
+uint64_t lay_out_later(const CompressedPlan& plan, char* base, LaterWork* out) {
+  LaterWork w{};
+  Carver carver{0, true};
+  const auto take = [&](auto*& to, uint64_t count) {
+    carver.align();
+    const uint64_t at = carver.carve(count, sizeof *to);
+    if (base) to = reinterpret_cast<decltype(to + 0)>(base + at);
+  };
+  const uint64_t nodes = static_cast<uint64_t>(plan.nodes), columns = static_cast<uint64_t>(plan.columns);
+  const uint64_t n = static_cast<uint64_t>(most_dofs(plan)), rows = static_cast<uint64_t>(border_rows(plan));
+  const uint64_t sides = static_cast<uint64_t>(kMostSides), border = n + rows;
+  take(w.b, 2 * nodes * sides);
+  take(w.c, 2 * nodes * sides);
+  take(w.x, columns * sides);
+  take(w.own, n * sides);
+  take(w.sums, rows * sides);
+  take(w.beside, n * sides);
+  take(w.matrix, border * border);
+  take(w.right, border * sides);
+  take(w.room, static_cast<uint64_t>(later_room(plan)));
+  take(w.ids, 4 * n + 2 * border);
+  take(w.place, columns + 2 * static_cast<uint64_t>(plan.contact));
+  take(w.elements, 2 * sides);
+  take(w.nodes, nodes);
+  take(w.hole, static_cast<uint64_t>(plan.holes));
+  take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
+  char* back = nullptr;
+  take(back, compressed_back_bytes(plan));
+  w.back = back;
+  carver.align();
+  if (out) *out = w;
+  return carver.fits ? carver.used : UINT64_MAX;
+}
+
+struct Sides {
+  const LaterSides& s;
+  LaterWork w;
+  int32_t count;
+  Stream kept;
+  uint64_t at;
+};
+
+// ---- right-hand sides ------------------------------------------------------------------------------------------------------
+
+// Elements at the nodes at which columns are placed, each once.
+int32_t list_loaded(const Sides& t) {
+  const Model& m = t.s.system.model;
+  const int b = t.s.system.body;
+  const int32_t* const place = t.w.place + t.s.plan.columns + t.s.plan.contact;
+  int32_t listed = 0;
+  for (int32_t node = 0; node < t.s.plan.nodes; ++node) {
+    const PairSide at = pair_of_node(m, b, node);
+    if (at.pair < 0) continue;
+    const int32_t first = dof_on(m, m.pair[at.pair], at.side);
+    int32_t ends[2];
+    const bool loaded = place[first] >= 0 || (m.pair[at.pair].tangential != 0 && place[first + 1] >= 0);
+    const int found = loaded ? ends_at_node(m, b, node, ends) : 0;
+    for (int k = 0; k < found; ++k) {
+      const int32_t element = ends[k] / m.head->function_nodes;
+      bool known = false;
+      for (int32_t i = 0; i < listed && !known; ++i) known = t.w.elements[i] == element;
+      if (!known) t.w.elements[listed++] = element;
+    }
+  }
+  return listed;
+}
+
+// Columns of the equations, in w.x by column: at the nodes; in w.right: the balances, what holes ask for.
+void assemble(const Sides& t, const int32_t* unknown, int32_t count) {
+  const LaterWork& w = t.w;
+  const CompressedPlan& plan = t.s.plan;
+  const int32_t first = plan.columns + plan.contact, rows = border_rows(plan);
+  for (int32_t k = 0; k < count; ++k) w.place[first + unknown[k]] = k;
+  const ChosenColumns columns{w.place, count, w.elements, list_loaded(t)};
+  ColumnSystem all = t.s.system;
+  all.chosen = w.nodes;
+  all.sources = plan.nodes;
+  fill_tractions(all, columns, w.x, 2 * static_cast<int64_t>(plan.nodes));
+  fill_balances(t.s.system, columns, w.right, rows);
+  for (int32_t i = 0; i < plan.holes; ++i) fill_hole_row(t.s.system, w.hole[i], columns, w.right + 3 + i, rows);
+  for (int32_t k = 0; k < count; ++k) w.place[first + unknown[k]] = -1;
+}
+
+Sides begin_sides(const LaterSides& s, int32_t count) {
+  Sides t{s, {}, count, {}, 0};
+  lay_out_later(s.plan, static_cast<char*>(s.work), &t.w);
+  const KeptPlace place = kept_place(s.plan);
+  t.kept = open_stream(s.tapes, C2D_TAPE_LOWER, place.first_block, place.blocks, s.plan.block_bytes, t.w.buffer);
+  for (int32_t j = 0; j < s.plan.columns + 2 * s.plan.contact; ++j) t.w.place[j] = -1;
+  for (int32_t i = 0; i < s.plan.nodes; ++i) t.w.nodes[i] = i;
+  list_holes(s.system, s.plan.holes, t.w.hole);
+  return t;
+}
+
+// As they were assembled, as those of equations.
+void place_sides(const Sides& t) {
+  const int64_t rows = 2 * static_cast<int64_t>(t.s.plan.nodes);
+  constexpr int64_t kTile = 16;
+  for (int64_t top = 0; top < rows; top += kTile)
+    for (int32_t k = 0; k < t.count; ++k)
+      for (int64_t i = top; i < top + kTile && i < rows; ++i) t.w.b[i * t.count + k] = t.w.x[i + k * rows];
+}
+
+// ---- up the tree
+// --------------------------------------------------------------------------------------------------------------
+
+// A cell's lists, in w.ids, and its numbers, which come one matrix after another into w.matrix.
+struct SideCell {
+  KeptCell of;
+  const int32_t *row_ids, *column_ids, *row_order, *column_order, *unknowns;
+  int32_t all_rows() const { return of.spare + of.rows; }
+  int32_t all_columns() const { return of.columns + of.rest; }
+};
+
+const int32_t* next_ids(Sides& t, int32_t*& to, int32_t count, int32_t end) {
+  int32_t* const ids = to;
+  to += count;
+  read_at(t.kept, t.at, ids, static_cast<uint64_t>(count) * sizeof(int32_t));
+  t.at += static_cast<uint64_t>(count) * sizeof(int32_t);
+  for (int32_t i = 0; i < count && t.kept.status == C2D_OK; ++i)
+    if (ids[i] < 0 || ids[i] >= end) t.kept.status = C2D_ERR_INTERNAL;
+  return ids;
+}
+
+const Real* next_numbers(Sides& t, int64_t count) {
+  read_at(t.kept, t.at, t.w.matrix, static_cast<uint64_t>(count) * sizeof(Real));
+  t.at += static_cast<uint64_t>(count) * sizeof(Real);
+  return t.w.matrix;
+}
+
+// Counts lead to places in memory: those of another maker's record may be any.
+bool read_counts(Sides& t, KeptCell& out) {
+  if (read_at(t.kept, t.at, &out, sizeof out) != C2D_OK) return false;
+  t.at += sizeof out;
+  const int32_t least[] = {out.spare, out.rows, out.columns, out.rest}, most = most_dofs(t.s.plan);
+  for (int32_t count : least)
+    if (count < 0 || count > most + border_rows(t.s.plan)) return false;
+  return true;
+}
+
+bool fits(const SideCell& cell, int32_t rows, int32_t columns, int32_t most) {
+  const KeptCell& c = cell.of;
+  return rows <= most && columns <= most && c.half_rows >= -1 && c.half_rows <= rows && c.half_columns >= 0 &&
+         c.half_columns <= columns;
+}
+
+bool read_cell(Sides& t, SideCell& cell) {
+  if (!read_counts(t, cell.of) || !fits(cell, cell.all_rows(), cell.all_columns(), most_dofs(t.s.plan))) return false;
+  int32_t* to = t.w.ids;
+  const int32_t dofs = 2 * t.s.plan.nodes;
+  cell.row_ids = next_ids(t, to, cell.all_rows(), dofs);
+  cell.column_ids = next_ids(t, to, cell.all_columns(), dofs);
+  cell.row_order = next_ids(t, to, cell.all_rows(), cell.all_rows());
+  cell.column_order = next_ids(t, to, cell.all_columns(), cell.all_columns());
+  cell.unknowns = next_ids(t, to, cell.of.spare, t.s.plan.columns);
+  return t.kept.status == C2D_OK;
+}
+
+// Those of these equations or columns side by side, and back; order: null as they come.
+void gather(const Sides& t, const Real* from, int32_t count, const int32_t* ids, const int32_t* order, Real* to) {
+  for (int32_t i = 0; i < count; ++i)
+    memcpy(to + static_cast<int64_t>(i) * t.count, from + static_cast<int64_t>(ids[order ? order[i] : i]) * t.count,
+           static_cast<size_t>(t.count) * sizeof(Real));
+}
+void scatter(const Sides& t, const Real* from, int32_t count, const int32_t* ids, const int32_t* order, Real* to) {
+  for (int32_t i = 0; i < count; ++i)
+    memcpy(to + static_cast<int64_t>(ids[order ? order[i] : i]) * t.count, from + static_cast<int64_t>(i) * t.count,
+           static_cast<size_t>(t.count) * sizeof(Real));
+}
+
+// What the columns of each half bring to the equations of the other.
+void couple_halves(Sides& t, const SideCell& cell, int32_t rows, int32_t columns) {
+  if (cell.of.half_rows < 0) return;
+  const int32_t first_rows = cell.of.half_rows, first_columns = cell.of.half_columns;
+  const struct {
+    int32_t row, rows, column, columns;
+  } blocks[] = {{0, first_rows, first_columns, columns - first_columns}, {first_rows, rows - first_rows, 0, first_columns}};
+  const LaterWork& w = t.w;
+  gather(t, w.c, columns, cell.column_ids, nullptr, w.beside);
+  gather(t, w.b, rows, cell.row_ids, nullptr, w.own);
+  for (const auto& b : blocks) {
+    const Real* const by = next_numbers(t, static_cast<int64_t>(b.rows) * b.columns);
+    gemm_minus(t.s.engine, t.count, b.rows, b.columns, w.beside + static_cast<int64_t>(b.column) * t.count, t.count, by,
+               b.columns, w.own + static_cast<int64_t>(b.row) * t.count, t.count);
+  }
+  scatter(t, w.own, rows, cell.row_ids, nullptr, w.b);
+}
+
+// X (rows x n) := X U^-1, and X L^-1, U and L in a square of leading dimension n.
+constexpr int32_t kSolveWidth = 16;
+void divide_upper(const Engine& engine, int32_t rows, int32_t n, const Real* u, Real* x) {
+  for (int32_t first = 0; first < n; first += kSolveWidth) {
+    const int32_t end = first + kSolveWidth < n ? first + kSolveWidth : n;
+    Real* const block = x + static_cast<int64_t>(first) * rows;
+    gemm_minus(engine, rows, end - first, first, x, rows, u + static_cast<int64_t>(first) * n, n, block, rows);
+    for (int32_t j = first; j < end; ++j) {
+      const Real* const column = u + static_cast<int64_t>(j) * n;
+      Real* const to = x + static_cast<int64_t>(j) * rows;
+      for (int32_t i = first; i < j; ++i)
+        for (int32_t k = 0; k < rows; ++k) to[k] -= column[i] * x[static_cast<int64_t>(i) * rows + k];
+      for (int32_t k = 0; k < rows; ++k) to[k] /= column[j];
+    }
+  }
+}
+void divide_lower(const Engine& engine, int32_t rows, int32_t n, const Real* l, Real* x) {
+  for (int32_t end = n; end > 0; end = end > kSolveWidth ? end - kSolveWidth : 0) {
+    const int32_t first = end > kSolveWidth ? end - kSolveWidth : 0;
+    gemm_minus(engine, rows, end - first, n - end, x + static_cast<int64_t>(end) * rows, rows,
+               l + static_cast<int64_t>(first) * n + end, n, x + static_cast<int64_t>(first) * rows, rows);
+    for (int32_t j = end - 1; j >= first; --j) {
+      Real* const to = x + static_cast<int64_t>(j) * rows;
+      for (int32_t i = j + 1; i < end; ++i) {
+        const Real by = l[static_cast<int64_t>(j) * n + i];
+        for (int32_t k = 0; k < rows; ++k) to[k] -= by * x[static_cast<int64_t>(i) * rows + k];
+      }
+    }
+  }
+}
+
+// Right-hand sides of a cell: those of its own equations become what they bring to their unknowns, the others what is left.
+void carry_cell(Sides& t, const SideCell& cell) {
+  const LaterWork& w = t.w;
+  const Engine& engine = t.s.engine;
+  const KeptCell& c = cell.of;
+  const int32_t count = t.count;
+  couple_halves(t, cell, cell.all_rows(), cell.all_columns());
+  Real *const standing = w.own, *const spare = standing + static_cast<int64_t>(c.rows) * count;
+  gather(t, w.b, cell.all_rows(), cell.row_ids, cell.row_order, standing);
+  gemm_minus(engine, count, c.spare, c.rows, standing, count, next_numbers(t, static_cast<int64_t>(c.rows) * c.spare), c.rows,
+             spare, count);
+  Real *const kept = w.beside, *const others = kept + static_cast<int64_t>(c.columns) * count;
+  gather(t, w.c, cell.all_columns(), cell.column_ids, cell.column_order, kept);
+  gemm_minus(engine, count, c.columns, c.rest, others, count, next_numbers(t, static_cast<int64_t>(c.rest) * c.columns), c.rest,
+             kept, count);
+  const Real* const factors = next_numbers(t, static_cast<int64_t>(c.spare) * (c.spare + c.rows));
+  divide_upper(engine, count, c.spare, factors, spare);
+  gemm_minus(engine, count, c.rows, c.spare, spare, count, factors + static_cast<int64_t>(c.spare) * c.spare, c.spare, standing,
+             count);
+  scatter(t, standing, c.rows, cell.row_ids, cell.row_order, w.b);
+  memcpy(w.room, spare, static_cast<size_t>(c.spare) * static_cast<size_t>(count) * sizeof(Real));
+  divide_lower(engine, count, c.spare, factors, spare);
+  scatter(t, spare, c.spare, cell.unknowns, nullptr, w.x);
+  gemm_minus(engine, count, c.columns, c.spare, w.room, count, next_numbers(t, static_cast<int64_t>(c.spare) * c.columns),
+             c.spare, kept, count);
+  scatter(t, kept, c.columns, cell.column_ids, cell.column_order, w.c);
+}
+
+// ---- the border
+// -----------------------------------------------------------------------------------------------------------------
+
+// w.sums: right-hand sides of the balances and holes. The border's unknowns come to their places in w.x.
+bool solve_border(Sides& t) {
+  const LaterWork& w = t.w;
+  SideCell root;
+  const int32_t sums = border_rows(t.s.plan), most = most_dofs(t.s.plan), count = t.count;
+  if (!read_counts(t, root.of)) return false;
+  const int32_t size = root.of.spare, rows = root.of.rows, columns = root.of.columns;
+  if (!fits(root, rows, columns, most) || root.of.rest != sums || size != rows + sums) return false;
+  int32_t* to = w.ids;
+  root.row_ids = next_ids(t, to, rows, 2 * t.s.plan.nodes);
+  root.column_ids = next_ids(t, to, columns, 2 * t.s.plan.nodes);
+  const int32_t* const unknowns = next_ids(t, to, rows + 3, t.s.plan.columns);
+  const int32_t* const pivots = next_ids(t, to, size, size);
+  if (t.kept.status != C2D_OK) return false;
+  couple_halves(t, root, rows, columns);
+  gather(t, w.c, columns, root.column_ids, nullptr, w.beside);
+  gather(t, w.b, rows, root.row_ids, nullptr, w.own);
+  gemm_minus(t.s.engine, count, sums, columns, w.beside, count, next_numbers(t, static_cast<int64_t>(columns) * sums), columns,
+             w.sums, count);
+  for (int32_t k = 0; k < count; ++k) {
+    Real* const right = w.right + static_cast<int64_t>(k) * size;
+    for (int32_t i = 0; i < rows; ++i) right[i] = w.own[static_cast<int64_t>(i) * count + k];
+    for (int32_t i = 0; i < sums; ++i) right[rows + i] = w.sums[static_cast<int64_t>(i) * count + k];
+  }
+  const Real* const factors = next_numbers(t, static_cast<int64_t>(size) * size);
+  if (t.kept.status != C2D_OK) return false;
+  lu_solve(t.s.engine, size, count, factors, size, pivots, w.right, size);
+  for (int32_t i = 0; i < rows + 3; ++i)
+    for (int32_t k = 0; k < count; ++k)
+      w.x[static_cast<int64_t>(unknowns[i]) * count + k] = w.right[i + static_cast<int64_t>(k) * size];
+  return true;
+}
+
+c2d_status solve_sides(Sides& t) {
+  const LaterWork& w = t.w;
+  for (int64_t i = 0; i < 2 * static_cast<int64_t>(t.s.plan.nodes) * t.count; ++i) w.c[i] = 0;
+  for (int64_t i = 0, cells = cells_below_root(t.s.plan); i < cells; ++i) {
+    SideCell cell;
+    if (!read_cell(t, cell)) return t.kept.status != C2D_OK ? t.kept.status : c2d_status{C2D_ERR_INTERNAL};
+    carry_cell(t, cell);
+  }
+  if (!solve_border(t)) return t.kept.status != C2D_OK ? t.kept.status : c2d_status{C2D_ERR_INTERNAL};
+  return carry_down(t.s.plan, t.s.tapes, t.s.engine, t.count, w.x, w.room, w.back);
+}
+
+} // namespace
+
+uint64_t later_sides_bytes(const CompressedPlan& plan) { return lay_out_later(plan, nullptr, nullptr); }
+
+c2d_status solve_unit_tractions(const LaterSides& s, const int32_t* unknown, int32_t count, Real** x) {
+  Sides t = begin_sides(s, count);
+  assemble(t, unknown, count);
+  place_sides(t);
+  const int32_t rows = border_rows(s.plan);
+  for (int32_t i = 0; i < rows; ++i)
+    for (int32_t k = 0; k < count; ++k)
+      t.w.sums[static_cast<int64_t>(i) * count + k] = t.w.right[i + static_cast<int64_t>(k) * rows];
+  *x = t.w.x;
+  return solve_sides(t);
+}
+
+c2d_status add_tractions(const LaterSides& s, const Real* traction, Real* x) {
+  Sides t = begin_sides(s, 1);
+  const LaterWork& w = t.w;
+  const int32_t rows = border_rows(s.plan), nodes = 2 * s.plan.nodes;
+  for (int32_t i = 0; i < nodes; ++i) w.b[i] = 0;
+  for (int32_t i = 0; i < rows; ++i) w.sums[i] = 0;
+  for (int32_t next = 0; next < s.plan.contact;) {
+    int32_t count = 0, unknown[kMostSides];
+    for (; next < s.plan.contact && count < kMostSides; ++next)
+      if (traction[next] != 0) unknown[count++] = next;
+    if (count == 0) break;
+    assemble(t, unknown, count);
+    for (int32_t k = 0; k < count; ++k) {
+      const Real by = traction[unknown[k]];
+      for (int32_t i = 0; i < nodes; ++i) w.b[i] += by * w.x[i + static_cast<int64_t>(k) * nodes];
+      for (int32_t i = 0; i < rows; ++i) w.sums[i] += by * w.right[i + k * rows];
+    }
+  }
+  const c2d_status status = solve_sides(t);
+  for (int32_t j = 0; j < s.plan.columns && status == C2D_OK; ++j) x[j] += w.x[j];
+  return status;
+}
+
+} // namespace c2d
