@@ -104,7 +104,7 @@ typedef struct c2d_limits {
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows      */
   int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE      */
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
-  int32_t platens, reserved;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each, counted as others are */
+  int32_t platens, touching;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each; see C2D_COLUMNS_ */
 } c2d_limits;
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
    holds a body's whole matrix at once; more is of use to threads alone. Outputs and `why` may be null. Errors: OVERFLOW. */

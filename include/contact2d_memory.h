@@ -146,16 +146,16 @@
   ARRAY(Real, norms, width, 1)                                                                                         \
   ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
 /* ... while the bodies are reduced to the contact, `motions` those that only the contact prevents, ... */
-#define C2D_REDUCTION_ARRAYS_(ARRAY, m, motions)                                                                       \
+#define C2D_REDUCTION_ARRAYS_(ARRAY, m, columns, motions)                                                              \
   ARRAY(void, buffer, C2D_ROUND_(C2D_CONTACT_BLOCK_(m)), 1) /* of the contact tape                                */  \
-  ARRAY(Real, first, (m) + (motions), (m) + (motions))                                                                 \
-  ARRAY(Real, second, (m) + (motions), m)                                                                              \
+  ARRAY(Real, first, (columns) + (motions), (columns) + (motions))                                                     \
+  ARRAY(Real, second, (columns) + (motions), columns)                                                                  \
   ARRAY(Real, strip, (m) + (motions), 4)              /* columns of a third matrix                                 */  \
   ARRAY(int32_t, pivots, (m) + (motions), 1)          /* row exchanges                                             */
 /* ... while the load path is followed, ... */
-#define C2D_PATH_ARRAYS_(ARRAY, m, widest, cases)                                                                      \
+#define C2D_PATH_ARRAYS_(ARRAY, m, columns, widest, cases)                                                             \
   ARRAY(void, buffer, C2D_ROUND_(C2D_CONTACT_BLOCK_(widest)), 1) /* of the contact tape                           */  \
-  ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
+  ARRAY(Real, tableau, m, (columns) + 1 + (cases))                                                                     \
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
   ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
@@ -184,9 +184,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2376 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2392 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2304
+#define C2D_SOLVER_BYTES 2320
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
@@ -228,13 +228,16 @@
 #define C2D_COMPRESSES(nodes, pairs) ((nodes) > 1000 + (pairs) + (pairs) / 2)
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
+/* c2d_limits.touching: pairs that may touch, or nearly, at once; 0: all. More pairs than so many columns have room for are a
+   contact on demand (src/METHOD.md 10.12), by compressed elimination alone: the macros above are for 0. */
+#define C2D_COLUMNS_(m, touching) ((touching) > 0 ? C2D_SMALLER_(m, C2D_LARGER_(2 * (touching), 160)) : (m))
 /* Free motions of all bodies that the contact can hold: of all together it holds none. */
 #define C2D_MOTIONS_(bodies, pairs) C2D_SMALLER_(3 * UINT64_C(1) * ((bodies)-1), 2 * UINT64_C(1) * (pairs))
 
 #define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, width)                                         \
   C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
-              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, motions)),                                             \
-                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases)) +                                      \
+              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, m, motions)),                                             \
+                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, m, cases)) +                                      \
                               C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
                                           C2D_ROUND_(2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m))                          \
                                                          C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) +                            \

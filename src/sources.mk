@@ -207,6 +207,7 @@ CORE_SOURCES += src/solver/load_path.cpp
 CORE_SOURCES += src/solver/messages.cpp
 CORE_SOURCES += src/solver/model_hash.cpp
 CORE_SOURCES += src/solver/motion.cpp
+CORE_SOURCES += src/solver/on_demand.cpp
 CORE_SOURCES += src/solver/particular.cpp
 CORE_SOURCES += src/solver/phases.cpp
 CORE_SOURCES += src/solver/prepare.cpp

@@ -55,7 +55,9 @@ void take_apart(const Tableau& t, const Form& form, Real* column, Real* by) {
 c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   apply_list(t);
   const int32_t used = t.delayed.cols;
-  C2D_ASSERT(used + w.columns <= t.n);
+  if (used + w.columns > t.n) return C2D_ERR_MEMORY; // on demand
+  const c2d_status made = need_columns(tape, w.pair, w.count);
+  if (made != C2D_OK) return made;
   Real *const first = t_column(t, used), *const by = t.delayed.numbers; // the list is empty
   Form form;
   c2d_status status = read_form(tape, first, &form);
@@ -63,7 +65,7 @@ c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   for (int32_t k = 0; k < w.count; ++k)
     for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]) && status == C2D_OK; ++slot, ++next) {
       Real* const column = t_column(t, used + next);
-      status = read_column(tape, ContactMatrix::stiffness, t.pair[w.pair[k]].dof + slot, column);
+      status = read_open_column(tape, t.pair[w.pair[k]], slot, column);
       take_apart(t, form, column, by + static_cast<int64_t>(next) * used);
     }
   if (status != C2D_OK) return status;

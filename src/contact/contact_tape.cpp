@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "contact/basis.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 
@@ -13,15 +14,17 @@ struct Place {
   int64_t first, columns, rows;
 };
 
-// Of a body with n unknowns, of which F is needed or not, from its own first block on.
-Place place_of(BodyMatrix matrix, int64_t n, bool is_solved_for, int64_t cases) {
+// What of a body's matrices is needed: on demand neither its equations nor F.
+enum class Needs { equations, flexibility_too, none };
+// Of a body with n unknowns, from its own first block on.
+Place place_of(BodyMatrix matrix, int64_t n, Needs needs, int64_t cases) {
   Place at = {0, 0, n};
   for (int32_t i = 0; i <= static_cast<int32_t>(matrix); ++i) {
     at.first += at.columns;
     switch (static_cast<BodyMatrix>(i)) {
     case BodyMatrix::displacement:
-    case BodyMatrix::traction: at.columns = n; break;
-    case BodyMatrix::flexibility: at.columns = is_solved_for ? n : 0; break;
+    case BodyMatrix::traction: at.columns = needs == Needs::none ? 0 : n; break;
+    case BodyMatrix::flexibility: at.columns = needs == Needs::flexibility_too ? n : 0; break;
     case BodyMatrix::load:
     case BodyMatrix::response:
     case BodyMatrix::given: at.columns = cases; break;
@@ -32,14 +35,15 @@ Place place_of(BodyMatrix matrix, int64_t n, bool is_solved_for, int64_t cases) 
   return at;
 }
 
-Place place_of(ContactMatrix matrix, int64_t m, int64_t motions, int64_t border, int64_t cases) {
+// `columns`: those on demand; 0: all are there.
+Place place_of(ContactMatrix matrix, int64_t m, int64_t columns, int64_t motions, int64_t border, int64_t cases) {
   Place at = {0, 0, 0};
   for (int32_t i = 0; i <= static_cast<int32_t>(matrix); ++i) {
     at.first += at.columns;
     at.rows = m;
     switch (static_cast<ContactMatrix>(i)) {
-    case ContactMatrix::compliance: at.columns = m + border; break;
-    case ContactMatrix::stiffness: at.columns = m; break;
+    case ContactMatrix::compliance: at.columns = columns > 0 ? columns : m + border; break;
+    case ContactMatrix::stiffness: at.columns = columns > 0 ? 0 : m; break;
     case ContactMatrix::motion_load: at.rows = border; [[fallthrough]];
     case ContactMatrix::closing:
     case ContactMatrix::stiffness_load: at.columns = cases; break;
@@ -53,15 +57,18 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t motions, int64_t border,
   return at;
 }
 
-bool is_solved_for(const Model& m, int b) { return m.body[b].keeps_equations == 0 || has_open_form(m); }
+Needs needs_of(const Model& m, int b) {
+  if (is_on_demand(m)) return Needs::none;
+  return m.body[b].keeps_equations == 0 || has_open_form(m) ? Needs::flexibility_too : Needs::equations;
+}
 
 Place place_of(const ContactTape& tape, ContactMatrix matrix) {
   const ModelHeader& head = *tape.model->head;
-  return place_of(matrix, head.contact, head.motions, head.border, head.load_cases);
+  return place_of(matrix, head.contact, head.columns, head.motions, head.border, head.load_cases);
 }
 Place place_of(const ContactTape& tape, int b, BodyMatrix matrix) {
   const Body& body = tape.model->body[b];
-  Place at = place_of(matrix, body.contact, is_solved_for(*tape.model, b), tape.model->head->load_cases);
+  Place at = place_of(matrix, body.contact, needs_of(*tape.model, b), tape.model->head->load_cases);
   at.first += body.first_block;
   return at;
 }
@@ -96,17 +103,32 @@ c2d_status read_all(const ContactTape& tape, const Place& at, Real* data, int64_
 
 int64_t contact_blocks(int64_t bodies, int64_t m, int64_t motions, int64_t cases) {
   // Every contact unknown belongs to two bodies.
-  return place_of(ContactMatrix::count, m, motions, motions, cases).first + 6 * m + bodies * (3 * cases + 3 * kMostMotions);
+  return place_of(ContactMatrix::count, m, 0, motions, motions, cases).first + 6 * m + bodies * (3 * cases + 3 * kMostMotions);
 }
 
 int64_t place_contact_blocks(const Model& m) {
-  int64_t block = place_of(ContactMatrix::count, m.head->contact, m.head->motions, m.head->border, m.head->load_cases).first;
+  const ModelHeader& head = *m.head;
+  int64_t block = place_of(ContactMatrix::count, head.contact, head.columns, head.motions, head.border, head.load_cases).first;
   for (int b = 0; b < m.head->bodies; ++b) {
     m.body[b].first_block = block;
     if (m.body[b].contact > 0)
-      block += place_of(BodyMatrix::count, m.body[b].contact, is_solved_for(m, b), m.head->load_cases).first;
+      block += place_of(BodyMatrix::count, m.body[b].contact, needs_of(m, b), m.head->load_cases).first;
   }
   return m.head->contact > 0 ? block : 0;
+}
+
+c2d_status need_columns(const ContactTape& tape, const int32_t* pair, int32_t count) {
+  return is_on_demand(*tape.model) ? tape.maker->make(tape.maker->context, pair, count) : c2d_status{C2D_OK};
+}
+c2d_status read_compliance(const ContactTape& tape, const Pair& pair, int slot, Real* data) {
+  const bool demand = is_on_demand(*tape.model);
+  C2D_ASSERT(!demand || pair.made >= 0);
+  return read_column(tape, ContactMatrix::compliance, demand ? pair.made + slot : pair.dof + slot, data);
+}
+
+c2d_status read_open_column(const ContactTape& tape, const Pair& pair, int slot, Real* data) {
+  if (is_on_demand(*tape.model)) return read_compliance(tape, pair, slot, data);
+  return read_column(tape, ContactMatrix::stiffness, pair.dof + slot, data);
 }
 
 c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data) {

@@ -23,9 +23,11 @@ enum class BodyMatrix : int32_t {
 };
 // Of the model (contact/reduction.hpp).
 enum class ContactMatrix : int32_t {
-  compliance,     // A and C: m columns of m, and one for each motion of bodies that keep no equations
-  closing,        // h: per load case, of m
-  stiffness,      // T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair sticking
+  compliance, // A and C: m columns of m, and one for each motion of bodies that keep no equations; on demand as many as
+              // there is room for, of pairs in the order in which they were made (Pair::made)
+  closing,    // h: per load case, of m
+  stiffness, // (not on demand) T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair
+             // sticking
   stiffness_load, // b: per load case, of m
   resultants,     // G and R of all bodies, each orthonormal: a column of m for each motion
   motions,
@@ -39,10 +41,16 @@ enum class ContactMatrix : int32_t {
 
 constexpr int32_t kMostMotions = 3; // of a body in a plane
 
+// Of a contact on demand: columns of A, and with them of the tableau with every pair open, that are not on the tape yet.
+struct ColumnMaker {
+  void* context;
+  c2d_status (*make)(void* context, const int32_t* pair, int32_t count); // those of these pairs, if they are not there
+};
 struct ContactTape {
   Tapes* tapes;
   const Model* model;
   void* buffer; // a block of contact_block_numbers(m), aligned to 64
+  const ColumnMaker* maker = nullptr;
 };
 inline uint64_t contact_block_numbers(int64_t m) { return static_cast<uint64_t>(m > kMostMotions ? m : kMostMotions); }
 
@@ -59,6 +67,11 @@ c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t c
 c2d_status read_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, Real* data);
 c2d_status write_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, const Real* data);
 c2d_status read_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, Real* data);
+// On demand these pairs' columns are made, unless they are there. Errors: the block store's; C2D_ERR_MEMORY: there is no room.
+c2d_status need_columns(const ContactTape& tape, const int32_t* pair, int32_t count);
+// The column of a pair's slot in A, and in the tableau with every pair open: on demand, where no motion is free, the same.
+c2d_status read_compliance(const ContactTape& tape, const Pair& pair, int slot, Real* data);
+c2d_status read_open_column(const ContactTape& tape, const Pair& pair, int slot, Real* data);
 // All columns of a matrix, at this distance.
 c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data, int64_t ld);
 c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data, int64_t ld);

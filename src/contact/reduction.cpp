@@ -470,6 +470,16 @@ c2d_status reduce(const Reduction& as_given) {
   return status != C2D_OK || kSmallCode || r.open || !has_basis(r.model.head->contact) ? status : write_basis(r);
 }
 
+c2d_status reduce_on_demand(const Reduction& as_given) {
+  Reduction r = as_given;
+  r.open = true;
+  for (int32_t i = 0; i < r.model.head->pairs; ++i) r.model.pair[i].made = -1;
+  const c2d_status status = for_bodies(
+      r, is_in_contact, [&](int b) { return is_rigid(r.model, b) ? watched(r, b, find_compliance) : c2d_status{C2D_OK}; });
+  const Step steps[] = {form_closing, form_open_rates};
+  return status == C2D_OK ? take_steps(r, steps) : status;
+}
+
 c2d_status reduce_loads(const Reduction& as_given) {
   Reduction r = as_given;
   Form form;

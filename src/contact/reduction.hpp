@@ -55,6 +55,8 @@ inline bool keeps_equations(const Reduction& r, int b) {
 // Reads the matrices of the bodies, writes the others. Pairs whose normals do not hold the bodies, or hardly, stick, `sliding`
 // or not; `open` where the model may have it and no body bends too much. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);
+// On demand: of every load case what it makes of the pairs, from the responses of the bodies. No column of A is there yet.
+c2d_status reduce_on_demand(const Reduction& r);
 // After a reduction, when the columns s of the bodies have been replaced: everything that depends on them anew.
 c2d_status reduce_loads(const Reduction& r);
 

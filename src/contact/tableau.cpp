@@ -94,7 +94,7 @@ bool compliant(const Pair& pair, int slot, double value) { return fabs(value) * 
 // Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
 bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int, double)) {
   const int32_t a = pair.dof, b = pair.dof + 1;
-  C2D_ASSERT(a >= 0 && a + pair.tangential < t.n && !is_asleep(t, static_cast<int32_t>(&pair - t.pair)));
+  C2D_ASSERT(a >= 0 && a + pair.tangential < all_columns_of(t) && !is_asleep(t, static_cast<int32_t>(&pair - t.pair)));
   if (!pair.tangential) {
     if (!usable(pair, 0, own_entry(t, a))) return false;
     pivot(t, pair, 0);
@@ -297,21 +297,36 @@ double own_stiffness(const Tableau& t, const ContactTape& tape, const Form& form
   return compliance > 0.0 ? 1.0 / compliance : 0.0;
 }
 
+// Pairs that are awake need their columns on demand. Before any is there, some are made, to tell how stiff pairs are.
+c2d_status need_awake(const Tableau& t, const ContactTape& tape) {
+  bool some = false;
+  for (int32_t i = 0; i < t.pairs && is_on_demand(*tape.model); ++i) some = some || t.pair[i].made >= 0;
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < t.pairs && is_on_demand(*tape.model) && status == C2D_OK; ++i) {
+    if (is_asleep(t, i) && some) continue;
+    status = need_columns(tape, &i, 1);
+    some = true;
+  }
+  return status;
+}
+
 c2d_status load_start(Tableau& t, const ContactTape& tape) {
   Form form;
   c2d_status status = load_basis(t, tape, &form);
   t.stiffness = 0.0;
   place_columns(t, !kSmallCode && may_sleep(t, form));
+  if (!kSmallCode && status == C2D_OK) status = need_awake(t, tape);
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot) {
+      if (is_on_demand(*tape.model) && t.pair[i].made < 0) continue;
       Real* const to = is_asleep(t, i) ? constants(t) : column(t, column_of(t, i, slot));
       const int32_t dof = t.pair[i].dof + slot;
-      status = read_column(tape, form.open ? ContactMatrix::compliance : ContactMatrix::stiffness, dof, to);
+      status = form.open ? read_compliance(tape, t.pair[i], slot, to) : read_column(tape, ContactMatrix::stiffness, dof, to);
       if (status != C2D_OK) break;
       const double own = own_stiffness(t, tape, form, i, slot, to);
       t.stiffness = fmax(t.stiffness, own);
       t.pair[i].stiffness[slot] = static_cast<Real>(own);
-      if (form.open && !is_asleep(t, i)) status = read_column(tape, ContactMatrix::stiffness, dof, to);
+      if (form.open && !is_asleep(t, i)) status = read_open_column(tape, t.pair[i], slot, to);
     }
   if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
   if (status != C2D_OK) return status;

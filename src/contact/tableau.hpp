@@ -54,7 +54,11 @@ inline bool is_asleep(const Tableau& t, int32_t pair) { return delays(t) && t.co
 inline int last_slot(const Tableau& t, const Pair& pair) { return has_normal_columns(t) ? 0 : pair.tangential; }
 // The columns of T in use, from the first on. Some sleep: there are fewer than could be.
 inline int32_t used_columns(const Tableau& t) { return delays(t) ? t.delayed.cols : t.n; }
-inline bool some_sleep(const Tableau& t) { return delays(t) && t.delayed.cols < (t.smooth ? t.pairs : t.n); }
+// Those of all pairs that may change: more than there is room for on demand.
+inline int32_t all_columns_of(const Tableau& t) {
+  return t.model != nullptr && is_on_demand(*t.model) ? t.model->head->path_unknowns : t.n;
+}
+inline bool some_sleep(const Tableau& t) { return delays(t) && t.delayed.cols < (t.smooth ? t.pairs : all_columns_of(t)); }
 // Where the column of a slot begins.
 Real* slot_column(const Tableau& t, int32_t slot);
 // T of a slot by itself, and of its row by the other slot of the pair; y += factor times a column: whatever the list holds.

@@ -2,6 +2,7 @@
 #include "memory/parts.hpp"
 #include "results/interior_cells.hpp"
 #include "solver/compressed.hpp"
+#include "solver/on_demand.hpp"
 
 // (Small code has none.)
 const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
@@ -13,11 +14,16 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              is_compression_of,
                                                                              compression_bytes,
                                                                              compression_back_bytes,
+                                                                             later_bytes,
                                                                              compression_uses,
                                                                              compress,
                                                                              solve_compressed,
                                                                              compression_functional,
                                                                              compression_growth,
+                                                                             plan_demand,
+                                                                             respond_on_demand,
+                                                                             make_columns,
+                                                                             find_displacements,
                                                                              has_far_cells,
                                                                              evaluate_by_cells};
 

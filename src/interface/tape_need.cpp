@@ -20,14 +20,14 @@ struct Tape {
 // With room for two saved states of a path that is followed.
 Tape control_tape(const Sizes& sizes, const Layout& layout) {
   const uint64_t m = static_cast<uint64_t>(sizes.contact), cases = static_cast<uint64_t>(sizes.load_cases);
-  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases), columns = C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
+  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, columns_of(sizes), m, cases), columns = C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
   const uint64_t surface = C2D_SURFACE_ARRAYS_(C2D_ADD_, m);
   return {save_blocks(layout.persistent - offsetof(c2d_solver, model) + round_up(path) + 2 * surface + columns), kPieceBytes};
 }
 
 Tape contact_tape(const Sizes& sizes) {
   if (sizes.contact == 0) return {0, 0};
-  return {static_cast<uint64_t>(contact_blocks(sizes.bodies, sizes.contact, sizes.motions, sizes.load_cases)),
+  return {static_cast<uint64_t>(contact_blocks(sizes.bodies, columns_of(sizes), sizes.motions, sizes.load_cases)),
           contact_block_numbers(sizes.contact) * sizeof(Real)};
 }
 

@@ -124,9 +124,12 @@ struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy
   Function<void, const Session&, int, double*> rigid_motion_now = Nothing();
 };
 
+struct DemandedColumns;
+
 struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, results/balance.cpp
   bool linked = false;
   Function<c2d_status, c2d_solver*> build_energy = NotLinked();
+  Function<void, Session&, int, const DemandedColumns&> add_demanded = Nothing();
   Function<double*, c2d_solver*> work_by_case = Nothing();
   Function<void, c2d_solver*> begin_energy = Nothing();
   Function<void, Session&, const double*> note_turn = Nothing();
@@ -205,6 +208,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<bool, const Model&, int, const EliminationPlan&> is_compression_of = Nothing();
   Function<uint64_t, const Model&, int, const EliminationPlan&> compression_bytes = Nothing();
   Function<uint64_t, const Model&, int, const EliminationPlan&> compression_back_bytes = Nothing();
+  Function<uint64_t, const Model&, int, const EliminationPlan&> later_bytes = Nothing();
   Function<void, const Model&, int, const EliminationPlan&, TapeUse&, TapeUse&> compression_uses = Nothing();
   Function<c2d_status, const EliminationPlan&, const ColumnSystem&, const RowSink&, Tapes&, void*, PivotStats*, int32_t*,
            const Watch&, const Engine&>
@@ -212,6 +216,10 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, Session&, int> solve_compressed = NotLinked();
   Function<c2d_status, Session&, int, Real*, Real*> compression_functional = NotLinked();
   Function<c2d_status, Session&, int, double*> compression_growth = NotLinked();
+  Function<void, c2d_solver*, const Model&> plan_demand = Nothing();
+  Function<c2d_status, c2d_solver*> respond_on_demand = NotLinked();
+  Function<c2d_status, void*, const int32_t*, int32_t> make_columns = NotLinked();
+  Function<c2d_status, Session&, int> find_displacements = NotLinked();
   Function<bool, const Session&, int> has_far_cells = Nothing();
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };

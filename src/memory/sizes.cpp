@@ -56,7 +56,8 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
     if (is_wrong(out, count.member, -1, count.value, 0)) return true;
   // (each platen has a zone of its own)
   const int32_t most_platens = l.zones < INT32_MAX - l.bodies ? l.zones : INT32_MAX - l.bodies;
-  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs) || is_wrong(out, "platens", -1, l.platens, 0, most_platens);
+  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs) ||
+         is_wrong(out, "platens", -1, l.platens, 0, most_platens) || is_wrong(out, "touching", -1, l.touching, 0, l.pairs);
 }
 
 BodySizes sizes_of_body(const Sizes& sizes, int b) {
@@ -103,6 +104,7 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.free_pairs = limits.free_pairs;
   out.point_sets = limits.point_sets;
   out.curves = limits.curves;
+  out.touching = limits.touching;
   return C2D_OK;
 }
 
@@ -126,6 +128,7 @@ c2d_limits limits_of(const Sizes& sizes) {
   out.free_pairs = number(sizes.free_pairs);
   out.point_sets = number(sizes.point_sets);
   out.curves = number(sizes.curves);
+  out.touching = number(sizes.touching);
   return out;
 }
 

@@ -32,8 +32,11 @@ struct Sizes {
   int64_t motions;    // of bodies that only the contact holds, at most
   int64_t free_pairs; // of them, those of free zones
   int64_t point_sets, curves;
-  int64_t platens; // the last of the bodies, without a mesh of their own
+  int64_t platens;  // the last of the bodies, without a mesh of their own
+  int64_t touching; // pairs for whose columns there is room; 0: for all
 };
+// Columns of the contact system that there is room for.
+inline int64_t columns_of(const Sizes& sizes) { return C2D_COLUMNS_(sizes.contact, sizes.touching); }
 BodySizes sizes_of_body(const Sizes& sizes, int b);
 // C2D_ELIMINATION_DENSE or COMPRESSED: which one by size.
 int32_t elimination_by_size(const Sizes& sizes);

@@ -94,8 +94,12 @@ struct PairMarks {
 };
 static_assert(sizeof(PairMarks) == 1, "scratch that costs nothing");
 struct Pair {
-  int32_t node[2];      // functional nodes of both sides; in a free zone -1 on side 0, a point of an element there:
-  int32_t element, row; // free zone: that element, and the pair's first equation u_c = u there, from 0
+  int32_t node[2]; // functional nodes of both sides; in a free zone -1 on side 0, a point of an element there:
+  int32_t element; // free zone: that element,
+  union {
+    int32_t row;  // and the pair's first equation u_c = u there, from 0
+    int32_t made; // contact on demand: where its columns are on the tape; -1: nowhere
+  };
   double eta;
   int32_t zone;
   int32_t dof;       // first contact unknown: normal; tangential follows if there is one
@@ -190,6 +194,7 @@ struct ModelHeader { // lives in the solver's header; the arrays live in the wor
   int32_t interference; // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
   int32_t point_sets;   // where interior results are wanted
   int32_t curves;       // surfaces that are told
+  int32_t columns;      // contact on demand: columns of the contact system that there is room for; 0: it is no such contact
   double line_at[2], line_side[2];
   double length_unit; // power of two near the size of the bodies
   double stress_unit; // power of two near 2G of the softer body
@@ -302,6 +307,8 @@ bool displacement_known(const Model& m, int b, int32_t node, int component);
 double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
 double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
 
+// Are columns of the contact system made when they are asked for?
+inline bool is_on_demand(const Model& m) { return !kSmallCode && m.head->columns > 0; }
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
 // A platen (c2d_add_platen): a rigid body tied to elements of another. These are its side of the zone as well: the arrays of
 // its mesh are those of that body, but it counts no elements, nodes or regions, so that none is looked at as its own.

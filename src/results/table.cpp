@@ -2,8 +2,11 @@
 #include "results/table.hpp"
 
 #include "contact/body_unknowns.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -71,8 +74,9 @@ c2d_status add_compliance(const Session& session, int b) {
 }
 
 // u = F t + sum of lambda_k v_k + R x.
-c2d_status add_body(const Session& session, int b) {
+c2d_status add_body(Session& session, int b) {
   const Body& body = session.model.body[b];
+  if (body.on_demand != 0) return kCompressedPart.find_displacements(session, b);
   c2d_status status = is_rigid(session.model, b) ? c2d_status{C2D_OK} : add_compliance(session, b);
   for (int32_t k = 0; k < session.follower.t->cases && status == C2D_OK; ++k)
     status = add_from_tape(session, b, BodyMatrix::response, k, session.follower.load[k]);

@@ -8,6 +8,7 @@
 #include "model/validate_finding.hpp"
 #include "solver/far_cells.hpp"
 #include "solver/judge.hpp"
+#include "solver/on_demand.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -18,12 +19,18 @@ constexpr int32_t kLeastRank = 2 * kLeafNodes, kMostRank = 1024;
 constexpr int32_t kUsualRank = 256; // the largest measured were below
 constexpr double kErrorLimit = sizeof(Real) == sizeof(double) ? 1e-9 : 1e-3;
 
-CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank) {
+// May there be models whose contact is on demand?
+bool demands(const PhaseSizes& most) { return most.columns < most.m; }
+
+// Of any body within the limits; with `keeps`: of one whose contact is on demand.
+CompressedPlan most_of(const PhaseSizes& most, int b, int32_t rank, int32_t keeps) {
   const BodyPhase body = most.of(b);
-  const int64_t pairs = most.limits->pairs, touching = body.nodes < pairs ? body.nodes : pairs;
+  const int64_t pairs = most.limits->pairs < most.columns ? most.limits->pairs : most.columns;
+  const int64_t touching = keeps != 0 ? 0 : (body.nodes < pairs ? body.nodes : pairs);
   return plan_compressed(CompressedLimits{static_cast<int32_t>(body.nodes), static_cast<int32_t>(touching),
-                                          static_cast<int32_t>(body.contact), static_cast<int32_t>(most.cases),
-                                          most_holes(static_cast<int32_t>(sizes_of_body(*most.limits, b).regions)), 0},
+                                          static_cast<int32_t>(keeps != 0 ? most.m : body.contact),
+                                          static_cast<int32_t>(most.cases),
+                                          most_holes(static_cast<int32_t>(sizes_of_body(*most.limits, b).regions)), keeps},
                          rank, kLeafNodes);
 }
 
@@ -42,12 +49,15 @@ uint64_t beside_work(const PhaseSizes& s, int b) {
 // Bytes of the phase area for cells of this rank.
 uint64_t compression_need(const PhaseSizes& most, int32_t rank) {
   uint64_t need = reduction_area(most, nullptr, nullptr);
-  BackNeed back = {0, 0};
+  BackNeed back = {0, 0, 0};
   for (int b = 0; b < most.bodies; ++b) {
     if (most.of(b).rows == 0) continue;
-    const CompressedPlan plan = most_of(most, b, rank);
-    need = larger(need, beside_work(most, b) + compressed_bytes(plan));
-    back.work = larger(back.work, back_bytes_of(plan, static_cast<int32_t>(sizes_of_body(*most.limits, b).elements)));
+    for (int32_t keeps = 0; keeps <= (demands(most) ? 1 : 0); ++keeps) {
+      const CompressedPlan plan = most_of(most, b, rank, keeps);
+      need = larger(need, beside_work(most, b) + compressed_bytes(plan));
+      back.work = larger(back.work, back_bytes_of(plan, static_cast<int32_t>(sizes_of_body(*most.limits, b).elements)));
+      if (keeps != 0) back.later = larger(back.later, later_bytes(plan, most.m));
+    }
     back.outer = larger(back.outer, static_cast<uint64_t>(most.of(b).outer));
   }
   return larger(need, path_area(most, back, false, nullptr, nullptr));
@@ -61,8 +71,8 @@ int32_t rank_within(const PhaseSizes& most, uint64_t bytes) {
 }
 
 // Of a body within the limits, its border cut for these bytes of the phase area.
-CompressedPlan cut_most(const PhaseSizes& most, uint64_t bytes, int b, int32_t rank) {
-  CompressedPlan plan = most_of(most, b, rank);
+CompressedPlan cut_most(const PhaseSizes& most, uint64_t bytes, int b, int32_t rank, int32_t keeps) {
+  CompressedPlan plan = most_of(most, b, rank, keeps);
   const c2d_status status = cut_border(bytes - beside_work(most, b), plan, nullptr);
   C2D_ASSERT(status == C2D_OK);
   static_cast<void>(status);
@@ -81,7 +91,7 @@ c2d_status plan_compression(const PhaseSizes& most, uint64_t bytes, const Model&
   for (int b = 0; b < m.head->bodies; ++b) {
     if (!may_compress(m, b)) continue;
     out[b] = plan_compressed(m, b, rank, kLeafNodes).border;
-    cut_alike(cut_most(most, bytes, b, rank).border, out[b]);
+    cut_alike(cut_most(most, bytes, b, rank, m.body[b].on_demand).border, out[b]);
   }
   return C2D_OK;
 }
@@ -92,10 +102,14 @@ c2d_status compression_tape(const PhaseSizes& most, uint64_t bytes, bool upper, 
   if (rank == 0) return C2D_ERR_MEMORY;
   for (int b = 0; b < most.bodies; ++b) {
     if (most.of(b).rows == 0) continue;
-    const CompressedPlan plan = cut_most(most, bytes, b, rank);
-    const TapeUse use = upper ? compressed_upper_use(plan, true) : compressed_lower_use(plan);
-    out.blocks += use.blocks;
-    out.max_data_bytes = larger(out.max_data_bytes, use.max_data_bytes);
+    uint64_t blocks = 0;
+    for (int32_t keeps = 0; keeps <= (demands(most) ? 1 : 0); ++keeps) {
+      const CompressedPlan plan = cut_most(most, bytes, b, rank, keeps);
+      const TapeUse use = upper ? compressed_upper_use(plan, true) : compressed_lower_use(plan);
+      blocks = larger(blocks, use.blocks);
+      out.max_data_bytes = larger(out.max_data_bytes, use.max_data_bytes);
+    }
+    out.blocks += blocks;
   }
   return C2D_OK;
 }
@@ -104,6 +118,12 @@ bool is_compression_of(const Model& m, int b, const EliminationPlan& border) { r
 
 uint64_t compression_bytes(const Model& m, int b, const EliminationPlan& border) {
   return compressed_bytes(plan_around(m, b, border));
+}
+
+CompressedPlan compression_of(const Model& m, int b, const EliminationPlan& border) { return plan_around(m, b, border); }
+
+uint64_t later_bytes(const Model& m, int b, const EliminationPlan& border) {
+  return later_bytes(plan_around(m, b, border), m.head->contact);
 }
 
 uint64_t compression_back_bytes(const Model& m, int b, const EliminationPlan& border) {
@@ -186,9 +206,11 @@ c2d_status solve_compressed(Session& session, int b) {
   const PathArea& area = session.area;
   double growth = 0.0;
   c2d_status status = compression_growth(session, b, &growth);
-  if (status == C2D_OK)
-    status = back_substitute_compressed(plan_around(session.model, b, plan_of(s, b)), s->tapes, area.coefficient, area.outer,
-                                        area.work);
+  const CompressedPlan plan = plan_around(session.model, b, plan_of(s, b));
+  if (status == C2D_OK && plan.keeps != 0)
+    status = solve_on_demand(session, b, plan, area.coefficient);
+  else if (status == C2D_OK)
+    status = back_substitute_compressed(plan, s->tapes, area.coefficient, area.outer, area.work);
   return status == C2D_OK ? note_remainder(session, b, growth) : status;
 }
 

@@ -14,10 +14,13 @@ uint64_t compression_that_will_do(const PhaseSizes& most, int32_t rank);
 // Blocks and their data on LOWER or UPPER of any model within the limits whose bodies are all compressed. Errors: as above.
 c2d_status compression_tape(const PhaseSizes& most, uint64_t bytes, bool upper, TapeUse& out);
 
+// The plan of a body by that of its border.
+CompressedPlan compression_of(const Model& m, int b, const EliminationPlan& border);
 // What the functions of elimination/compressed.hpp tell of a body by the plan of its border.
 bool is_compression_of(const Model& m, int b, const EliminationPlan& border);
 uint64_t compression_bytes(const Model& m, int b, const EliminationPlan& border);
 uint64_t compression_back_bytes(const Model& m, int b, const EliminationPlan& border);
+uint64_t later_bytes(const Model& m, int b, const EliminationPlan& border); // on demand (solver/on_demand.hpp)
 void compression_uses(const Model& m, int b, const EliminationPlan& border, TapeUse& lower, TapeUse& upper);
 
 // *rank, with C2D_ERR_MEMORY: what a cell asks for.

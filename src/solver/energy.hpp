@@ -35,6 +35,14 @@ inline double* rubbed(c2d_solver* solver) { return array_of<double>(solver, kJud
 
 // All of this is optional (memory/parts.hpp): it is linked with the calls that tell energies, and kept where
 // c2d_solver::keeps_energy says so; and with it the balance of forces and the motion of a body that contact cannot hold.
+// On demand: solutions x side by side, `count` numbers for each unknown of a body outside the contact, for tractions of 1 at
+// these contact unknowns of the model on these sides. What they bring to the functionals is added.
+struct DemandedColumns {
+  int32_t count;
+  const int32_t *dof, *side;
+  const Real* x;
+};
+void add_demanded(Session& session, int b, const DemandedColumns& columns);
 // Functionals, after the reduction; uses the path area. Errors: the block store's.
 c2d_status build_energy(c2d_solver* solver);
 // Nothing has been done yet. Part of begin_path.

@@ -36,10 +36,10 @@ c2d_status remove_outer(Adjoint& a) {
                                 : transposed_functional(plan, s->tapes, a.outer, area.coefficient, area.work);
   if (status != C2D_OK) return status;
   const Real* w = area.coefficient;
-  const int32_t own = m.body[a.b].contact;
+  const int32_t own = is_on_demand(m) ? 0 : m.body[a.b].contact; // (what tractions bring there comes with their columns)
   for (int32_t j = 0; j < own; ++j) a.u[j] -= w[j];
   for_ranges(m, a.b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count; ++i) a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
+    for (int32_t i = 0; i < range.count && own > 0; ++i) a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
   });
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * own + i]);
   return C2D_OK;
@@ -114,6 +114,18 @@ c2d_status add_given(Adjoint& a, int32_t k) {
   return status;
 }
 
+// What case k does on a body with its boundary, point loads and body force.
+void add_loads(Adjoint& a, int32_t k, bool reactions) {
+  const Model& m = a.model();
+  a.touched = false;
+  for (int32_t j = 0; j < m.body[a.b].contact; ++j) a.u[j] = 0;
+  for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
+  add_boundary(a, k, reactions);
+  for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
+    if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
+  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
+}
+
 c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
   if (is_rigid(m, a.b)) {
@@ -123,13 +135,7 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
       return add_given(a, k);
     return C2D_OK;
   }
-  a.touched = false;
-  for (int32_t j = 0; j < m.body[a.b].contact; ++j) a.u[j] = 0;
-  for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
-  add_boundary(a, k, reactions);
-  for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
-    if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
-  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
+  add_loads(a, k, reactions);
   const c2d_status status = a.touched ? remove_outer(a) : c2d_status{C2D_OK};
   add_to_sides(a);
   return status;
@@ -186,6 +192,25 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* c
 }
 
 } // namespace
+
+void add_demanded(Session& session, int b, const DemandedColumns& columns) {
+  const EnergyBook book = energy_book(session.solver);
+  const PathArea& area = session.area;
+  for (int32_t k = 0; k < 2 * book.cases; ++k) {
+    // What the loads do without the solution has been counted: that goes where it is of no use.
+    Adjoint a{session, b, area.u[0], area.u[1], book.r, area.motion, area.own, area.outer, false};
+    add_loads(a, k / 2, k % 2 == 1);
+    Real* const of_tau = book.of_contact + 2 * static_cast<int64_t>(k) * book.m;
+    const int32_t unknowns = outer_columns(session.model, b);
+    for (int32_t j = 0; j < columns.count && a.touched; ++j) {
+      double sum = 0.0;
+      for (int32_t i = 0; i < unknowns; ++i)
+        if (a.outer[i] != 0)
+          sum += static_cast<double>(a.outer[i]) * static_cast<double>(columns.x[static_cast<int64_t>(i) * columns.count + j]);
+      of_tau[columns.dof[j]] += static_cast<Real>(signed_on(columns.side[j], sum));
+    }
+  }
+}
 
 c2d_status build_energy(c2d_solver* s) {
   Session session;

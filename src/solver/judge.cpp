@@ -67,6 +67,19 @@ template <class Number> c2d_status project(const Session& session, ContactMatrix
   return C2D_OK;
 }
 
+// The same of columns of A that are made on demand: of those that are there.
+c2d_status project_made(const Session& session, Real* out) {
+  const Model& m = session.model;
+  for (int32_t i = 0; i < m.head->contact; ++i) out[i] = 0;
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    for (int slot = 0; slot <= (session.solver->sliding != 0 ? 0 : m.pair[i].tangential) && m.pair[i].made >= 0; ++slot) {
+      const c2d_status status = read_compliance(session.tape, m.pair[i], slot, session.area.column);
+      if (status != C2D_OK) return status;
+      out[m.pair[i].dof + slot] = static_cast<Real>(product(session.area.y, session.area.column, m.head->contact));
+    }
+  return C2D_OK;
+}
+
 // v'.B: of the pairs' own rows v' itself, else with S_u of the body that keeps its equations.
 c2d_status project_motions(const Session& session, Real* out) {
   const Model& m = session.model;
@@ -135,6 +148,13 @@ void find_load_work(Session& session, const Book& book, int b) {
 
 } // namespace
 
+void note_demanded(c2d_solver* s, int32_t dof, const Real* column) {
+  const Book book = book_of(s);
+  double sum = 0.0;
+  for (int32_t i = 0; i < s->model.contact; ++i) sum += sign_of(i) * static_cast<double>(column[i]);
+  book.stick[dof] = book.equation_tau[dof] = static_cast<Real>(sum);
+}
+
 c2d_status build_judge(c2d_solver* s) {
   if (s->model.contact == 0) return C2D_OK;
   Session session;
@@ -149,7 +169,9 @@ c2d_status build_judge(c2d_solver* s) {
     session.area.y[i] = held ? Real(0) : static_cast<Real>(sign_of(i)); // no path has begun
     book.moment[0][i] = book.moment[1][i] = 0;
   }
-  if (status == C2D_OK) status = project(session, ContactMatrix::stiffness, m, book.stick);
+  const bool demand = is_on_demand(session.model);
+  if (status == C2D_OK && demand) status = project_made(session, book.stick);
+  if (status == C2D_OK && !demand) status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
   for (int32_t i = 0; i < m && form.sliding && !form.open; ++i) // w_t stands where q, which is zero, does else
     if (is_sliding_slot(session.model, i)) book.stick[i] = -session.area.y[i];
@@ -163,7 +185,10 @@ c2d_status build_judge(c2d_solver* s) {
     status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
   for (int32_t i = 0; i < m && s->model.border == m; ++i) session.area.y[i] = 0; // what is left is round-off
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
-  if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
+  if (demand)
+    memcpy(book.equation_tau, book.stick, static_cast<size_t>(m) * sizeof(Real));
+  else if (status == C2D_OK)
+    status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
   for (int32_t k = 0; k < cases; ++k) book.equation_terms[k] = 0.0;
   for (int b = 0; b < s->model.bodies; ++b) {

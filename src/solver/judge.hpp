@@ -47,6 +47,8 @@ bool may_be_shown(Session& session, Agree with);
 // and the path cannot go on), the block store's.
 c2d_status return_to_good(Session& session);
 // v, as good as drawn by lot.
+// A column of A, and of the tableau with every pair open, has been made on demand.
+void note_demanded(c2d_solver* solver, int32_t dof, const Real* column);
 inline double sign_of(int32_t row) {
   uint32_t mixed = static_cast<uint32_t>(row) * 2654435761u + 40503u;
   mixed = (mixed ^ mixed >> 15) * 2246822519u;

@@ -44,8 +44,8 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
       hash.add_array(body.centre, 2);
     }
     if (body.has_force != 0) hash.add_array(m.body_force[b], m.head->load_cases);
-    if (body.on_demand != 0) hash.add(&body.on_demand, sizeof body.on_demand);
   }
+  if (is_on_demand(m)) hash.add(&m.head->columns, sizeof m.head->columns);
   if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
   for (int32_t z = 0; z < m.head->zones; ++z) hash.add(&m.zone[z], offsetof(Zone, name)); // names decide nothing
   hash.add_array(m.curve, m.head->curves);

@@ -42,6 +42,7 @@ uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 PhaseSizes phase_sizes(const Sizes& sizes) {
   PhaseSizes s{};
   s.m = s.widest = sizes.contact;
+  s.columns = s.square = columns_of(sizes);
   s.motions = sizes.motions;
   s.cases = sizes.load_cases;
   s.bodies = sizes.bodies;
@@ -52,14 +53,14 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
     s.ends += body.ends;
   }
   // Every contact unknown belongs to two bodies, of two one is solved for. (Beyond 2^31 unknowns no memory is enough, anyway.)
-  const int64_t side = s.m < INT32_MAX ? s.m : INT32_MAX;
+  const int64_t side = s.columns < INT32_MAX ? s.columns : INT32_MAX;
   s.flexibility = (sizes.bodies > 2 ? 2 : 1) * side * side;
   return s;
 }
 
 PhaseSizes model_sizes(const Model& m) {
   PhaseSizes s{};
-  s.m = s.widest = m.head->contact;
+  s.m = s.widest = s.columns = m.head->contact;
   s.motions = m.head->motions;
   s.cases = m.head->load_cases;
   s.bodies = m.head->bodies;
@@ -71,13 +72,19 @@ PhaseSizes model_sizes(const Model& m) {
     s.ends += static_cast<int64_t>(body.elements) * m.head->function_nodes;
     if (!is_rigid(m, b) && body.keeps_equations == 0) s.flexibility += static_cast<int64_t>(body.contact) * body.contact;
   }
+  s.square = s.widest;
+  if (is_on_demand(m)) {
+    s.columns = m.head->columns;
+    s.flexibility = s.square = 0;
+  }
   return s;
 }
 
 BodyPhase PhaseSizes::of(int b) const {
   if (!model) {
     const BodySizes body = sizes_of_body(*limits, b);
-    return {body.nodes, body.rows, body.rows > 0 ? 2 * body.nodes + 3 : 0, m}; // without contact, every unknown is an outer one
+    return {body.nodes, body.rows, body.rows > 0 ? 2 * body.nodes + 3 : 0,
+            columns}; // without contact, every unknown is an outer one
   }
   const Body& body = model->body[b];
   if (is_rigid(*model, b)) return {body.nodes, 0, 0, body.contact};
@@ -107,6 +114,9 @@ namespace {
 uint64_t work_bytes(const PhaseSizes& s, int b, const EliminationPlan& plan) {
   return is_compressed(plan) ? kCompressedPart.compression_bytes(*s.model, b, plan) : elimination_bytes(plan);
 }
+uint64_t later_bytes(const PhaseSizes& s, int b, const EliminationPlan& plan) {
+  return is_compressed(plan) && is_on_demand(*s.model) ? kCompressedPart.later_bytes(*s.model, b, plan) : 0;
+}
 uint64_t back_bytes(const PhaseSizes& s, int b, const EliminationPlan& plan) {
   return is_compressed(plan) ? kCompressedPart.compression_back_bytes(*s.model, b, plan) : back_substitution_bytes(plan);
 }
@@ -126,7 +136,8 @@ uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
   PhaseCarver carver(base);
   ReductionArea area{};
   const uint64_t m = static_cast<uint64_t>(s.widest), motions = static_cast<uint64_t>(s.motions);
-  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, motions)
+  const uint64_t columns = static_cast<uint64_t>(s.square);
+  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, columns, motions)
   if (out) *out = area;
   return carver.total();
 }
@@ -137,12 +148,13 @@ void add_back_need(const PhaseSizes& s, int b, const EliminationPlan& plan, Back
   if (s.of(b).rows == 0) return;
   out.work = larger(out.work, back_bytes(s, b, plan));
   out.outer = larger(out.outer, static_cast<uint64_t>(s.of(b).outer));
+  out.later = larger(out.later, later_bytes(s, b, plan));
 }
 
 } // namespace
 
 BackNeed back_need(const PhaseSizes& s, const EliminationPlan* plan) {
-  BackNeed out = {0, 0};
+  BackNeed out = {0, 0, 0};
   for (int b = 0; b < s.bodies; ++b) add_back_need(s, b, plan[b], out);
   return out;
 }
@@ -153,7 +165,8 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
   const uint64_t nodes = static_cast<uint64_t>(s.nodes), ends = static_cast<uint64_t>(s.ends);
   const uint64_t widest = static_cast<uint64_t>(s.widest);
-  C2D_PATH_ARRAYS_(C2D_TAKE, m, widest, cases)
+  const uint64_t columns = static_cast<uint64_t>(s.columns);
+  C2D_PATH_ARRAYS_(C2D_TAKE, m, columns, widest, cases)
   carver.align();
   PhaseCarver rates = carver;
   for (int side = 0; side < 2; ++side) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_SIDE, m)
@@ -169,9 +182,17 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   C2D_BACK_ARRAYS_(C2D_TAKE, widest, cases, back.outer, back.work)
   const uint64_t used = carver.total();
   carver = rates;
-  C2D_RATES_ARRAYS_(C2D_TAKE, m + 1)
+  C2D_RATES_ARRAYS_(C2D_TAKE, columns + 1)
+  const uint64_t bytes = larger(used, carver.total());
+  if (back.later > 0 && bytes != UINT64_MAX) {
+    carver.used = bytes;
+    carver.align();
+    area.later = carver.items(back.later, 1);
+    if (out) *out = area;
+    return carver.total();
+  }
   if (out) *out = area;
-  return larger(used, carver.total());
+  return bytes;
 }
 
 uint64_t scratch_bytes(const PhaseSizes& s) {
@@ -190,7 +211,7 @@ namespace {
 // The largest of all phases, with plan(b) for each body.
 template <class Plan> uint64_t use_with(const PhaseSizes& s, Plan plan, bool flexibility) {
   uint64_t need = reduction_area(s, nullptr, nullptr);
-  BackNeed back = {0, 0};
+  BackNeed back = {0, 0, 0};
   for (int b = 0; b < s.bodies; ++b) {
     if (s.of(b).rows == 0) continue;
     const EliminationPlan own = plan(b);
@@ -302,10 +323,12 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
   const PhaseSizes s = phase_sizes(sizes);
   *minimum = use_of(s, PlanRule{0, sizes.panel_columns}, false);
+  const uint64_t on_demand = s.columns < s.m ? kCompressedPart.compression_that_will_do(s, 0) : 0;
+  *minimum = larger(*minimum, on_demand);
   // What choose_rule would do with all the memory there is.
   const PlanRule all = {UINT64_MAX - 1, sizes.panel_columns};
   if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
-  *in_core = use_of(s, all, true);
+  *in_core = larger(use_of(s, all, true), on_demand);
   const uint64_t scratch = scratch_bytes(s);
   if (*in_core >= UINT64_MAX - scratch) return C2D_ERR_OVERFLOW; // (without scratch, too: of what does not fit the sum is that)
   *in_core += round_up(scratch);

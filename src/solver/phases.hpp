@@ -15,16 +15,17 @@ struct EliminationArea { // assembly and elimination of one body
   C2D_ELIMINATION_ARRAYS_(C2D_MEMBER_OF, , , )
 };
 struct ReductionArea { // reduction of the bodies to the contact
-  C2D_REDUCTION_ARRAYS_(C2D_MEMBER_OF, , )
+  C2D_REDUCTION_ARRAYS_(C2D_MEMBER_OF, , , )
 };
 struct PathArea { // the load path, and back substitution beside it
-  C2D_PATH_ARRAYS_(C2D_MEMBER_OF, , , )
+  C2D_PATH_ARRAYS_(C2D_MEMBER_OF, , , , )
   C2D_RATES_ARRAYS_(C2D_MEMBER_OF, )        // begin behind F where that is kept
   C2D_SURFACE_ARRAYS_(C2D_MEMBER_OF_EACH, ) // of the bodies on each side of the pairs
   C2D_COLUMN_ARRAYS_(C2D_MEMBER_OF, )
   Real* flexibility; // F of all bodies, one after another, or null
   C2D_RESULT_ARRAYS_(C2D_MEMBER_OF, , )
   C2D_BACK_ARRAYS_(C2D_MEMBER_OF, , , , )
+  void* later; // behind all that: what columns on demand are made with
 };
 #undef C2D_MEMBER_OF
 #undef C2D_MEMBER_OF_EACH
@@ -36,6 +37,8 @@ struct BodyPhase {
 struct PhaseSizes {
   int64_t m, motions, cases;
   int64_t widest;      // contact unknowns of the model or of a body: one that meets itself has two for each of the model's
+  int64_t columns;     // of the tableau: m, or as many as there is room for on demand
+  int64_t square;      // contact unknowns of matrices that are reduced; on demand none are
   int64_t nodes, ends; // of all bodies
   int64_t flexibility; // numbers of all F
   int32_t bodies;
@@ -63,6 +66,7 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan);
 // What back substitution takes beside the path, of whichever body needs more.
 struct BackNeed {
   uint64_t work, outer;
+  uint64_t later; // of columns on demand
 };
 BackNeed back_need(const PhaseSizes& s, const EliminationPlan* plan);
 

@@ -32,6 +32,7 @@ C2D_USES(WarningPart);
 void plan_bodies(c2d_solver* s, const Model& m) {
   find_support(s, m);
   plan_reduction(m);
+  if (!kSmallCode) kCompressedPart.plan_demand(s, m);
 }
 
 TapeShapes shape_tapes(c2d_solver* s, const Model& m) {
@@ -376,6 +377,7 @@ using Tick = c2d_status (*)(void* context);
                                            bool sliding, Tick tick) {
   if (m.head->contact == 0) return C2D_OK;
   clear_phases(s);
+  s->made = 0;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
@@ -391,7 +393,11 @@ using Tick = c2d_status (*)(void* context);
                             tick,
                             engine_beside(s, sizes, s->instructions, bytes, &scratch),
                             sliding};
-  const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
+  c2d_status status = C2D_OK;
+  if (is_on_demand(m))
+    status = reduce_on_demand(reduction);
+  else
+    status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
@@ -400,6 +406,7 @@ using Tick = c2d_status (*)(void* context);
 c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   c2d_status status = eliminate_bodies(s, m, sizes, loads_only);
   const bool sliding = !kSmallCode && !loads_only && is_frictionless(s, m);
+  if (status == C2D_OK && is_on_demand(m)) status = kCompressedPart.respond_on_demand(s);
   if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only, sliding, tick);
   clear_phases(s);
   return status;
@@ -494,6 +501,7 @@ c2d_status prepare_once(c2d_solver* s) {
     plan_bodies(s, m);
     weigh_pairs(m);
     status = close_all(s->tapes);
+    if (status == C2D_OK && model_sizes(m).columns > columns_of(s->sizes)) status = C2D_ERR_LIMIT;
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) note_path_alone(s, m);
   }

@@ -218,6 +218,7 @@ void take_up(c2d_solver* s, const Arrival& arrived) {
   const bool pairs = arrived.first < at[kPointLoads] && arrived.end > at[kPairs];
   for (int32_t i = 0; i < s->model.pairs && pairs; ++i) {
     const uint64_t pair = at[kPairs] + static_cast<uint64_t>(i) * sizeof(Pair);
+    if (s->model.columns > 0) upto(pair + offsetof(Pair, made), pair + offsetof(Pair, made) + sizeof Pair::made);
     upto(pair + offsetof(Pair, status), pair + sizeof(Pair));
   }
   upto(at[kPairTable], at[kPathLoads]);
@@ -245,6 +246,7 @@ bool are_possible_pairs(const Model& m) {
     if (!is_status(pair.status, pair.sign) || !is_status(pair.saved_status, pair.saved_sign) ||
         !is_status(pair.good_status, pair.good_sign))
       return false;
+    if (is_on_demand(m) && !all_within({{pair.made, -1, m.head->columns - 1 - pair.tangential}})) return false;
   }
   return true;
 }
@@ -260,8 +262,9 @@ bool are_possible_columns(c2d_solver* s, const Model& m) {
     if (!all_within({{t.column[i], -1, s->awake - own}})) return false;
     if (t.column[i] < 0 && m.pair[i].status != C2D_OPEN) return false;
     if (t.column[i] < 0) columns += own;
+    if (t.column[i] >= 0 && is_on_demand(m) && m.pair[i].made < 0) return false;
   }
-  return columns <= t.n;
+  return columns <= all_columns_of(t);
 }
 
 template <int32_t size> bool ends(const char (&text)[size]) { return place_of('\0', text, size) < size; }
@@ -296,7 +299,8 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
                                   {s->may_rest, 0, 1},
                                   {s->resting, 0, kSome},
                                   {s->delayed, 0, delayed_exchanges(head.contact)},
-                                  {s->awake, 0, head.path_unknowns},
+                                  {s->awake, 0, head.columns > 0 ? head.columns : head.path_unknowns},
+                                  {s->made, 0, head.columns},
                                   {s->guided, 0, head.path_pairs},
                                   {s->good_guided, 0, head.path_pairs},
                                   {s->table_is_current, 0, 1},
@@ -516,6 +520,8 @@ c2d_status save_state(c2d_solver* s) {
 }
 
 c2d_status restore_state(c2d_solver* s) {
+  // What the model's numbers are is told by its plans: those of one that has not been prepared here.
+  if (s->sizes.touching > 0 && s->state != C2D_STATE_PREPARED && s->state != C2D_STATE_RUNNING) plan_bodies(s, model_of(s));
   const Slots slots = slots_of(s);
   Piece piece;
   SaveRecord record;

@@ -3,11 +3,14 @@
 #include <string.h>
 
 #include "memory/hostile.hpp"
+#include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -47,11 +50,14 @@ uint64_t open_path_area(c2d_solver* s, const Model& m, bool flexibility, PathAre
 
 namespace {
 
+// Columns of the tableau.
+int32_t tableau_room(const ModelHeader& head) { return head.columns > 0 ? head.columns : head.path_unknowns; }
+
 // Products of the tableau are packed where the matrix of the rate problem stands, and else results: of no use while pairs
 // change.
 Engine engine_of_path(c2d_solver* s, const Session& session) {
   if (kSmallCode) return kPlainEngine;
-  const int64_t n = s->model.path_unknowns + 1;
+  const int64_t n = tableau_room(s->model) + 1;
   return {kernel_for(s->instructions), session.area.rates, n * n, nullptr, workers_of(&s->port)};
 }
 
@@ -59,7 +65,7 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   const ModelHeader& head = s->model;
   Tableau& t = session.tableau;
   t = Tableau{head.contact,
-              head.path_unknowns,
+              tableau_room(head),
               head.load_cases,
               head.path_pairs,
               session.model.pair,
@@ -116,7 +122,8 @@ void open_session(c2d_solver* s, Session& session) {
   const uint64_t bytes = open_path_area(s, session.model, s->keeps_flexibility != 0, session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
-  session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer};
+  session.maker = ColumnMaker{&session, kCompressedPart.make_columns};
+  session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer, &session.maker};
   double* loads = array_of<double>(s, kLoads);
   open_tableau(s, session, loads);
   open_follower(s, session, loads);
@@ -143,7 +150,7 @@ void close_session(Session& session) {
 namespace {
 
 int64_t flexibility_numbers(const Model& m, int b) {
-  const int64_t n = is_rigid(m, b) || m.body[b].keeps_equations != 0 ? 0 : m.body[b].contact;
+  const int64_t n = is_on_demand(m) || is_rigid(m, b) || m.body[b].keeps_equations != 0 ? 0 : m.body[b].contact;
   return n * n;
 }
 

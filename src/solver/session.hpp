@@ -12,6 +12,7 @@ struct Session {
   Model model;
   PathArea area;
   ContactTape tape;
+  ColumnMaker maker;
   Tableau tableau;
   Follower follower;
   FreeBody free_body;

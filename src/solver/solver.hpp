@@ -46,6 +46,7 @@ struct c2d_solver {
   int32_t floating; // nothing touches yet
   int32_t outcome, outcome_body, last_pair;
   int32_t may_rest, resting, delayed, awake; // of the tableau
+  int32_t made;                              // columns on demand that are on the tape
   int32_t guided, good_guided;               // pair of the tableau, now and in the last good state
   int32_t back_substituted; // results outside the contact are those of the load reached: 1, or 1 + number of the
                             // body whose far cells (solver/far_cells.hpp) lie in the work of back substitution
