@@ -228,6 +228,7 @@ c2d_limits limits_of(const Model& m, std::vector<c2d_body_limits>& list) {
   limits.coefficients = 1;
   limits.paths = static_cast<int32_t>(m.paths.size());
   limits.load_cases = std::max(m.cases, m.interference);
+  limits.touching = m.touching;
   return limits;
 }
 
@@ -341,13 +342,29 @@ struct Relay {
   static void log(void* c, const c2d_error* entry) { of(c).told.push_back(*entry); }
 };
 
+namespace {
+uint64_t bytes_of_tapes(const c2d_limits& limits, uint64_t workspace) {
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = C2D_ELIMINATION_COMPRESSED;
+  uint64_t sum = 0;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    uint64_t blocks = 0, each = 0;
+    c2d_tape_need(&limits, &options, workspace, tape, &blocks, &each, nullptr);
+    sum += blocks * (each + 64) + 64;
+  }
+  return sum;
+}
+} // namespace
+
 void Machine::create(c2d_limits& limits) {
   uint64_t minimum = 0, in_core = 0;
   c2d_error why = C2D_INIT(c2d_error);
   status = c2d_memory_need(&limits, &minimum, &in_core, &why);
   if (status != C2D_OK) return told.push_back(why);
   memory_.resize(std::max(minimum, in_core));
-  region_.resize(4 * in_core + (8u << 20));
+  uint64_t tapes = 4 * in_core + (8u << 20);
+  if (limits.touching > 0) tapes = bytes_of_tapes(limits, memory_.size());
+  region_.resize(tapes);
   c2d_memory_store_init(&store_, region_.data(), region_.size());
   c2d_memory_store_port(&store_, &inner_);
   port_.context = this;
@@ -365,6 +382,7 @@ Machine::Machine(const Model& m, int32_t keep_factors, int32_t stepping) {
   c2d_options options = C2D_INIT(c2d_options);
   options.keep_factors = keep_factors;
   options.stepping = stepping;
+  options.elimination = m.elimination;
   status = c2d_set_options(solver, &options);
   if (status == C2D_OK) status = feed(solver, m);
 }
@@ -858,6 +876,43 @@ std::string breach(const Model& m, const Result& r, double tolerance) {
         return fault(s, row, "a slipping pair is not on the cone", std::fabs(tt) - mu * tn);
     }
   return "";
+}
+
+Model rough(int32_t pairs) {
+  const int32_t face = pairs - 1, rest = std::max(8, face / 16);
+  const auto height = [](double x) {
+    double sum = 0;
+    for (int wave = 20; wave < 80; ++wave)
+      sum += 1e-3 * std::pow(wave, -1.3) * std::cos(2 * 3.141592653589793 * wave * x + wave * wave);
+    return sum;
+  };
+  double lowest = height(0);
+  for (int32_t i = 0; i <= face; ++i) lowest = std::min(lowest, height(static_cast<double>(i) / face));
+  Model m;
+  for (const bool upper : {false, true}) {
+    Body body;
+    const auto side = [&](double x0, double y0, double x1, double y1, int32_t count, bool contact) {
+      for (int32_t i = 0; i < count; ++i) {
+        const double t = static_cast<double>(i) / count, x = x0 + (x1 - x0) * t, y = y0 + (y1 - y0) * t;
+        body.xy.insert(body.xy.end(), {x, contact && upper ? height(x) - lowest + 1e-9 : y});
+      }
+    };
+    const double low = upper ? 0 : -1, high = upper ? 1 : 0;
+    side(0, low, 1, low, face, upper), side(1, low, 1, high, rest, false);
+    side(1, high, 0, high, face, !upper), side(0, high, 0, low, rest, false);
+    if (upper) body.xy[2 * static_cast<size_t>(face) + 1] = height(1) - lowest + 1e-9;
+    const int32_t count = 2 * (face + rest);
+    body.regions.push_back({1, count});
+    body.ends.resize(2 * static_cast<size_t>(count));
+    body.sides = {{1, face}, {face + 1, face + rest}, {face + rest + 1, 2 * face + rest}, {2 * face + rest + 1, count}};
+    m.add(body);
+  }
+  m.set(1, 1, end_of(kHeld));
+  m.set(2, 3, end_of("1100", 0, 0, 0, -1.5e-4));
+  const Range lower = m.side(1, 3), top = m.side(2, 1);
+  m.zones.push_back({C2D_ZONE_MATCHING, {{1, lower.first, lower.last}, {2, top.last, top.first}}});
+  m.friction = 0.3;
+  return m;
 }
 
 } // namespace many

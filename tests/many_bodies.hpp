@@ -91,6 +91,7 @@ struct Model {
   std::vector<Path> paths = {{1, 1.0}};
   int32_t symmetry = 0; // 1: x = symmetry_at[0], 2: y = symmetry_at[1]
   double symmetry_at[2] = {0, 0};
+  int32_t elimination = 0, touching = 0; // C2D_ELIMINATION_; of c2d_limits
 
   int32_t add(const Body& body); // its number
   Body& body(int32_t number) { return bodies[static_cast<size_t>(number - 1)]; }
@@ -166,6 +167,9 @@ Result solve_deck(const std::string& text);
 c2d_status feed(c2d_solver* solver, const Model& model); // the calls of section 5
 std::vector<c2d_body_limits> body_limits(const Model& model);
 c2d_limits limits_of(const Model& model, std::vector<c2d_body_limits>& list);
+// Two blocks that may touch in so many pairs, all of their faces; the upper one's is rough: waves of a twentieth of its width
+// and less, the shorter the lower. Pressed by a displacement until about 5 % touch.
+Model rough(int32_t pairs);
 
 // ---- the same model, told otherwise
 Model with_bodies_in_order(const Model& model, const std::vector<int32_t>& order); // new number i is old body order[i - 1]

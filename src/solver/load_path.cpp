@@ -74,10 +74,23 @@ PathWatch path_watch(Session& session) { return PathWatch{&session, tick, change
 
 namespace {
 
+// Most of a tableau on demand is never written: where memory is handed out page by page, what is zero stays without a page.
+void clear_unless_zero(char* from, char* end) {
+  constexpr int64_t kPart = 4096;
+  for (char *part = from, *next; part < end; part = next) {
+    next = end - part < kPart ? end : part + kPart;
+    const char* at = part;
+    while (at < next && *at == 0) ++at;
+    if (at < next) memset(part, 0, static_cast<size_t>(next - part));
+  }
+}
+
 // What the caller had in this memory before is not to reach a tape with a state of the path (solver/save.cpp).
 void clear_path(Session& session) {
-  const char* end = reinterpret_cast<const char*>(session.area.motion + model_sizes(session.model).widest);
-  if (!kHostile) memset(session.area.buffer, 0, static_cast<size_t>(end - static_cast<const char*>(session.area.buffer)));
+  char* const end = reinterpret_cast<char*>(session.area.motion + model_sizes(session.model).widest);
+  char* const from = static_cast<char*>(session.area.buffer);
+  if (!kHostile && !kWatched && is_on_demand(session.model)) return clear_unless_zero(from, end);
+  if (!kHostile) memset(from, 0, static_cast<size_t>(end - from));
 }
 
 } // namespace

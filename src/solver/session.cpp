@@ -113,6 +113,11 @@ void open_follower(c2d_solver* s, Session& session, double* loads) {
   f.goes_on = s->goes_on != 0;
 }
 
+// (What the table holds is known when the program is linked: a compiler may take its address here for that of the empty one.)
+c2d_status make_columns(void* context, const int32_t* pair, int32_t count) {
+  return kCompressedPart.make_columns(context, pair, count);
+}
+
 } // namespace
 
 void open_session(c2d_solver* s, Session& session) {
@@ -122,7 +127,7 @@ void open_session(c2d_solver* s, Session& session) {
   const uint64_t bytes = open_path_area(s, session.model, s->keeps_flexibility != 0, session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
-  session.maker = ColumnMaker{&session, kCompressedPart.make_columns};
+  session.maker = ColumnMaker{&session, make_columns};
   session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer, &session.maker};
   double* loads = array_of<double>(s, kLoads);
   open_tableau(s, session, loads);
