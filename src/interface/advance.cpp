@@ -12,6 +12,7 @@
 
 namespace c2d {
 
+C2D_USES(CompressedPart);
 C2D_MEETS(SearchPart, c2d_link_search);
 C2D_MEETS(WarningPart, c2d_link_warnings);
 
@@ -20,6 +21,7 @@ c2d_status finish(Session& session, c2d_status status) {
   close_session(session);
   if (status == C2D_OK) return C2D_OK; // a cancel that came too late stops the next call
   if (is_store_error(status)) return fail_store(s, status);
+  if (!kSmallCode && status == C2D_ERR_MEMORY) return kCompressedPart.tell_touching(s);
   return status == C2D_ERR_CALLBACK ? status : fail(s, status, status_text(status)); // what the callback said is told
 }
 

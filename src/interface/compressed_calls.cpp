@@ -21,6 +21,7 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              compression_functional,
                                                                              compression_growth,
                                                                              plan_demand,
+                                                                             tell_touching,
                                                                              respond_on_demand,
                                                                              make_columns,
                                                                              find_displacements,

@@ -217,6 +217,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, Session&, int, Real*, Real*> compression_functional = NotLinked();
   Function<c2d_status, Session&, int, double*> compression_growth = NotLinked();
   Function<void, c2d_solver*, const Model&> plan_demand = Nothing();
+  Function<c2d_status, c2d_solver*> tell_touching = NotLinked();
   Function<c2d_status, c2d_solver*> respond_on_demand = NotLinked();
   Function<c2d_status, void*, const int32_t*, int32_t> make_columns = NotLinked();
   Function<c2d_status, Session&, int> find_displacements = NotLinked();

@@ -78,7 +78,8 @@ BodySizes sizes_of_body(const Sizes& sizes, int b) {
 
 int32_t elimination_by_size(const Sizes& sizes) {
   for (int b = 0; b < sizes.bodies && sizes.free_pairs == 0; ++b)
-    if (C2D_COMPRESSES(sizes_of_body(sizes, b).nodes, sizes.pairs)) return C2D_ELIMINATION_COMPRESSED;
+    if (columns_of(sizes) < sizes.contact || C2D_COMPRESSES(sizes_of_body(sizes, b).nodes, sizes.pairs))
+      return C2D_ELIMINATION_COMPRESSED;
   return C2D_ELIMINATION_DENSE;
 }
 

@@ -76,6 +76,8 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
   append_line(out, "contact zones", std::to_string(s.zones));
   if (!names_of(s).empty()) append_line(out, "names", names_of(s));
   append_line(out, "pairs", std::to_string(s.pairs));
+  if (session.limits.touching > 0)
+    append_line(out, "contact on demand", "room for " + std::to_string(session.limits.touching) + " pairs that touch, or nearly");
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
   if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
   if (session.limits.curves > 0) append_line(out, "surfaces told", std::to_string(session.limits.curves));
@@ -97,6 +99,7 @@ int check_one(const std::string& deck, const Options& options) {
   Session session;
   session.messages.quiet = options.quiet;
   int exit = session.read_file(deck, {options.settings, false});
+  session.limits.touching = touching_of(session.limits, options.touching, options.elimination, C2D_STEPPING_EVENTS);
   if (exit == 0) exit = session.read_model_alone(options.symmetry);
   if (exit != 0) return exit;
 

@@ -41,7 +41,7 @@ bool read_text(const std::string& text, Job& job) {
 // Options whose value is no name of a file.
 bool is_word(const std::string& name) {
   return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--elimination" ||
-         name == "--threads" || name == "--response" || name == "--save-every";
+         name == "--threads" || name == "--touching" || name == "--response" || name == "--save-every";
 }
 // They stand in the job itself, or are of the moment; the deck that is kept is the sketch's own.
 bool is_left_out(const std::string& name) {

@@ -61,6 +61,9 @@ const OptionRow kOptions[] = {
     {"--elimination", nullptr, "dense|compressed|size", kRun | kCheck | kSweep,
      "compressed: time and memory grow with the number of nodes, not with its cube and square as dense; size (default): "
      "compressed where a body has more than 1000 nodes and 1.5 for each pair"},
+    {"--touching", nullptr, "N", kRun | kCheck | kSweep,
+     "pairs that may touch, or nearly, at once, 0 for all: where there are more, columns of the contact system are made when "
+     "pairs are about to touch; default: a fifth of more than 1500 pairs, and all where that cannot be or is too little"},
     {"--memory", nullptr, "SIZE", kRun | kSweep,
      "bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most half of what is free; compressed: what it "
      "needs"},

@@ -26,6 +26,12 @@ bool read_seconds(const std::string& value, double& seconds) {
   return result.ec == std::errc() && result.ptr == end && seconds >= 0 && seconds <= 1e9;
 }
 
+bool read_count(const std::string& value, int32_t& count) {
+  const char* end = value.data() + value.size();
+  const auto result = std::from_chars(value.data(), end, count);
+  return result.ec == std::errc() && result.ptr == end && count >= 0;
+}
+
 bool read_threads(const std::string& value, int32_t& threads) {
   const char* end = value.data() + value.size();
   const auto result = std::from_chars(value.data(), end, threads);
@@ -86,6 +92,7 @@ bool set_option(Options& o, const OptionRow& row, const std::string& value, std:
     return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
   if (name == "--save-every" && !read_seconds(value, o.save_every)) return wrong("a number of seconds, 0 or more");
   if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1 to 64");
+  if (name == "--touching" && !read_count(value, o.touching)) return wrong("a whole number of pairs, 0 for all");
   if (name == "--response" && !read_responses(value, o.responses, error)) {
     error = name + " " + error;
     return false;

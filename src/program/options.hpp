@@ -52,6 +52,7 @@ struct Options {
   int32_t threads = 0;            // 0: not said
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   int32_t elimination = C2D_ELIMINATION_BY_SIZE;      // C2D_ELIMINATION_
+  int32_t touching = -1;                              // of c2d_limits; below 0: chosen by size
   Progress progress = Progress::kAutomatic;
   bool keep = false;
   bool quiet = false;

@@ -57,6 +57,8 @@ public:
   const std::vector<double>& values() const { return values_; }
   // Why only a run from the beginning helps one that was to go on; empty: it went on.
   const std::string& wants_fresh_start() const { return fresh_start_; }
+  // With room for all pairs.
+  bool wants_all_pairs() const { return wants_all_pairs_; }
 
 private:
   // The functions of the port; their context is the Run.
@@ -130,6 +132,7 @@ private:
   bool is_one_of_many_ = false;
   bool restored_ = false;
   std::string fresh_start_;
+  bool wants_all_pairs_ = false;
   Job job_; // as it is kept by now, if it is
   bool kept_ = false, is_following_ = false;
   estimate::TrialKeeper trials_;
@@ -268,6 +271,12 @@ int Run::library_failed(c2d_status status) {
     fresh_start_ = "the tapes in " + options_.folder + " are damaged";
     return kExitFiles;
   }
+  if (session_.limits.touching > 0 && options_.touching < 0 && (status == C2D_ERR_LIMIT || status == C2D_ERR_MEMORY)) {
+    wants_all_pairs_ = true;
+    fresh_start_ = status == C2D_ERR_LIMIT ? "the contact cannot be on demand"
+                                           : "more pairs touch than the " + std::to_string(session_.limits.touching) +
+                                                 " that were thought of (--touching)";
+  }
   if (!fresh_start_.empty()) return kExitFiles;
   c2d_error last = C2D_INIT(c2d_error);
   if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
@@ -319,6 +328,8 @@ int Run::read() {
   record_.meshes = session_.meshes;
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
+  const int32_t chosen = options_.touching < 0 && options_.deck == "-" ? 0 : options_.touching; // (it cannot begin anew)
+  session_.limits.touching = touching_of(session_.limits, chosen, options_.elimination, options_.stepping);
   if (exit == 0) exit = session_.take_memory(options_.memory, options_.elimination);
   if (exit != 0) return exit;
   const uint64_t free = free_memory() / 2;
@@ -682,7 +693,26 @@ int Run::cancelled() {
   return kExitStopped;
 }
 
-// With the values of the responses.
+// A run, and once more from the beginning where that helps; with the values of the responses.
+int run_with(const Options& options, std::vector<double>& values, StoreChoice* store) {
+  Options again = options;
+  {
+    Run run(options, false, store);
+    const int exit = run.go();
+    values = run.values();
+    if (run.wants_fresh_start().empty()) return exit;
+    if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + ", the run begins anew\n");
+    if (run.wants_all_pairs()) {
+      again.touching = 0;
+      again.given.emplace_back("--touching", "0");
+    }
+  }
+  Run run(again, true, store);
+  const int exit = run.go();
+  values = run.values();
+  return exit;
+}
+
 int run_whole(const Options& options, std::vector<double>& values) {
   const std::string clash = find_clash(options);
   if (!clash.empty()) {
@@ -692,17 +722,7 @@ int run_whole(const Options& options, std::vector<double>& values) {
   if (options.job != nullptr && !options.quiet)
     std::fprintf(stderr, "contact2d: %s: goes on with %s, begun %s\n", options.folder.c_str(), options.job->deck_name.c_str(),
                  options.job->begun.c_str());
-  {
-    Run run(options);
-    const int exit = run.go();
-    values = run.values();
-    if (run.wants_fresh_start().empty()) return exit;
-    if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + ", the run begins anew\n");
-  }
-  Run run(options, true);
-  const int exit = run.go();
-  values = run.values();
-  return exit;
+  return run_with(options, values, nullptr);
 }
 
 } // namespace
@@ -722,9 +742,9 @@ int run_deck(const Options& options) {
 Answer answer_of(const Options& options, StoreChoice& store) {
   const Muted muted;
   forget_reason();
-  Run run(options, false, &store);
-  const int exit = run.go();
-  return {exit, run.values(), reason_told()};
+  std::vector<double> values;
+  const int exit = run_with(options, values, &store);
+  return {exit, values, reason_told()};
 }
 
 } // namespace app

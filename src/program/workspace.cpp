@@ -46,6 +46,7 @@ uint64_t compressed_bytes(uint64_t minimum) { return 2 * minimum + (uint64_t{128
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
   const auto count = [](int32_t limit) { return static_cast<uint64_t>(limit); };
   if (chosen != C2D_ELIMINATION_BY_SIZE) return chosen;
+  if (limits.touching > 0) return C2D_ELIMINATION_COMPRESSED;
   for (int32_t b = 0; b < limits.bodies && limits.free_pairs == 0; ++b) {
     const c2d_body_limits& body = limits.body[b];
     const uint64_t nodes =
@@ -53,6 +54,13 @@ int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
     if (C2D_COMPRESSES(nodes, count(limits.pairs))) return C2D_ELIMINATION_COMPRESSED;
   }
   return C2D_ELIMINATION_DENSE;
+}
+
+int32_t touching_of(const c2d_limits& limits, int32_t chosen, int32_t elimination, int32_t stepping) {
+  const bool whole = limits.free_pairs > 0 || limits.platens > 0 || elimination == C2D_ELIMINATION_DENSE ||
+                     stepping == C2D_STEPPING_DECK;
+  if (chosen >= 0) return std::min(chosen, limits.pairs);
+  return whole || limits.pairs <= kManyPairs ? 0 : limits.pairs / 5;
 }
 
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error) {

@@ -32,6 +32,11 @@ uint64_t compressed_bytes(uint64_t minimum);
 // C2D_ELIMINATION_DENSE or COMPRESSED: what is chosen, by size or as it is.
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen);
 
+// c2d_limits.touching: what is chosen, below 0: a fifth of the pairs where there are more than kManyPairs, else all; all
+// together where the rest of the limits and options say that no contact can be on demand.
+constexpr int32_t kManyPairs = 1500;
+int32_t touching_of(const c2d_limits& limits, int32_t chosen, int32_t elimination, int32_t stepping);
+
 // Takes `wanted` bytes, 0: everything in memory but at most half of what is free, at least the minimum; for compressed
 // elimination what that makes use of. Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t elimination, Workspace& out, std::string& error);

@@ -6,6 +6,7 @@
 #include "contact/body_unknowns.hpp"
 #include "contact/frictionless.hpp"
 #include "memory/parts.hpp"
+#include "memory/text.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/compressed.hpp"
 #include "solver/energy.hpp"
@@ -41,6 +42,20 @@ void plan_demand(c2d_solver* s, const Model& m) {
     m.body[b].on_demand = own;
     number_unknowns(m, b);
   }
+}
+
+c2d_status tell_touching(c2d_solver* s) {
+  Sizes more = sizes_of(s);
+  const int64_t twice = 2 * more.touching;
+  more.touching = twice < more.pairs ? twice : more.pairs;
+  c2d_error e = blank_error();
+  uint64_t least = 0;
+  if (phase_need(more, &least, nullptr) == C2D_OK) e.bytes_needed = s->layout.persistent + least + kAlignment - 1;
+  char what[200];
+  Text text = text_in(what);
+  put_all(text, status_text(C2D_ERR_MEMORY), ": more pairs touch, or nearly, than the ", s->sizes.touching,
+          " of c2d_limits.touching; with ", more.touching, " ", e.bytes_needed, " bytes would do");
+  return fail_with(s, e, C2D_ERR_MEMORY, what);
 }
 
 namespace {

@@ -14,6 +14,9 @@ void plan_demand(c2d_solver* solver, const Model& model);
 // Of the path area: what a body's columns are made with, for a plan of its tree and m contact unknowns.
 uint64_t later_bytes(const CompressedPlan& plan, int64_t m);
 
+// Told, with its status, where there is no room for more columns: pairs and bytes that will do as far as can be known.
+c2d_status tell_touching(c2d_solver* solver);
+
 // After elimination: what each load case makes of the contact of each body, to the tape. Errors: the block store's.
 c2d_status respond_on_demand(c2d_solver* solver);
 // ColumnMaker::make of a session. C2D_ERR_MEMORY: more pairs touch, or are about to, than there is room for; then nothing is

@@ -328,6 +328,7 @@ c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) 
   // What choose_rule would do with all the memory there is.
   const PlanRule all = {UINT64_MAX - 1, sizes.panel_columns};
   if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
+  if (!in_core) return C2D_OK;
   *in_core = larger(use_of(s, all, true), on_demand);
   const uint64_t scratch = scratch_bytes(s);
   if (*in_core >= UINT64_MAX - scratch) return C2D_ERR_OVERFLOW; // (without scratch, too: of what does not fit the sum is that)

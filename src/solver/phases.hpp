@@ -81,7 +81,7 @@ uint64_t scratch_bytes(const PhaseSizes& s);
 // The largest of all phases with these plans, without scratch.
 uint64_t phases_use(const PhaseSizes& s, const EliminationPlan* plan, bool flexibility);
 
-// Least and useful most bytes of the whole phase area for models within limits. Errors: C2D_ERR_OVERFLOW.
+// Least and useful most bytes of the whole phase area for models within limits; in_core may be null. Errors: C2D_ERR_OVERFLOW.
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core);
 
 } // namespace c2d

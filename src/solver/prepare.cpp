@@ -484,6 +484,15 @@ void weigh_pairs(const Model& m) {
   return fail_with(s, e, C2D_ERR_MEMORY, what);
 }
 
+// The whole contact system has no room, and it may not be on demand.
+[[gnu::noinline]] c2d_status tell_contact(c2d_solver* s) {
+  char what[240];
+  Text text = text_in(what);
+  put_all(text, "the contact has ", s->model.contact, " unknowns, more than c2d_limits.touching leaves room for, and cannot be on "
+          "demand: that takes compressed elimination, supports that hold every body, and no zone that is free, tied or on one body");
+  return fail(s, C2D_ERR_LIMIT, what);
+}
+
 c2d_status prepare_once(c2d_solver* s) {
   const Model m = model_of(s);
   c2d_status status = validate_changes(s, m);
@@ -523,6 +532,7 @@ c2d_status prepare_once(c2d_solver* s) {
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
   if (!kSmallCode && status == C2D_ERR_MEMORY) return tell_need(s);
+  if (!kSmallCode && status == C2D_ERR_LIMIT) return tell_contact(s);
   return fail(s, status, status_text(status));
 }
 
