@@ -145,7 +145,7 @@ module contact2d
     integer(c_int32_t) :: point_sets = 0
     integer(c_int32_t) :: curves = 0
     integer(c_int32_t) :: platens = 0
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: touching = 0
   end type
 
   type, bind(C) :: c2d_progress

@@ -97,7 +97,8 @@ void read_cards(Call& call, Work work, Cards& cards) {
 bool limits_from(In isize, int32_t count, Limits& limits) {
   int32_t* const rest[] = {&limits.zones,        &limits.pairs,      &limits.contact_elements, &limits.point_loads,
                            &limits.coefficients, &limits.paths,      &limits.load_cases,       &limits.panel_columns,
-                           &limits.free_pairs,   &limits.point_sets, &limits.curves,           &limits.platens};
+                           &limits.free_pairs,   &limits.point_sets, &limits.curves,           &limits.platens,
+                           &limits.touching};
   int32_t c2d_body_limits::*const of_body[] = {&c2d_body_limits::points, &c2d_body_limits::elements, &c2d_body_limits::regions};
   if (count < 1) return false;
   limits.bodies = integer_at(isize);

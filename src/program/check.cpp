@@ -77,7 +77,8 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
   if (!names_of(s).empty()) append_line(out, "names", names_of(s));
   append_line(out, "pairs", std::to_string(s.pairs));
   if (session.limits.touching > 0)
-    append_line(out, "contact on demand", "room for " + std::to_string(session.limits.touching) + " pairs that touch, or nearly");
+    append_line(out, "contact on demand",
+                "room for " + std::to_string(session.limits.touching) + " pairs that touch, or nearly");
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
   if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
   if (session.limits.curves > 0) append_line(out, "surfaces told", std::to_string(session.limits.curves));

@@ -57,8 +57,8 @@ int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
 }
 
 int32_t touching_of(const c2d_limits& limits, int32_t chosen, int32_t elimination, int32_t stepping) {
-  const bool whole = limits.free_pairs > 0 || limits.platens > 0 || elimination == C2D_ELIMINATION_DENSE ||
-                     stepping == C2D_STEPPING_DECK;
+  const bool whole =
+      limits.free_pairs > 0 || limits.platens > 0 || elimination == C2D_ELIMINATION_DENSE || stepping == C2D_STEPPING_DECK;
   if (chosen >= 0) return std::min(chosen, limits.pairs);
   return whole || limits.pairs <= kManyPairs ? 0 : limits.pairs / 5;
 }

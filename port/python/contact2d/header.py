@@ -199,7 +199,7 @@ class c2d_limits(Struct):
         ("point_sets", c_int32),
         ("curves", c_int32),
         ("platens", c_int32),
-        ("reserved", c_int32),
+        ("touching", c_int32),
     ]
 
 

@@ -95,8 +95,8 @@ uint64_t Sweep::inputs() const {
   for (const std::string& word : options_.settings) all += word + "\n";
   for (const Response& response : options_.responses) all += response.words + ";";
   if (!options_.points.empty()) read_file(options_.points, points); // whoever cannot read them says so
-  for (const int32_t choice : {options_.stepping, options_.quadrature, options_.symmetry, options_.elimination,
-                               options_.touching})
+  for (const int32_t choice :
+       {options_.stepping, options_.quadrature, options_.symmetry, options_.elimination, options_.touching})
     all += std::to_string(choice) + " ";
   all += std::to_string(options_.memory) + "\n" + points;
   return checksum_of(all, all.size());
