@@ -19,35 +19,33 @@ void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_
   if (step < best.step) best = Event{step, pair, status, sign};
 }
 
-// Of a pair's forces or motions: values that are zero but for round-off, now and at the end of the piece, of which `rest` is
-// left.
+// Values that are zero but for round-off, now and at the end of the piece, and rates that do not count; the rest of the piece.
 struct Sizes {
-  const Pair& pair;
-  const PathScales& scales;
-  double NoRate::*none; // rates that do not count: hardly ever asked for
-  double value, end, rest;
+  double value, end, rate, rest;
 };
 
 // Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, at whose end
 // round-off below zero is zero, or if it is zero already and settle() has found the rate to be none.
-void meet(Event& best, double margin, double rate, const Sizes& of, int32_t pair, int32_t status, int32_t sign) {
-  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * of.rest >= -of.end) return;
-  if (margin <= of.value && -rate <= no_rate(of.pair, of.scales).*of.none) return;
+void meet(Event& best, double margin, double rate, const Sizes& none, int32_t pair, int32_t status, int32_t sign) {
+  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * none.rest >= -none.end) return;
+  if (margin <= none.value && -rate <= none.rate) return;
   keep_earlier(best, margin / -rate, pair, status, sign);
 }
 
 void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, Event& best) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+  const NoRate none = no_rate(pair, s);
+  const double gap = kValueTolerance * s.w;
+  const Sizes force{kValueTolerance * s.p, kValueTolerance * f.pressure_scale, none.force, rest};
+  const Sizes motion{gap, gap, none.motion, rest};
   if (pair.status == C2D_OPEN) {
-    const double gap = kValueTolerance * s.w;
     const bool slides = pair.mu == 0.0;
-    meet(best, now.wn, rate.wn, {pair, s, &NoRate::motion, gap, gap, rest}, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
+    meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     return;
   }
   // Without any force now, and with none to come: its margins are round-off.
-  if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= no_rate(pair, s).force) return;
-  const Sizes force{pair, s, &NoRate::force, kValueTolerance * s.p, kValueTolerance * f.pressure_scale, rest};
+  if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= none.force) return;
   meet(best, now.p, rate.p, force, i, C2D_OPEN, 0);
   if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
   for (int32_t sign = -1; sign <= 1; sign += 2)
