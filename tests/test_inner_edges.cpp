@@ -279,15 +279,20 @@ TEST_CASE("inner edges: two exchanges at once, where either has no pivot, leave 
 }
 
 TEST_CASE("inner edges: columns are cut for many workers into pieces that are neither too narrow nor too wide") {
-  for (int32_t columns : {0, 1, 7, 100, 2000, 50000})
+  for (int32_t columns : {0, 1, 7, 33, 63, 65, 100, 2000, 50001})
     for (int32_t parts : {1, 2, 3, 16}) {
-      int32_t chunk = 0;
-      const int32_t pieces = chunks_of(columns, parts, &chunk);
+      const int32_t pieces = pieces_of(columns, parts);
       CHECK((pieces == 0) == (columns == 0));
-      if (columns == 0) continue;
-      CHECK(chunk >= 1);
-      if (parts > 1) CHECK(chunk <= kWidth);
-      CHECK(pieces <= columns);
+      if (parts == 1) CHECK(pieces <= 1);
+      int32_t end = 0; // of the piece before
+      for (int32_t item = 0; item < pieces; ++item) {
+        const Piece piece = piece_of(columns, parts, item);
+        CHECK(piece.first == end);
+        CHECK(piece.count >= (columns < 32 ? columns : 32));
+        if (parts > 1) CHECK(piece.count <= kWidth);
+        end += piece.count;
+      }
+      CHECK(end == columns);
     }
 }
 

@@ -16,8 +16,9 @@ uint64_t tasks_of(uint64_t ticket) { return ticket >> kTaskBits & kMostTasks; }
 uint64_t next_of(uint64_t ticket) { return ticket & kMostTasks; }
 bool has_task(uint64_t ticket) { return next_of(ticket) < tasks_of(ticket); }
 
-// Questions before a waiting thread goes to sleep: some ten microseconds, where a pause takes some tens of cycles.
-constexpr int32_t kQuestions = 500;
+// Questions before a waiting thread goes to sleep: some hundred microseconds, where a pause takes some tens of cycles. To wake
+// it takes thirty, and between two steps of an elimination of some hundred unknowns one thread works alone for as long.
+constexpr int32_t kQuestions = 5000;
 
 struct Pool {
   int32_t threads;

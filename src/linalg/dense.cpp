@@ -142,11 +142,11 @@ void thin_upper(const Kernel& kernel, int32_t n, const Real* u, int64_t ldu, Rea
 
 // A routine of packed.hpp on the columns of X or C, cut between the workers: whole slices of any kernel, wide enough to
 // be worth the packing of A.
-constexpr int32_t kLeastCut = 64;
+constexpr int32_t kLeastCut = 32;
 
 struct Columns {
   void (*work)(const Columns& all, const Engine& engine, int32_t first, int32_t count);
-  int32_t n, m, k, items, chunk;
+  int32_t n, m, k, parts;
   const Real *a, *b;
   int64_t lda, ldb;
   Real* c;
@@ -155,23 +155,42 @@ struct Columns {
 
 void take_columns(void* argument, const Engine& engine, int32_t item) {
   const Columns& all = *static_cast<const Columns*>(argument);
-  const int32_t first = item * all.chunk;
-  all.work(all, engine, first, item + 1 < all.items ? all.chunk : all.n - first);
+  const Piece piece = piece_of(all.n, all.parts, item);
+  all.work(all, engine, piece.first, piece.count);
 }
 
 void cut_columns(const Engine& engine, Columns all) {
-  all.items = chunks_of(all.n, parts_of(engine), &all.chunk);
-  run_items(engine, all.items, take_columns, &all);
+  all.parts = parts_of(engine);
+  run_items(engine, pieces_of(all.n, all.parts), take_columns, &all);
 }
 
 } // namespace
 
-int32_t chunks_of(int32_t columns, int32_t parts, int32_t* chunk) {
-  *chunk = columns;
-  if (parts <= 1) return columns > 0;
-  const int32_t even = (columns / (2 * parts) + 7) / 8 * 8;
-  *chunk = even < kLeastCut ? kLeastCut : (even > kWidth ? kWidth : even);
-  return columns < *chunk ? columns > 0 : columns / *chunk;
+// How many of the columns that are left the next piece takes: as many parts take two thirds of them. What is left then is not
+// too narrow for another.
+static int32_t piece_width(int32_t left, int32_t parts) {
+  if (parts <= 1) return left;
+  const int32_t even = (left / 3 * 2 / parts + 7) / 8 * 8, most = even > kWidth ? kWidth : even;
+  const int32_t width = most < kLeastCut ? kLeastCut : most;
+  return left - width < kLeastCut ? left : width;
+}
+
+int32_t pieces_of(int32_t columns, int32_t parts) {
+  int32_t pieces = 0;
+  for (int32_t left = columns; left > 0; ++pieces) left -= piece_width(left, parts);
+  return pieces;
+}
+
+Piece piece_of(int32_t columns, int32_t parts, int32_t item) {
+  const int32_t pieces = pieces_of(columns, parts), last = pieces - 1 - item;
+  const int32_t turn = item <= last ? 2 * item : 2 * last + 1; // from either end in turns
+  int32_t first = 0, end = columns;
+  for (int32_t i = 0; i < turn; ++i) {
+    const int32_t width = piece_width(end - first, parts);
+    i % 2 == 0 ? first += width : end -= width;
+  }
+  const int32_t width = piece_width(end - first, parts);
+  return {turn % 2 == 0 ? first : end - width, width};
 }
 
 void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
@@ -185,7 +204,7 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
                          packed_product(own, all.m, count, all.k, all.a, all.lda, all.b + j * all.ldb, all.ldb,
                                         all.c + j * all.ldc, all.ldc);
                        },
-                       n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
+                       n, m, k, 1, a, b, lda, ldb, c, ldc});
 }
 
 void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
@@ -202,7 +221,7 @@ void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Re
                          packed_outer(own, all.m, count, all.k, all.a, all.lda, all.b + j, all.ldb, all.c + j * all.ldc,
                                       all.ldc);
                        },
-                       n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
+                       n, m, k, 1, a, b, lda, ldb, c, ldc});
 }
 
 void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
@@ -210,7 +229,7 @@ void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
                            packed_update(own, all.k, all.m, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);
                          },
-                         n, m, w, 0, 0, l, nullptr, ldl, 0, x, ldx});
+                         n, m, w, 1, l, nullptr, ldl, 0, x, ldx});
   } else if (!kSmallCode && engine.kernel) {
     for (int32_t j = 0; j < n; ++j) thin_update(*engine.kernel, w, m, l, ldl, x + j * ldx);
   } else {
@@ -223,7 +242,7 @@ void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, in
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
                            packed_upper(own, all.k, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);
                          },
-                         nrhs, 0, n, 0, 0, u, nullptr, ldu, 0, b, ldb});
+                         nrhs, 0, n, 1, u, nullptr, ldu, 0, b, ldb});
   } else if (!kSmallCode && engine.kernel) {
     for (int32_t j = 0; j < nrhs; ++j) thin_upper(*engine.kernel, n, u, ldu, b + j * ldb);
   } else {

@@ -23,9 +23,13 @@ void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real
 // entry is zero the solution's entry is set to zero; the result is then no solution.
 void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb);
 
-// Into how many chunks columns are cut for so many parts, and how wide all but the last are, which takes the rest: some
-// two for each part, so that a late one costs little, but none too narrow to be worth packing.
-int32_t chunks_of(int32_t columns, int32_t parts, int32_t* chunk);
+// Columns that so many parts share are cut into pieces, which run_items hands out from both ends: wide ones there and ever
+// narrower ones towards the middle, so that all parts end at about the same time, but none too narrow to be worth packing.
+struct Piece {
+  int32_t first, count;
+};
+int32_t pieces_of(int32_t columns, int32_t parts);
+Piece piece_of(int32_t columns, int32_t parts, int32_t item);
 
 // Largest absolute value of x[0 .. n); 0 if n = 0.
 Real largest(const Engine& engine, int32_t n, const Real* x);

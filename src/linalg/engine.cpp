@@ -10,9 +10,11 @@ constexpr int64_t kLeastWidth = 32;
 #if defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
 constexpr bool kShared = !kSmallCode;
 int32_t take(int32_t* next) { return __atomic_fetch_add(next, 1, __ATOMIC_RELAXED); }
+int32_t one_less(int32_t* left) { return __atomic_sub_fetch(left, 1, __ATOMIC_ACQ_REL); }
 #else
 constexpr bool kShared = false;
 int32_t take(int32_t* next) { return (*next)++; }
+int32_t one_less(int32_t* left) { return --*left; }
 #endif
 
 struct Items {
@@ -20,14 +22,21 @@ struct Items {
   int32_t parts, count;
   ItemWork work;
   void* argument;
-  int32_t next;
+  int32_t taken, front, back;
 };
+
+// Every other part takes items from the back: where columns are shared again and again, each is mostly met by the processor
+// in whose cache it is.
+int32_t next_item(Items& items, int32_t part) {
+  if (take(&items.taken) >= items.count) return items.count;
+  return part % 2 == 0 ? take(&items.front) : items.count - 1 - take(&items.back);
+}
 
 void take_items(void* argument, int32_t part) {
   Items& items = *static_cast<Items*>(argument);
   const int64_t numbers = items.engine.numbers / items.parts / 8 * 8;
   const Engine own = {items.engine.kernel, items.engine.scratch + part * numbers, numbers, nullptr, kAlone};
-  for (int32_t i = take(&items.next); i < items.count; i = take(&items.next)) items.work(items.argument, own, i);
+  for (int32_t i = next_item(items, part); i < items.count; i = next_item(items, part)) items.work(items.argument, own, i);
 }
 
 } // namespace
@@ -46,8 +55,10 @@ void run_items(const Engine& engine, int32_t items, ItemWork work, void* argumen
     return;
   }
   if (engine.used) *engine.used = engine.numbers;
-  Items all = {engine, parts, items, work, argument, 0};
+  Items all = {engine, parts, items, work, argument, 0, 0, 0};
   run_tasks(engine.workers, parts, take_items, &all);
 }
+
+bool is_last(int32_t* left) { return one_less(left) == 0; }
 
 } // namespace c2d

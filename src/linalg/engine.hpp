@@ -30,8 +30,11 @@ constexpr int64_t full_scratch(int64_t k, int64_t n) {
 int32_t parts_of(const Engine& engine);
 
 // work(argument, engine, 0) ... work(argument, engine, items - 1), each once, in any order, by all workers, each with an
-// engine of its own. Item 0 is begun first. Items own what they write.
+// engine of its own. They are handed out from both ends: the first and the last are begun first. Items own what they write.
 typedef void (*ItemWork)(void* argument, const Engine& engine, int32_t item);
 void run_items(const Engine& engine, int32_t items, ItemWork work, void* argument);
+// For items that something is done after, by whichever of them ends last: one less is left of them; was it the last? What the
+// others wrote can be read then.
+bool is_last(int32_t* left);
 
 } // namespace c2d

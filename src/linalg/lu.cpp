@@ -142,24 +142,58 @@ void update_right(const Work& w, const Engine& engine, int32_t first, int32_t wi
             w.lda);
 }
 
-// One step: item 0 brings the next block up to date and factors it, while the others update what is right of it.
+// The next block is brought up to date by all workers at once: into how many pieces it is cut, and these, of which the last
+// takes the rest.
+constexpr int32_t kLeastPiece = 16;
+int32_t next_pieces(int32_t width, int32_t parts) {
+  const int32_t most = width / kLeastPiece;
+  return most < parts ? (most < 1 ? width > 0 : most) : parts;
+}
+Piece next_piece(int32_t width, int32_t pieces, int32_t item) {
+  const int32_t each = width / pieces / 8 * 8, first = item * each;
+  return {first, item + 1 < pieces ? each : width - first};
+}
+
+// One step: the items at both ends, which are begun first, bring the next block up to date, and the last of them to end factors
+// it, while the others update what is right of it.
 struct Step {
   const Work& work;
   int32_t first, width, next, next_width; // the block that is factored, and the one that will be
-  int32_t chunks, chunk;                  // of the columns beyond
+  int32_t parts, pieces, beyond;          // pieces of the next block, and of what is right of it
+  int32_t left;                           // pieces of the next block that have not been brought up to date
   int32_t unusable;                       // of the next block
 };
 
 void take_part(void* argument, const Engine& engine, int32_t item) {
   Step& s = *static_cast<Step*>(argument);
-  const int32_t beyond = s.next + s.next_width;
-  if (item > 0) {
-    const int32_t from = beyond + (item - 1) * s.chunk;
-    return update_right(s.work, engine, s.first, s.width, from, item < s.chunks ? s.chunk : s.work.cols - from);
+  const int32_t front = (s.pieces + 1) / 2, right = s.next + s.next_width;
+  if (item >= front && item < front + s.beyond) {
+    const Piece piece = piece_of(s.work.cols - right, s.parts, item - front);
+    return update_right(s.work, engine, s.first, s.width, right + piece.first, piece.count);
   }
-  if (s.next_width == 0) return;
-  update_right(s.work, engine, s.first, s.width, s.next, s.next_width);
-  s.unusable = factor_block(s.work, engine, s.next, s.next_width);
+  const Piece piece = next_piece(s.next_width, s.pieces, item < front ? item : item - s.beyond);
+  update_right(s.work, engine, s.first, s.width, s.next + piece.first, piece.count);
+  if (is_last(&s.left)) s.unusable = factor_block(s.work, engine, s.next, s.next_width);
+}
+
+// The largest entries of columns, by all workers.
+struct Norms {
+  int32_t rows, cols, parts;
+  const Real* a;
+  int64_t lda;
+  Real* most;
+};
+
+void take_largest(void* argument, const Engine& engine, int32_t item) {
+  const Norms& all = *static_cast<const Norms*>(argument);
+  const Piece piece = piece_of(all.cols, all.parts, item);
+  for (int32_t j = piece.first; j < piece.first + piece.count; ++j)
+    all.most[j] = largest(engine, all.rows, all.a + j * all.lda);
+}
+
+void find_largest(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda, Real* most) {
+  Norms all = {rows, cols, parts_of(engine), a, lda, most};
+  run_items(engine, pieces_of(cols, all.parts), take_largest, &all);
 }
 
 int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
@@ -179,9 +213,10 @@ int32_t lu_step(const Lu& lu, int32_t first) {
     if (next < lu.cols) update_right(lu, lu.engine, first, width, next, lu.cols - next);
     return next < lu.own ? unusable + factor_block(lu, lu.engine, next, smaller(most, lu.own - next)) : unusable;
   }
-  Step step = {lu, first, width, next, smaller(most, at_least_none(lu.own - next)), 0, 0, 0};
-  step.chunks = chunks_of(lu.cols - next - step.next_width, parts_of(lu.engine), &step.chunk);
-  run_items(lu.engine, step.chunks + 1, take_part, &step);
+  const int32_t next_width = smaller(most, at_least_none(lu.own - next)), parts = parts_of(lu.engine);
+  const int32_t pieces = next_pieces(next_width, parts), beyond = pieces_of(lu.cols - next - next_width, parts);
+  Step step = {lu, first, width, next, next_width, parts, pieces, beyond, pieces, 0};
+  run_items(lu.engine, pieces + beyond, take_part, &step);
   return unusable + step.unusable;
 }
 
@@ -242,7 +277,10 @@ int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t
   PivotStats own;
   PivotStats* used = stats ? stats : &own;
   start_stats(*used);
-  for (int32_t j = 0; j < n; ++j) norms[j] = largest(engine, n, a + j * lda);
+  if (kSmallCode)
+    for (int32_t j = 0; j < n; ++j) norms[j] = largest(engine, n, a + j * lda);
+  else
+    find_largest(engine, n, n, a, lda, norms);
   return lu_panel({engine, n, n, n, a, lda, pivots, norms, used});
 }
 
