@@ -202,7 +202,7 @@ int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
 
 int32_t lu_width(int32_t rows) {
   if (kSmallCode) return 32;
-  if (rows <= 640) return rows <= 256 ? 32 : 64;
+  if (rows <= 640) return 32;
   return rows <= 1280 ? 128 : (rows <= 2400 ? 256 : kWidestLuBlock);
 }
 
