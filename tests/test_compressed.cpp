@@ -385,6 +385,61 @@ double later_differs(ModelData& d, int b, int32_t rank, int32_t leaf, int32_t co
 
 } // namespace
 
+TEST_CASE("compressed: what is kept for later tractions and has been spoilt, or never written, leads nowhere") {
+  ModelData d = boxes(2, 2, 1, 24, 0.3);
+  REQUIRE(d.complete());
+  d.view().body[0].on_demand = 1;
+  Compressed tree(d, 0, 160, 10);
+  REQUIRE(tree.status == C2D_OK);
+  Aligned work(c2d::later_sides_bytes(tree.plan));
+  const c2d::LaterSides later = {tree.plan, tree.system, tree.tapes, work.at, c2d::kPlainEngine};
+  const uint64_t bytes = tree.plan.block_bytes;
+  const c2d::KeptPlace place = c2d::kept_place(tree.plan);
+  std::vector<unsigned char> block(c2d::kBlockHeaderBytes + bytes), spoilt;
+  const std::vector<int32_t> unknown = {3, 8, 20};
+  Numbers all(static_cast<size_t>(tree.model.body[0].contact), 0), x(static_cast<size_t>(tree.pivots), 0);
+  all[5] = 1;
+  int refused = 0;
+  const auto use = [&] {
+    c2d::Real* columns = nullptr;
+    for (const c2d_status status :
+         {c2d::solve_unit_tractions(later, unknown.data(), 3, &columns), c2d::add_tractions(later, all.data(), x.data())}) {
+      const bool told = status >= C2D_ERR_STORE_READ && status <= C2D_ERR_STORE_STALE;
+      CHECK((status == C2D_OK || status == C2D_ERR_INTERNAL || told));
+      refused += status == C2D_OK ? 0 : 1;
+    }
+  };
+  uint64_t last = place.first_block;
+  while (c2d::read_block(tree.tapes, C2D_TAPE_LOWER, last, block.data(), bytes) == C2D_OK) ++last;
+  REQUIRE(last > place.first_block);
+  for (uint64_t k = place.first_block; k < last; ++k) {
+    REQUIRE(c2d::read_block(tree.tapes, C2D_TAPE_LOWER, k, block.data(), bytes) == C2D_OK);
+    for (uint64_t at = 0; at < bytes; at += k == place.first_block && at < 900 ? 4 : 4 * (bytes / 240))
+      for (int32_t number : {-7, 1 << 30, 3, 2000}) {
+        spoilt = block;
+        std::memcpy(spoilt.data() + c2d::kBlockHeaderBytes + at, &number, sizeof number);
+        REQUIRE(c2d::write_block(tree.tapes, C2D_TAPE_LOWER, k, spoilt.data(), bytes) == C2D_OK);
+        use();
+      }
+    REQUIRE(c2d::write_block(tree.tapes, C2D_TAPE_LOWER, k, block.data(), bytes) == C2D_OK);
+  }
+  CHECK(refused > 100);
+  refused = 0;
+  use();
+  CHECK(refused == 0);
+  const size_t reads = tree.store.done.size();
+  use();
+  const size_t operations = tree.store.done.size() - reads;
+  for (size_t n = 0; n < operations; n += 1 + operations / 60) {
+    CAPTURE(n);
+    tree.fail(static_cast<int64_t>(n));
+    refused = 0;
+    use();
+    CHECK(refused == 1);
+  }
+  d.view().body[0].on_demand = 0;
+}
+
 TEST_CASE("compressed: tractions that come later as by the reduced equations, all orders, holes, leaves") {
   for (int32_t trial = 0; trial < 12; ++trial) {
     CAPTURE(trial);

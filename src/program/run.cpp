@@ -66,6 +66,7 @@ private:
   static void on_log(void* context, const c2d_error* entry);
   static int32_t on_step(void* context, const c2d_step* step);
   c2d_port make_port();
+  bool begins_anew(int32_t status) const;
   bool must_stop();
 
   int read();
@@ -146,6 +147,7 @@ private:
 void Run::on_log(void* context, const c2d_error* entry) {
   Run& run = self(context);
   run.line_.clear();
+  if (entry->severity == C2D_FAULT && run.begins_anew(entry->status)) return; // that is told instead
   Messages::log(&run.session_.messages, entry);
 }
 
@@ -264,6 +266,11 @@ c2d_port Run::make_port() {
   return port;
 }
 
+// With room for all pairs, where it was the program that chose how many.
+bool Run::begins_anew(int32_t status) const {
+  return session_.limits.touching > 0 && options_.touching < 0 && (status == C2D_ERR_LIMIT || status == C2D_ERR_MEMORY);
+}
+
 int Run::library_failed(c2d_status status) {
   line_.clear();
   if (status == C2D_ERR_CALLBACK && !error_.empty()) return file_failed();
@@ -271,7 +278,7 @@ int Run::library_failed(c2d_status status) {
     fresh_start_ = "the tapes in " + options_.folder + " are damaged";
     return kExitFiles;
   }
-  if (session_.limits.touching > 0 && options_.touching < 0 && (status == C2D_ERR_LIMIT || status == C2D_ERR_MEMORY)) {
+  if (begins_anew(status)) {
     wants_all_pairs_ = true;
     fresh_start_ = status == C2D_ERR_LIMIT ? "the contact cannot be on demand"
                                            : "more pairs touch than the " + std::to_string(session_.limits.touching) +
