@@ -1,6 +1,7 @@
 #include "contact/asleep.hpp"
 
 #include <math.h>
+#include <string.h>
 
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
@@ -94,6 +95,75 @@ void add_nearest(const Follower& f, Waking& w) {
 }
 
 } // namespace
+
+namespace {
+
+// Open pairs that are awake may have so many columns, over those that the list has room for; so many stay.
+constexpr int32_t kIdleMost = 3, kIdleLeft = 1;
+
+bool is_idle(const Tableau& t, int32_t i) { return t.pair[i].status == C2D_OPEN && !is_asleep(t, i) && t.guided - 1 != i; }
+
+int32_t idle_columns(const Tableau& t) {
+  int32_t columns = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) columns += is_idle(t, i) ? 1 + last_slot(t, t.pair[i]) : 0;
+  return columns;
+}
+
+bool holds_a_body(const Tableau& t, const Form& form, int32_t i) {
+  const Pair& pair = t.pair[i];
+  return has_force(form, *t.model, pair.dof) || (last_slot(t, pair) == 1 && has_force(form, *t.model, pair.dof + 1));
+}
+
+// The gap within which open pairs stay awake: that of the last of the nearest for whose columns there is room.
+double near_gap(const Follower& f) {
+  const Tableau& t = *f.t;
+  double within = -HUGE_VAL;
+  for (int32_t columns = 0; columns < kIdleLeft * t.delayed.most;) {
+    double next = HUGE_VAL;
+    for (int32_t i = 0; i < t.pairs; ++i) {
+      const double gap = f.y[t.pair[i].dof];
+      if (is_idle(t, i) && gap > within && gap < next) next = gap;
+    }
+    if (next == HUGE_VAL) return within;
+    within = next;
+    columns += 2;
+  }
+  return within;
+}
+
+int32_t owner_of_last(const Tableau& t) {
+  for (int32_t i = 0;; ++i)
+    if (t.column[i] >= 0 && t.column[i] + 1 + last_slot(t, t.pair[i]) == t.delayed.cols) return i;
+}
+
+// Its columns go, and the last ones come into their place. The list is empty. A pair without a tangent stays where others have
+// one.
+void fall_asleep(Tableau& t, int32_t i) {
+  const int32_t last = owner_of_last(t), columns = 1 + last_slot(t, t.pair[i]);
+  if (1 + last_slot(t, t.pair[last]) != columns) return;
+  for (int32_t slot = 0; slot < columns && last != i; ++slot)
+    memcpy(t_column(t, t.column[i] + slot), t_column(t, t.column[last] + slot), static_cast<size_t>(t.m) * sizeof(Real));
+  t.column[last] = t.column[i];
+  t.column[i] = -1;
+  t.delayed.cols -= columns;
+}
+
+} // namespace
+
+c2d_status rest_far(Follower& f) {
+  Tableau& t = *f.t;
+  Form form;
+  form.open = t.open;
+  form.sliding = t.sliding;
+  if (!delays(t) || !t.open || idle_columns(t) <= kIdleMost * t.delayed.most || !may_sleep(t, form)) return C2D_OK;
+  apply_list(t);
+  const c2d_status status = read_form(*f.tape, t.delayed.numbers, &form); // (the list is empty)
+  if (status != C2D_OK) return status;
+  const double near = near_gap(f);
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (is_idle(t, i) && static_cast<double>(f.y[t.pair[i].dof]) > near && !holds_a_body(t, form, i)) fall_asleep(t, i);
+  return C2D_OK;
+}
 
 bool may_sleep(const Tableau& t, const Form& form) {
   if (!form.open || t.may_rest != 0 || is_let_go(t) || (form.sliding && !t.smooth)) return false;

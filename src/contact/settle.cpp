@@ -293,7 +293,8 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (status != C2D_OK) return status;
   bool let_go = is_let_go(*f.t);
   const bool was_let_go = let_go, was_idle = f.idle;
-  if (!kSmallCode) status = wake_touching(f);
+  if (!kSmallCode) status = rest_far(f);
+  if (!kSmallCode && status == C2D_OK) status = wake_touching(f);
   if (status != C2D_OK) return status;
   PathScales s = decision_scales(f);
   status = kSearchPart.note_idle(f, s);

@@ -314,6 +314,8 @@ c2d_status load_start(Tableau& t, const ContactTape& tape) {
   Form form;
   c2d_status status = load_basis(t, tape, &form);
   t.stiffness = 0.0;
+  t.open = form.open;
+  t.sliding = form.sliding;
   place_columns(t, !kSmallCode && may_sleep(t, form));
   if (!kSmallCode && status == C2D_OK) status = need_awake(t, tape);
   for (int32_t i = 0; i < t.pairs; ++i)

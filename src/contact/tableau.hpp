@@ -34,9 +34,10 @@ struct Tableau {
   int32_t resting = 0;  // so many, along which the bodies keep their place in this tableau
   DelayedExchanges delayed = {}; // of T
   Real *own = nullptr,
-       *cross = nullptr;     // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
-  int32_t* column = nullptr; // [pairs] likewise: where the columns of a pair's slots begin in t; -1: they are asleep
-  bool smooth = false;       // there is a list, and no pair has friction: only columns of normal slots are left
+       *cross = nullptr;              // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
+  int32_t* column = nullptr;          // [pairs] likewise: where the columns of a pair's slots begin in t; -1: they are asleep
+  bool smooth = false;                // there is a list, and no pair has friction: only columns of normal slots are left
+  bool open = false, sliding = false; // of the form on the tape (contact/basis.hpp)
 };
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }

@@ -83,6 +83,8 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   t.may_rest = s->may_rest;
   t.resting = s->resting;
   place_list(t, session.area.delayed, s->delayed, s->awake);
+  t.open = s->open != 0;
+  t.sliding = s->sliding != 0;
   t.model = &session.model;
   t.body = &session.free_body;
 }
