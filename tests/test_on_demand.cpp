@@ -35,8 +35,10 @@ Apart apart(const many::Result& a, const many::Result& b) {
     for (size_t i = 0; i < a.steps[s].rows.size(); ++i) {
       const many::Row &x = a.steps[s].rows[i], &y = b.steps[s].rows[i];
       if (x[C2D_STATUS] != y[C2D_STATUS]) ++out.statuses;
-      for (int f : {C2D_TN, C2D_TT}) t = std::max(t, std::fabs(x[f])), dt = std::max(dt, std::fabs(x[f] - y[f]));
-      for (int f : {C2D_UN1, C2D_UN2, C2D_UT1, C2D_UT2, C2D_GAP, C2D_SLIP_SUM})
+      for (size_t f : {size_t{C2D_TN}, size_t{C2D_TT}})
+        t = std::max(t, std::fabs(x[f])), dt = std::max(dt, std::fabs(x[f] - y[f]));
+      for (size_t f :
+           {size_t{C2D_UN1}, size_t{C2D_UN2}, size_t{C2D_UT1}, size_t{C2D_UT2}, size_t{C2D_GAP}, size_t{C2D_SLIP_SUM}})
         u = std::max(u, std::fabs(x[f])), du = std::max(du, std::fabs(x[f] - y[f]));
     }
     const many::Step &p = a.steps[s], &q = b.steps[s];
