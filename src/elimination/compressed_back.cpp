@@ -125,10 +125,13 @@ uint64_t read_backwards(Records& r, uint64_t& end) {
   return read_at(r.stream, end, r.w.record, length) == C2D_OK ? length : 0;
 }
 
-// Which unknown of the body each of the border's is, -1: none, in w.record; false: nothing of the kind.
-bool read_border(Records& r, uint64_t& end) {
-  if (read_backwards(r, end) != static_cast<uint64_t>(r.plan.border.pivots) * sizeof(int32_t)) return false;
-  for (int32_t j = 0; j < r.plan.border.pivots; ++j)
+// Which unknown of the body each of the border's is, -1: none, in w.record, and its plan; false: nothing of the kind.
+bool read_border(Records& r, uint64_t& end, EliminationPlan& border) {
+  const uint64_t listed = read_backwards(r, end) / sizeof(int32_t), most = static_cast<uint64_t>(r.plan.border.pivots);
+  const uint64_t least = most - static_cast<uint64_t>(root_size(r.plan));
+  if (listed < least || listed > most) return false;
+  border = border_with(r.plan, static_cast<int32_t>(listed - least));
+  for (int32_t j = 0; j < border.pivots; ++j)
     if (border_id(r.w.record, j) < -1 || border_id(r.w.record, j) >= r.plan.columns) return false;
   return true;
 }
@@ -151,10 +154,11 @@ void substitute(const Records& r, const Record& cell, Real* x) {
 c2d_status solve(Records& r, Tapes& tapes, Real* x) {
   uint64_t end = r.end;
   if (r.stream.status != C2D_OK) return r.stream.status;
-  const c2d_status status = back_substitute(r.plan.border, tapes, r.w.coefficient, r.w.y, r.w.dense);
+  EliminationPlan border;
+  if (!read_border(r, end, border)) return fault_of(r);
+  const c2d_status status = back_substitute(border, tapes, r.w.coefficient, r.w.y, r.w.dense);
   if (status != C2D_OK) return status;
-  if (!read_border(r, end)) return fault_of(r);
-  for (int32_t j = 0; j < r.plan.border.pivots; ++j) {
+  for (int32_t j = 0; j < border.pivots; ++j) {
     const int32_t id = border_id(r.w.record, j);
     if (id >= 0) x[id] = r.w.y[j];
   }
@@ -216,7 +220,8 @@ c2d_status carry_down(const CompressedPlan& plan, Tapes& tapes, const Engine& en
   Records r = begin_reading(plan, tapes, work);
   uint64_t end = r.end;
   if (r.stream.status != C2D_OK) return r.stream.status;
-  if (!read_border(r, end)) return fault_of(r);
+  EliminationPlan border;
+  if (!read_border(r, end, border)) return fault_of(r);
   while (end > sample_bytes(plan)) {
     Record cell;
     const uint64_t length = read_backwards(r, end);
@@ -257,20 +262,21 @@ c2d_status compressed_functional(const CompressedPlan& plan, Tapes& tapes, Real*
   const int32_t trailing = plan.border.trailing - 1;
   for (int32_t j = 0; j < trailing; ++j) w[j] = 0;
   uint64_t end = r.end, last = sample_bytes(plan);
-  if (!read_border(r, end)) return fault_of(r);
-  const uint64_t border = end;
-  while (last < border) {
+  EliminationPlan border;
+  if (!read_border(r, end, border)) return fault_of(r);
+  const uint64_t cells = end;
+  while (last < cells) {
     Record cell;
     if (!read_forwards(r, last, cell)) return fault_of(r);
     carry_weights(r, cell, f, w);
   }
   end = r.end;
-  if (!read_border(r, end)) return fault_of(r);
-  for (int32_t j = 0; j < plan.border.pivots; ++j) {
+  if (!read_border(r, end, border)) return fault_of(r);
+  for (int32_t j = 0; j < border.pivots; ++j) {
     const int32_t id = border_id(r.w.record, j);
     r.w.y[j] = id >= 0 ? f[id] : Real(0);
   }
-  const c2d_status status = transposed_functional(plan.border, tapes, r.w.y, r.w.coefficient, r.w.dense);
+  const c2d_status status = transposed_functional(border, tapes, r.w.y, r.w.coefficient, r.w.dense);
   for (int32_t j = 0; j < trailing && status == C2D_OK; ++j) w[j] += r.w.coefficient[j];
   return status;
 }

@@ -1,6 +1,8 @@
-// What the tree leaves, with what belongs to no cell: a small dense system. Its rows: those of the root (as many as it may have
-// at most: 1 = 1 where it has fewer), of the border's nodes, the balances, the holes. Its columns: unknowns of the root
-// likewise, of the border's nodes, rho and omega, tr V of the holes; then the contact and the right-hand sides.
+// What the tree leaves, with what belongs to no cell: a small dense system. Its rows: those of the root, of the border's nodes,
+// the balances, the holes. Its columns: unknowns of the root, of the border's nodes, rho and omega, tr V of the holes; then the
+// contact and the right-hand sides.
+#include <string.h>
+
 #include "elimination/compressed_work.hpp"
 #include "linalg/dense.hpp"
 
@@ -12,7 +14,7 @@ struct Border {
   Compression& t;
   const TreeCell& root;
   ColumnSystem chosen; // the root's nodes and those of the border
-  int32_t room, nodes; // of the root; of the border
+  int32_t room, nodes; // unknowns of the root; nodes of the border
   int32_t elements;    // at nodes of the border, in w.elements
   int32_t outer;       // unknowns of nodes of the border, rho, omega
   const RowSink* sink;
@@ -100,9 +102,8 @@ void find_root_products(Compression& t, const TreeCell& root) {
 void fill_root_column(const Border& b, int32_t j, Real* to) {
   const CompressedWork& w = b.t.w;
   const int32_t n = b.root.unknowns, rows = border_rows(b.t.plan);
-  for (int32_t i = 0; i < b.room; ++i) to[i] = i == j ? Real(1) : Real(0);
-  for (int32_t i = 0; i < rows; ++i) to[b.room + i] = j < n ? w.root_q[i + static_cast<int64_t>(j) * rows] : Real(0);
-  for (int32_t i = 0; i < n && j < n; ++i) to[i] = w.root_d[j + static_cast<int64_t>(i) * n];
+  for (int32_t i = 0; i < n; ++i) to[i] = w.root_d[j + static_cast<int64_t>(i) * n];
+  for (int32_t i = 0; i < rows; ++i) to[n + i] = w.root_q[i + static_cast<int64_t>(j) * rows];
 }
 
 // The normal of a hole at every node of it; its own row says what tr V is.
@@ -113,16 +114,14 @@ void fill_hole_column(const Border& b, int32_t hole, Real* to) {
     if (t.w.hole_at[node] == hole && has_integrals(t, node, c)) hole_normal(t.system.model, t.system.body, node, n);
     return static_cast<Real>(n[c]);
   };
-  for (int32_t i = 0; i < b.room; ++i) to[i] = i < b.root.rows ? normal(b.root.row_ids[i] / 2, b.root.row_ids[i] % 2) : Real(0);
+  for (int32_t i = 0; i < b.room; ++i) to[i] = normal(b.root.row_ids[i] / 2, b.root.row_ids[i] % 2);
   for (int32_t i = 0; i < 2 * b.nodes; ++i) to[b.room + i] = normal(t.w.border[i / 2], i % 2);
   for (int32_t i = b.first_hole() - 3; i < b.rows(); ++i) to[i] = i == b.first_hole() + hole ? Real(-1) : Real(0);
 }
 
 void fill_right_column(const Border& b, int32_t k, Real* to) {
-  const int32_t n = b.root.unknowns, rows = border_rows(b.t.plan);
-  const Real* from = b.t.w.root_c + static_cast<int64_t>(k) * (rows + n);
-  for (int32_t i = 0; i < b.room; ++i) to[i] = i < n ? from[i] : Real(0);
-  for (int32_t i = 0; i < rows; ++i) to[b.room + i] = from[n + i];
+  const int32_t all = b.rows();
+  memcpy(to, b.t.w.root_c + static_cast<int64_t>(k) * all, static_cast<size_t>(all) * sizeof(Real));
 }
 
 // Columns of the body, listed by w.list, which go to consecutive columns of the panel.
@@ -140,8 +139,7 @@ void fill_body_columns(const Border& b, int32_t count, Real* panel, int64_t ld) 
     w.place[w.list[j]] = -1;
     const Real* from = w.block + j * rows;
     Real* to = panel + j * ld;
-    for (int32_t i = 0; i < b.room; ++i)
-      to[i] = i < b.root.rows ? from[2 * w.position[b.root.row_ids[i] / 2] + b.root.row_ids[i] % 2] : Real(0);
+    for (int32_t i = 0; i < b.room; ++i) to[i] = from[2 * w.position[b.root.row_ids[i] / 2] + b.root.row_ids[i] % 2];
     for (int32_t i = 0; i < border_rows(t.plan); ++i) to[b.room + i] = from[border + i];
   }
 }
@@ -184,9 +182,9 @@ c2d_status write_unknowns(Border& b) {
   Compression& t = b.t;
   const uint64_t start = t.upper.end;
   const int32_t none = -1;
-  for (int32_t j = 0; j < t.plan.border.pivots; ++j) {
+  for (int32_t j = 0; j < b.first_contact(); ++j) {
     const int32_t outer = j - b.room;
-    const int32_t* id = j < b.root.unknowns ? t.w.ids + j : &none;
+    const int32_t* id = outer < 0 ? t.w.ids + j : &none;
     if (outer >= 0 && outer < b.outer) id = t.w.sources + b.chosen.sources + outer;
     append(t.upper, id, sizeof *id);
   }
@@ -195,14 +193,11 @@ c2d_status write_unknowns(Border& b) {
   return t.upper.status;
 }
 
-// The same at its real size.
-c2d_status keep_whole(const Border& border) {
-  Compression& t = border.t;
-  Border own = border;
-  own.room = border.root.unknowns;
-  const int32_t size = own.rows();
-  const c2d_status status = fill_border(&own, 0, size, t.w.whole, size);
-  return status == C2D_OK ? keep_border(t, border.root, t.w.sources + own.chosen.sources, size) : status;
+// Its matrix, for right-hand sides that come later.
+c2d_status keep_whole(Border& b) {
+  const int32_t size = b.rows();
+  const c2d_status status = fill_border(&b, 0, size, b.t.w.whole, size);
+  return status == C2D_OK ? keep_border(b.t, b.root, b.t.w.sources + b.chosen.sources, size) : status;
 }
 
 } // namespace
@@ -215,20 +210,15 @@ c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink&
   for (int32_t i = 0; i < nodes; ++i) w.sources[sources++] = w.border[i];
   list_outer(t, w.sources + sources);
   const ColumnSystem chosen = choose_nodes(t.system, w.sources, sources, w.point, w.twin);
-  Border border{t,
-                root,
-                chosen,
-                root_size(t.plan),
-                nodes,
-                list_elements(t, w.border, nodes, w.elements),
-                t.plan.columns - 2 * t.plan.tree,
-                &sink};
+  Border border{
+      t,    root, chosen, root.unknowns, nodes, list_elements(t, w.border, nodes, w.elements), t.plan.columns - 2 * t.plan.tree,
+      &sink};
   c2d_status status = write_unknowns(border);
   if (status == C2D_OK && t.plan.keeps != 0) status = keep_whole(border);
   if (status != C2D_OK) return status;
   PivotStats stats;
-  status = eliminate(t.plan.border, ColumnSource{&border, fill_border}, RowSink{&border, take_rows}, tapes, w.dense, &stats,
-                     watch, t.engine);
+  status = eliminate(border_with(t.plan, root.unknowns), ColumnSource{&border, fill_border}, RowSink{&border, take_rows}, tapes,
+                     w.dense, &stats, watch, t.engine);
   if (stats.smallest_ratio < t.pivots->smallest_ratio) t.pivots->smallest_ratio = stats.smallest_ratio;
   if (stats.largest_ratio > t.pivots->largest_ratio) t.pivots->largest_ratio = stats.largest_ratio;
   if (stats.growth > t.pivots->growth) t.pivots->growth = stats.growth;

@@ -63,6 +63,14 @@ inline int32_t border_contact(const CompressedPlan& plan) { return plan.keeps !=
 inline int32_t most_dofs(const CompressedPlan& plan) { return 2 * plan.rank; }
 inline int32_t right_sides(const CompressedPlan& plan) { return plan.loads + static_cast<int32_t>(kLoadsBeside); }
 inline int32_t root_size(const CompressedPlan& plan) { return 2 * (plan.tree < plan.rank ? plan.tree : plan.rank); }
+// The border's plan where the root has so many unknowns: it is no larger than it is, so that no sum depends on what is allowed.
+inline EliminationPlan border_with(const CompressedPlan& plan, int32_t unknowns) {
+  EliminationPlan out = plan.border;
+  out.rows -= root_size(plan) - unknowns;
+  out.pivots -= root_size(plan) - unknowns;
+  cut_alike(plan.border, out);
+  return out;
+}
 // Rows of the border: of its nodes, the balances, the holes.
 inline int32_t border_rows(const CompressedPlan& plan) { return 2 * (plan.nodes - plan.tree) + 3 + plan.holes; }
 int64_t result_numbers(const CompressedPlan& plan);
