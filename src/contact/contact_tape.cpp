@@ -43,7 +43,7 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t columns, int64_t motions
     at.rows = m;
     switch (static_cast<ContactMatrix>(i)) {
     case ContactMatrix::compliance: at.columns = columns > 0 ? columns : m + border; break;
-    case ContactMatrix::stiffness: at.columns = columns > 0 ? 0 : m; break;
+    case ContactMatrix::stiffness: at.columns = columns > 0 ? columns : m; break;
     case ContactMatrix::motion_load: at.rows = border; [[fallthrough]];
     case ContactMatrix::closing:
     case ContactMatrix::stiffness_load: at.columns = cases; break;

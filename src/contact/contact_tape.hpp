@@ -26,8 +26,8 @@ enum class ContactMatrix : int32_t {
   compliance, // A and C: m columns of m, and one for each motion of bodies that keep no equations; on demand as many as
               // there is room for, of pairs in the order in which they were made (Pair::made)
   closing,    // h: per load case, of m
-  stiffness, // (not on demand) T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair
-             // sticking
+  stiffness,  // T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair sticking; on
+              // demand, where that is A, displacements on side 0 of all pairs, a column for each of A
   stiffness_load, // b: per load case, of m
   resultants,     // G and R of all bodies, each orthonormal: a column of m for each motion
   motions,

@@ -24,7 +24,6 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              tell_touching,
                                                                              respond_on_demand,
                                                                              make_columns,
-                                                                             find_displacements,
                                                                              has_far_cells,
                                                                              evaluate_by_cells};
 

@@ -220,7 +220,6 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, c2d_solver*> tell_touching = NotLinked();
   Function<c2d_status, c2d_solver*> respond_on_demand = NotLinked();
   Function<c2d_status, void*, const int32_t*, int32_t> make_columns = NotLinked();
-  Function<c2d_status, Session&, int> find_displacements = NotLinked();
   Function<bool, const Session&, int> has_far_cells = Nothing();
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };

@@ -36,7 +36,9 @@ struct Sizes {
   int64_t touching; // pairs for whose columns there is room; 0: for all
 };
 // Columns of the contact system that there is room for.
-inline int64_t columns_of(const Sizes& sizes) { return C2D_COLUMNS_(sizes.contact, sizes.touching); }
+inline int64_t columns_of(const Sizes& sizes) {
+  return kSmallCode ? sizes.contact : C2D_COLUMNS_(sizes.contact, sizes.touching); // (small code has all)
+}
 BodySizes sizes_of_body(const Sizes& sizes, int b);
 // C2D_ELIMINATION_DENSE or COMPRESSED: which one by size.
 int32_t elimination_by_size(const Sizes& sizes);

@@ -299,7 +299,9 @@ struct Unknown {
   bool loaded;    // displacement: the contact acts there all the same, on demand
 };
 // Do tractions of the contact act along this component, where an end is in contact?
-inline bool is_in_contact(const Unknown& unknown) { return unknown.kind == UnknownKind::contact || unknown.loaded; }
+inline bool is_in_contact(const Unknown& unknown) {
+  return unknown.kind == UnknownKind::contact || (!kSmallCode && unknown.loaded);
+}
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);

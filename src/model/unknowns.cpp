@@ -81,7 +81,7 @@ Unknown find_unknown(const Model& m, int b, int32_t node, const NodeEnds& at, in
   if (is_held_by_symmetry(m, b, node, component)) return unknown;
   const bool fixed = at.fixed[component];
   if (at.pair >= 0 && is_contact_component(m.pair[at.pair], component)) {
-    unknown.loaded = m.body[b].on_demand != 0;
+    unknown.loaded = !kSmallCode && m.body[b].on_demand != 0;
     if (unknown.loaded) return unknown;
     unknown.kind = contact_kind(m, b, at.ends, at.count, component);
     return unknown;

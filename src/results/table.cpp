@@ -2,11 +2,8 @@
 #include "results/table.hpp"
 
 #include "contact/body_unknowns.hpp"
-#include "memory/parts.hpp"
 
 namespace c2d {
-
-C2D_USES(CompressedPart);
 
 namespace {
 
@@ -74,9 +71,8 @@ c2d_status add_compliance(const Session& session, int b) {
 }
 
 // u = F t + sum of lambda_k v_k + R x.
-c2d_status add_body(Session& session, int b) {
+c2d_status add_body(const Session& session, int b) {
   const Body& body = session.model.body[b];
-  if (body.on_demand != 0) return kCompressedPart.find_displacements(session, b);
   c2d_status status = is_rigid(session.model, b) ? c2d_status{C2D_OK} : add_compliance(session, b);
   for (int32_t k = 0; k < session.follower.t->cases && status == C2D_OK; ++k)
     status = add_from_tape(session, b, BodyMatrix::response, k, session.follower.load[k]);
@@ -107,19 +103,43 @@ void fill_row(const Session& session, int32_t i, double* row) {
   row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
 }
 
+// The other side moves with a pair's motion.
+void follow_pair(const Session& session, int32_t i, int known_side) {
+  const Follower& f = session.follower;
+  const Pair& pair = session.model.pair[i];
+  const PairState now = pair_state(*f.t, i, f.y);
+  const Real* known = session.area.u[known_side] + pair.dof;
+  Real* out = session.area.u[1 - known_side] + pair.dof;
+  const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
+  out[0] = known[0] + static_cast<Real>(signed_on(1 - known_side, now.wn - gap));
+  if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(1 - known_side, now.wt));
+}
+
 // Those of a body that keeps its equations: of what it meets, and the pairs' motions.
 void follow_others(const Session& session, int b) {
+  for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) follow_pair(session, at.pair, 1 - at.side);
+}
+
+// On demand: of side 0 by the columns of the pairs that carry a force, and by the loads.
+c2d_status displacements_on_demand(const Session& session) {
   const Model& m = session.model;
   const Follower& f = session.follower;
-  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
-    const Pair& pair = m.pair[at.pair];
-    const PairState now = pair_state(*f.t, at.pair, f.y);
-    const Real* known = session.area.u[1 - at.side] + pair.dof;
-    Real* out = session.area.u[at.side] + pair.dof;
-    const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit;
-    out[0] = known[0] + static_cast<Real>(signed_on(at.side, now.wn - gap));
-    if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(at.side, now.wt));
+  Real *const u = session.area.u[0], *const column = session.area.column;
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies; ++b)
+    for (int32_t k = 0; k < f.t->cases && status == C2D_OK && m.body[b].contact > 0; ++k)
+      status = add_from_tape(session, b, BodyMatrix::response, k, f.load[k]);
+  for (int32_t i = 0; i < m.head->pairs && status == C2D_OK; ++i) {
+    const PairState now = pair_state(*f.t, i, f.y);
+    const double tau[2] = {now.p, now.q};
+    for (int slot = 0; slot <= m.pair[i].tangential && status == C2D_OK; ++slot) {
+      if (tau[slot] == 0.0) continue;
+      status = read_column(session.tape, ContactMatrix::stiffness, m.pair[i].made + slot, column);
+      for (int32_t j = 0; j < m.head->contact; ++j) u[j] += static_cast<Real>(tau[slot]) * column[j];
+    }
   }
+  for (int32_t i = 0; i < m.head->pairs; ++i) follow_pair(session, i, 0);
+  return status;
 }
 
 } // namespace
@@ -129,6 +149,7 @@ c2d_status contact_displacements(Session& session) {
   c2d_status status = find_motions(session);
   for (Real* u : session.area.u)
     for (int32_t i = 0; i < m.head->contact; ++i) u[i] = 0;
+  if (is_on_demand(m)) return status == C2D_OK ? displacements_on_demand(session) : status;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
     if (m.body[b].contact > 0 && m.body[b].keeps_equations == 0) status = add_body(session, b);
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)

@@ -194,6 +194,7 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* c
 } // namespace
 
 void add_demanded(Session& session, int b, const DemandedColumns& columns) {
+  if (kSmallCode) return;
   const EnergyBook book = energy_book(session.solver);
   const PathArea& area = session.area;
   for (int32_t k = 0; k < 2 * book.cases; ++k) {

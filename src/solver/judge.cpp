@@ -170,7 +170,7 @@ c2d_status build_judge(c2d_solver* s) {
     book.moment[0][i] = book.moment[1][i] = 0;
   }
   const bool demand = is_on_demand(session.model);
-  if (status == C2D_OK && demand) status = project_made(session, book.stick);
+  if (!kSmallCode && status == C2D_OK && demand) status = project_made(session, book.stick);
   if (status == C2D_OK && !demand) status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
   for (int32_t i = 0; i < m && form.sliding && !form.open; ++i) // w_t stands where q, which is zero, does else

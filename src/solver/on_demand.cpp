@@ -63,7 +63,7 @@ namespace {
 // What stands in PathArea::later.
 struct LaterArea {
   AssemblyScratch* scratch;
-  Real *packing, *columns; // of the kernels; [m * kMostSides] of A
+  Real *packing, *columns; // of the kernels; [2 m * kMostSides] of A, of displacements on side 0
   double* point;
   int32_t* twin;
   char* work;
@@ -81,7 +81,7 @@ uint64_t lay_out_area(const CompressedPlan& plan, int64_t m, char* base, LaterAr
   const uint64_t nodes = static_cast<uint64_t>(plan.nodes), contact = static_cast<uint64_t>(m);
   take(area.scratch, kAssemblyBytes);
   take(area.packing, static_cast<uint64_t>(kPacking) * sizeof(Real));
-  take(area.columns, contact * static_cast<uint64_t>(kMostSides) * sizeof(Real));
+  take(area.columns, 2 * contact * static_cast<uint64_t>(kMostSides) * sizeof(Real));
   take(area.point, 2 * nodes * sizeof(double));
   take(area.twin, nodes * sizeof(int32_t));
   take(area.work, later_sides_bytes(plan));
@@ -164,27 +164,6 @@ c2d_status solve_on_demand(Session& session, int b, const CompressedPlan& plan, 
                    [&](const LaterSides& sides) { return add_tractions(sides, coefficient + own, session.area.outer); });
 }
 
-c2d_status find_displacements(Session& session, int b) {
-  const Model& m = session.model;
-  const PathArea& area = session.area;
-  const Follower& f = session.follower;
-  const int32_t own = m.body[b].contact;
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    const PairState now = pair_state(*f.t, static_cast<int32_t>(&pair - m.pair), f.y);
-    const int32_t first = own + dof_on(m, pair, side);
-    area.coefficient[first] = static_cast<Real>(signed_on(side, now.p));
-    if (pair.tangential) area.coefficient[first + 1] = static_cast<Real>(signed_on(side, now.q));
-  });
-  for (int32_t k = 0; k < m.head->load_cases; ++k) area.coefficient[2 * own + k] = static_cast<Real>(f.load[k]);
-  take_back_work(session.solver);
-  const c2d_status status = solve_on_demand(session, b, compression_of(m, b, plan_of(session.solver, b)), area.coefficient);
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    for (int slot = 0; slot <= pair.tangential && status == C2D_OK; ++slot)
-      area.u[side][pair.dof + slot] = displacement_along(m, b, pair, side, slot, area.outer, 1);
-  });
-  return status;
-}
-
 namespace {
 
 // Columns that are made together.
@@ -213,8 +192,10 @@ c2d_status add_body(Session& session, int b, const Lot& lot, Real* columns) {
   for_pairs_of(m, b, [&](const Pair& pair, int own) {
     for (int slot = 0; slot <= pair.tangential; ++slot)
       for (int32_t k = 0; k < count; ++k) {
-        const Real u = displacement_along(m, b, pair, own, slot, x + k, count);
-        columns[static_cast<int64_t>(place[k]) * m.head->contact + pair.dof + slot] += signed_on(own, signed_on(side[k], u));
+        const Real u = signed_on(side[k], displacement_along(m, b, pair, own, slot, x + k, count));
+        Real* const column = columns + 2 * static_cast<int64_t>(place[k]) * m.head->contact + pair.dof + slot;
+        column[0] += signed_on(own, u);
+        if (own == 0) column[m.head->contact] += u;
       }
   });
   if (!session.solver->keeps_energy) return C2D_OK;
@@ -234,14 +215,15 @@ c2d_status make_lot(Session& session, const Lot& lot) {
     if (is_rigid(m, b)) continue;
     if (!columns) {
       columns = area_of(session, compression_of(m, b, plan_of(s, b))).columns;
-      for (int64_t i = 0; i < static_cast<int64_t>(lot.count) * contact; ++i) columns[i] = 0;
+      for (int64_t i = 0; i < 2 * static_cast<int64_t>(lot.count) * contact; ++i) columns[i] = 0;
     }
     status = add_body(session, b, lot, columns);
   }
   for (int32_t k = 0; k < lot.count && status == C2D_OK; ++k) {
-    const Real* const column = columns + static_cast<int64_t>(k) * contact;
+    const Real* const column = columns + 2 * static_cast<int64_t>(k) * contact;
     note_demanded(s, m.pair[lot.pair[k]].dof + lot.slot[k], column);
     status = write_column(session.tape, ContactMatrix::compliance, s->made + k, column);
+    if (status == C2D_OK) status = write_column(session.tape, ContactMatrix::stiffness, s->made + k, column + contact);
   }
   if (status != C2D_OK) return status;
   for (int32_t k = 0; k < lot.count; ++k)

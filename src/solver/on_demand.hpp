@@ -22,8 +22,6 @@ c2d_status respond_on_demand(c2d_solver* solver);
 // ColumnMaker::make of a session. C2D_ERR_MEMORY: more pairs touch, or are about to, than there is room for; then nothing is
 // made.
 c2d_status make_columns(void* session, const int32_t* pair, int32_t count);
-// Displacements of a body on its sides of the pairs, in area.u, of the state that is reached.
-c2d_status find_displacements(Session& session, int b);
 // Unknowns outside the contact of a body, in area.outer, by tractions and load factors as trailing_coefficients lists them.
 c2d_status solve_on_demand(Session& session, int b, const CompressedPlan& plan, const Real* coefficient);
 

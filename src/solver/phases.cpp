@@ -148,7 +148,7 @@ void add_back_need(const PhaseSizes& s, int b, const EliminationPlan& plan, Back
   if (s.of(b).rows == 0) return;
   out.work = larger(out.work, back_bytes(s, b, plan));
   out.outer = larger(out.outer, static_cast<uint64_t>(s.of(b).outer));
-  out.later = larger(out.later, later_bytes(s, b, plan));
+  if (!kSmallCode) out.later = larger(out.later, later_bytes(s, b, plan));
 }
 
 } // namespace
@@ -184,7 +184,7 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   carver = rates;
   C2D_RATES_ARRAYS_(C2D_TAKE, columns + 1)
   const uint64_t bytes = larger(used, carver.total());
-  if (back.later > 0 && bytes != UINT64_MAX) {
+  if (!kSmallCode && back.later > 0 && bytes != UINT64_MAX) {
     carver.used = bytes;
     carver.align();
     area.later = carver.items(back.later, 1);
@@ -323,7 +323,7 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
   const PhaseSizes s = phase_sizes(sizes);
   *minimum = use_of(s, PlanRule{0, sizes.panel_columns}, false);
-  const uint64_t on_demand = s.columns < s.m ? kCompressedPart.compression_that_will_do(s, 0) : 0;
+  const uint64_t on_demand = !kSmallCode && s.columns < s.m ? kCompressedPart.compression_that_will_do(s, 0) : 0;
   *minimum = larger(*minimum, on_demand);
   // What choose_rule would do with all the memory there is.
   const PlanRule all = {UINT64_MAX - 1, sizes.panel_columns};

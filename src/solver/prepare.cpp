@@ -377,7 +377,7 @@ using Tick = c2d_status (*)(void* context);
                                            bool sliding, Tick tick) {
   if (m.head->contact == 0) return C2D_OK;
   clear_phases(s);
-  s->made = 0;
+  if (!kSmallCode) s->made = 0;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
@@ -512,7 +512,7 @@ c2d_status prepare_once(c2d_solver* s) {
     plan_bodies(s, m);
     weigh_pairs(m);
     status = close_all(s->tapes);
-    if (status == C2D_OK && model_sizes(m).columns > columns_of(s->sizes)) status = C2D_ERR_LIMIT;
+    if (!kSmallCode && status == C2D_OK && model_sizes(m).columns > columns_of(s->sizes)) status = C2D_ERR_LIMIT;
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) note_path_alone(s, m);
   }

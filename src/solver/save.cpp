@@ -218,7 +218,7 @@ void take_up(c2d_solver* s, const Arrival& arrived) {
   const bool pairs = arrived.first < at[kPointLoads] && arrived.end > at[kPairs];
   for (int32_t i = 0; i < s->model.pairs && pairs; ++i) {
     const uint64_t pair = at[kPairs] + static_cast<uint64_t>(i) * sizeof(Pair);
-    if (s->model.columns > 0) upto(pair + offsetof(Pair, made), pair + offsetof(Pair, made) + sizeof Pair::made);
+    if (!kSmallCode && s->model.columns > 0) upto(pair + offsetof(Pair, made), pair + offsetof(Pair, made) + sizeof Pair::made);
     upto(pair + offsetof(Pair, status), pair + sizeof(Pair));
   }
   upto(at[kPairTable], at[kPathLoads]);
@@ -299,8 +299,8 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
                                   {s->may_rest, 0, 1},
                                   {s->resting, 0, kSome},
                                   {s->delayed, 0, delayed_exchanges(head.contact)},
-                                  {s->awake, 0, head.columns > 0 ? head.columns : head.path_unknowns},
-                                  {s->made, 0, head.columns},
+                                  {s->awake, 0, is_on_demand(m) ? head.columns : head.path_unknowns},
+                                  {s->made, 0, kSmallCode ? 0 : head.columns},
                                   {s->guided, 0, head.path_pairs},
                                   {s->good_guided, 0, head.path_pairs},
                                   {s->table_is_current, 0, 1},
@@ -521,7 +521,8 @@ c2d_status save_state(c2d_solver* s) {
 
 c2d_status restore_state(c2d_solver* s) {
   // What the model's numbers are is told by its plans: those of one that has not been prepared here.
-  if (s->sizes.touching > 0 && s->state != C2D_STATE_PREPARED && s->state != C2D_STATE_RUNNING) plan_bodies(s, model_of(s));
+  if (!kSmallCode && s->sizes.touching > 0 && s->state != C2D_STATE_PREPARED && s->state != C2D_STATE_RUNNING)
+    plan_bodies(s, model_of(s));
   const Slots slots = slots_of(s);
   Piece piece;
   SaveRecord record;

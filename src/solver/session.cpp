@@ -51,7 +51,7 @@ uint64_t open_path_area(c2d_solver* s, const Model& m, bool flexibility, PathAre
 namespace {
 
 // Columns of the tableau.
-int32_t tableau_room(const ModelHeader& head) { return head.columns > 0 ? head.columns : head.path_unknowns; }
+int32_t tableau_room(const ModelHeader& head) { return !kSmallCode && head.columns > 0 ? head.columns : head.path_unknowns; }
 
 // Products of the tableau are packed where the matrix of the rate problem stands, and else results: of no use while pairs
 // change.
@@ -129,8 +129,11 @@ void open_session(c2d_solver* s, Session& session) {
   const uint64_t bytes = open_path_area(s, session.model, s->keeps_flexibility != 0, session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
-  session.maker = ColumnMaker{&session, make_columns};
-  session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer, &session.maker};
+  session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer};
+  if (!kSmallCode) {
+    session.maker = ColumnMaker{&session, make_columns};
+    session.tape.maker = &session.maker;
+  }
   double* loads = array_of<double>(s, kLoads);
   open_tableau(s, session, loads);
   open_follower(s, session, loads);
