@@ -643,7 +643,7 @@ TEST_CASE("asleep: a flat face touches as a whole, lot by lot") {
   CHECK(2 * asleep > t.pairs);
   c2d::refresh(draws.session.follower);
   for (int32_t i = 0; i < t.pairs; ++i) draws.session.follower.y[t.pair[i].dof] = 0; // no gap anywhere
-  REQUIRE(c2d::wake_touching(draws.session.follower) == C2D_OK);
+  REQUIRE(c2d::wake_touching(draws.session.follower, c2d::path_scales(draws.session.follower)) == C2D_OK);
   CHECK(count_asleep(t) == 0);
   CHECK(2 * asleep > t.delayed.most); // (more than one lot)
 }

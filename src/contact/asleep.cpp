@@ -173,11 +173,9 @@ bool may_sleep(const Tableau& t, const Form& form) {
   return true;
 }
 
-c2d_status wake_touching(Follower& f) {
+c2d_status wake_touching(Follower& f, const PathScales& s) {
   Tableau& t = *f.t;
   while (some_sleep(t)) {
-    PathScales s = path_scales(f);
-    s.w = fmax(s.w, f.gap_scale);
     int32_t touching = -1;
     for (int32_t i = 0; i < t.pairs && touching < 0; ++i)
       if (is_asleep(t, i) && is_unloaded(f, i, pair_state(t, i, f.y), s)) touching = i;

@@ -14,8 +14,9 @@ bool may_sleep(const Tableau& t, const Form& form);
 // Of open pairs that are awake all but the nearest fall asleep, where there are many: after all of a contact has opened T is no
 // wider than before it closed. Errors: the block store's.
 c2d_status rest_far(Follower& f);
-// Pairs that sleep wake where they touch, with others that are about to. y is that of the tableau. Errors: the block store's.
-c2d_status wake_touching(Follower& f);
+// Pairs that sleep wake where they touch, by the scales of the state, with others that are about to. y is that of the tableau.
+// Errors: the block store's.
+c2d_status wake_touching(Follower& f, const PathScales& s);
 c2d_status wake_all(Follower& f);
 
 } // namespace c2d

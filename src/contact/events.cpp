@@ -208,7 +208,10 @@ c2d_status rebuild(Follower& f) {
   int32_t culprit;
   const c2d_status status = build_tableau(*f.t, *f.tape, &culprit);
   refresh(f);
-  return kSmallCode || status != C2D_OK ? status : wake_touching(f);
+  if (kSmallCode || status != C2D_OK || !some_sleep(*f.t)) return status;
+  PathScales s = path_scales(f);
+  s.w = fmax(s.w, f.gap_scale);
+  return wake_touching(f, s);
 }
 
 double slip_sum(const Follower& f, int32_t index) {

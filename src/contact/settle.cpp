@@ -293,10 +293,10 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (status != C2D_OK) return status;
   bool let_go = is_let_go(*f.t);
   const bool was_let_go = let_go, was_idle = f.idle;
-  if (!kSmallCode) status = rest_far(f);
-  if (!kSmallCode && status == C2D_OK) status = wake_touching(f);
-  if (status != C2D_OK) return status;
   PathScales s = decision_scales(f);
+  if (!kSmallCode) status = rest_far(f);
+  if (!kSmallCode && status == C2D_OK) status = wake_touching(f, s);
+  if (status != C2D_OK) return status;
   status = kSearchPart.note_idle(f, s);
   if (let_go) status = kSearchPart.hold_again(f, &let_go, outcome); // (of which note_idle asks nothing)
   if (status != C2D_OK || let_go || *outcome != C2D_REACHED) return status;
