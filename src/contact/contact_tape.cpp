@@ -118,7 +118,7 @@ int64_t place_contact_blocks(const Model& m) {
 }
 
 c2d_status need_columns(const ContactTape& tape, const int32_t* pair, int32_t count) {
-  return is_on_demand(*tape.model) ? tape.maker->make(tape.maker->context, pair, count) : c2d_status{C2D_OK};
+  return is_on_demand(*tape.model) ? tape.make(tape, pair, count) : c2d_status{C2D_OK};
 }
 c2d_status read_compliance(const ContactTape& tape, const Pair& pair, int slot, Real* data) {
   const bool demand = is_on_demand(*tape.model);

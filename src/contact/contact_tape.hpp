@@ -41,16 +41,12 @@ enum class ContactMatrix : int32_t {
 
 constexpr int32_t kMostMotions = 3; // of a body in a plane
 
-// Of a contact on demand: columns of A, and with them of the tableau with every pair open, that are not on the tape yet.
-struct ColumnMaker {
-  void* context;
-  c2d_status (*make)(void* context, const int32_t* pair, int32_t count); // those of these pairs, if they are not there
-};
 struct ContactTape {
   Tapes* tapes;
   const Model* model;
   void* buffer; // a block of contact_block_numbers(m), aligned to 64
-  const ColumnMaker* maker = nullptr;
+  // Of a contact on demand: makes columns of A, and with them of the tableau with every pair open, unless they are there.
+  c2d_status (*make)(const ContactTape& tape, const int32_t* pair, int32_t count) = nullptr;
 };
 inline uint64_t contact_block_numbers(int64_t m) { return static_cast<uint64_t>(m > kMostMotions ? m : kMostMotions); }
 

@@ -1,5 +1,6 @@
 #include "solver/session.hpp"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "memory/hostile.hpp"
@@ -116,8 +117,10 @@ void open_follower(c2d_solver* s, Session& session, double* loads) {
 }
 
 // (What the table holds is known when the program is linked: a compiler may take its address here for that of the empty one.)
-c2d_status make_columns(void* context, const int32_t* pair, int32_t count) {
-  return kCompressedPart.make_columns(context, pair, count);
+c2d_status make_columns(const ContactTape& tape, const int32_t* pair, int32_t count) {
+  const char* const session =
+      reinterpret_cast<const char*>(&tape) - offsetof(Session, tape); // (it costs no room on a small stack)
+  return kCompressedPart.make_columns(const_cast<char*>(session), pair, count);
 }
 
 } // namespace
@@ -130,10 +133,7 @@ void open_session(c2d_solver* s, Session& session) {
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
   session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer};
-  if (!kSmallCode) {
-    session.maker = ColumnMaker{&session, make_columns};
-    session.tape.maker = &session.maker;
-  }
+  if (!kSmallCode) session.tape.make = make_columns;
   double* loads = array_of<double>(s, kLoads);
   open_tableau(s, session, loads);
   open_follower(s, session, loads);

@@ -12,7 +12,6 @@ struct Session {
   Model model;
   PathArea area;
   ContactTape tape;
-  ColumnMaker maker;
   Tableau tableau;
   Follower follower;
   FreeBody free_body;
