@@ -363,7 +363,7 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
    per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT:
-   changed loads; compressed: MEMORY with bytes_needed. That contact cannot hold a body is no error: c2d_advance tells it. */
+   changed loads; compressed: MEMORY; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point
@@ -378,10 +378,10 @@ c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, doubl
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
 
    Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0,
-   infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_.... */
+   infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY. */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays,
-   valid, at the last load it could reach; after a cancel, too: c2d_advance goes on there. Errors: STORE_..., CANCELLED. */
+   valid, at the last load it could reach; after a cancel or MEMORY (`touching`), too. Errors: STORE_..., CANCELLED, MEMORY. */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 /* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction;
    infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border
@@ -428,7 +428,7 @@ typedef struct c2d_step {
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
 /* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call: the
    callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last
-   load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, STORE_.... */
+   load reached, also after CALLBACK, CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, MEMORY, STORE_.... */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
 /* From any callback, another thread or a signal handler: the solver stops at the next chance, and the call at work returns
    C2D_ERR_CANCELLED. Without one, or if it ends before that, the next call that lists CANCELLED does: no cancel is lost. */

@@ -236,8 +236,8 @@
 
 #define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, width)                                         \
   C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
-              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, m, motions)),                                             \
-                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, m, cases)) +                                      \
+              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, m, motions)),                                          \
+                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, m, cases)) +                                   \
                               C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
                                           C2D_ROUND_(2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m))                          \
                                                          C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) +                            \

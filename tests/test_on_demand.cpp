@@ -168,6 +168,40 @@ TEST_CASE("on demand: a rigid body, two zones, overlaps that are closed" * docte
   }
 }
 
+TEST_CASE("on demand: a part of the face that touches from the start, friction told after a preparation without" *
+          doctest::skip(c2d::kSmallCode)) {
+  many::Model m = many::rough(300);
+  for (int32_t i = 100; i < 140; ++i) m.body(2).xy[2 * static_cast<size_t>(i) + 1] = 0;
+  m.set(2, 3, many::end_of("1100", 0, 0, 2e-5, -5e-5));
+  SUBCASE("touches") { check_alike(m, 120); }
+  SUBCASE("told") {
+    m.friction = 0;
+    many::Machine whole(m), own(on_demand(m, 120));
+    std::vector<double> result[2];
+    for (int k = 0; k < 2; ++k) {
+      c2d_solver* const s = (k == 0 ? whole : own).solver;
+      REQUIRE(c2d_prepare(s) == C2D_OK);
+      for (const double mu : {0.0, 0.4}) {
+        REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+        const double all = 1;
+        c2d_outcome outcome = C2D_UNDECIDED;
+        REQUIRE(c2d_advance(s, &all, 1, &outcome) == C2D_OK);
+        CHECK(outcome == C2D_REACHED);
+        for (const int32_t field : {C2D_TN, C2D_TT, C2D_STATUS}) {
+          std::vector<double> of(300);
+          REQUIRE(c2d_get(s, field, 0, 1, 300, of.data(), 1) == C2D_OK);
+          result[k].insert(result[k].end(), of.begin(), of.end());
+        }
+      }
+    }
+    double size = 0, apart_by = 0;
+    for (size_t i = 0; i < result[0].size(); ++i)
+      size = std::max(size, std::fabs(result[0][i])), apart_by = std::max(apart_by, std::fabs(result[0][i] - result[1][i]));
+    CHECK(apart_by < kNear * size);
+    CHECK(std::any_of(result[0].begin() + 4 * 300, result[0].begin() + 5 * 300, [](double q) { return q != 0; }));
+  }
+}
+
 TEST_CASE("on demand: points inside, the residual and forces are those of the state" * doctest::skip(c2d::kSmallCode)) {
   const many::Model m = many::rough(200);
   many::Machine whole(m), own(on_demand(m, 100));
@@ -225,6 +259,22 @@ TEST_CASE("on demand: too many pairs end the path with what would do, and that d
         return whole;
       }(),
       160);
+}
+
+TEST_CASE("on demand: more pairs than there is room for at the start, and no state is left to go on with" *
+          doctest::skip(c2d::kSmallCode)) {
+  many::Model m = on_demand(many::rough(300), 80);
+  for (int32_t i = 50; i < 250; ++i) m.body(2).xy[2 * static_cast<size_t>(i) + 1] = 0;
+  many::Machine machine(m);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  const double mu = 0.3, all = 1;
+  c2d_outcome outcome = C2D_REACHED;
+  CHECK(c2d_begin(machine.solver, &mu, 1) == C2D_ERR_MEMORY);
+  CHECK(c2d_get_state(machine.solver) == C2D_STATE_PREPARED);
+  CHECK(c2d_advance(machine.solver, &all, 1, &outcome) == C2D_ERR_STATE);
+  CHECK(c2d_run(machine.solver, nullptr, nullptr) == C2D_ERR_MEMORY);
+  CHECK(c2d_get_state(machine.solver) == C2D_STATE_PREPARED);
+  CHECK(c2d_begin(machine.solver, &mu, 1) == C2D_ERR_MEMORY);
 }
 
 TEST_CASE("on demand: what cannot be so is refused by name, what is small is formed whole" * doctest::skip(c2d::kSmallCode)) {

@@ -671,6 +671,25 @@ TEST_CASE("asleep: whichever read of a column that wakes fails, that is told") {
   CHECK(reads > 40);
 }
 
+TEST_CASE("asleep: a read that fails as pairs fall asleep again is told") {
+  int reads = 0;
+  for (int n = 0; n <= reads; ++n) {
+    CAPTURE(n);
+    Solver solver(family("hertz", {"n=150"}));
+    begin(solver, 0);
+    REQUIRE(advance(solver.s, 1) == C2D_OK);
+    int seen = 0;
+    solver.store.before = [&seen, n](const RamStore::Operation& o, size_t) {
+      return o.tape == C2D_TAPE_CONTACT && o.kind == 'r' && seen++ == n ? 7 : 0;
+    };
+    const c2d_status status = advance(solver.s, 0.02);
+    CHECK(status == (seen > n ? C2D_ERR_STORE_READ : C2D_OK));
+    reads = std::max(reads, seen);
+    solver.store.before = nullptr;
+  }
+  CHECK(reads > 0);
+}
+
 TEST_CASE("asleep: a saved state goes on to the same numbers, and forged columns are refused") {
   const std::string text = family("mindlin", {"n=36"});
   Solver solver(text);

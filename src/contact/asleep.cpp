@@ -56,7 +56,7 @@ void take_apart(const Tableau& t, const Form& form, Real* column, Real* by) {
 c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   apply_list(t);
   const int32_t used = t.delayed.cols;
-  if (used + w.columns > t.n) return C2D_ERR_MEMORY; // on demand
+  if (used + w.columns > t.n) return C2D_ERR_MEMORY; // on demand, if a stranger has set columns apart
   const c2d_status made = need_columns(tape, w.pair, w.count);
   if (made != C2D_OK) return made;
   Real *const first = t_column(t, used), *const by = t.delayed.numbers; // the list is empty
@@ -79,24 +79,24 @@ c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   return C2D_OK;
 }
 
-// Adds those that sleep with the smallest gaps, as many as have room.
-void add_nearest(const Follower& f, Waking& w) {
-  const Tableau& t = *f.t;
-  const auto gap = [&](int32_t i) { return f.y[t.pair[i].dof]; };
-  for (int32_t last = -1, next = 0; next >= 0; last = next) {
-    next = -1;
-    for (int32_t i = 0; i < t.pairs; ++i) {
-      if (!is_asleep(t, i) || i == w.pair[0]) continue;
-      const bool behind = last < 0 || gap(i) > gap(last) || (gap(i) == gap(last) && i > last);
-      if (behind && (next < 0 || gap(i) < gap(next))) next = i;
-    }
-    if (next >= 0 && !add(t, next, w)) return;
-  }
+// Behind another pair, by its gap, then by its number; -1: before all.
+bool is_behind(const Follower& f, int32_t i, int32_t other) {
+  const auto gap = [&](int32_t k) { return f.y[f.t->pair[k].dof]; };
+  return other < 0 || gap(i) > gap(other) || (gap(i) == gap(other) && i > other);
+}
+// The next one behind `last` of those that count; -1: none.
+template <class Counts> int32_t next_nearest(const Follower& f, int32_t last, Counts counts) {
+  int32_t next = -1;
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    if (counts(i) && is_behind(f, i, last) && (next < 0 || is_behind(f, next, i))) next = i;
+  return next;
 }
 
-} // namespace
-
-namespace {
+// Adds those that sleep with the smallest gaps, as many as have room.
+void add_nearest(const Follower& f, Waking& w) {
+  const auto sleeps = [&](int32_t i) { return is_asleep(*f.t, i) && i != w.pair[0]; };
+  for (int32_t i = next_nearest(f, -1, sleeps); i >= 0 && add(*f.t, i, w);) i = next_nearest(f, i, sleeps);
+}
 
 // Open pairs that are awake may have so many columns, over those that the list has room for; so many stay.
 constexpr int32_t kIdleMost = 3, kIdleLeft = 1;
@@ -114,21 +114,14 @@ bool holds_a_body(const Tableau& t, const Form& form, int32_t i) {
   return has_force(form, *t.model, pair.dof) || (last_slot(t, pair) == 1 && has_force(form, *t.model, pair.dof + 1));
 }
 
-// The gap within which open pairs stay awake: that of the last of the nearest for whose columns there is room.
-double near_gap(const Follower& f) {
+// The last of those that stay awake: the nearest for whose columns there is room.
+int32_t last_awake(const Follower& f) {
   const Tableau& t = *f.t;
-  double within = -HUGE_VAL;
-  for (int32_t columns = 0; columns < kIdleLeft * t.delayed.most;) {
-    double next = HUGE_VAL;
-    for (int32_t i = 0; i < t.pairs; ++i) {
-      const double gap = f.y[t.pair[i].dof];
-      if (is_idle(t, i) && gap > within && gap < next) next = gap;
-    }
-    if (next == HUGE_VAL) return within;
-    within = next;
-    columns += 2;
-  }
-  return within;
+  const auto idle = [&](int32_t i) { return is_idle(t, i); };
+  int32_t last = -1;
+  for (int32_t columns = 0; columns < kIdleLeft * t.delayed.most; columns += 1 + last_slot(t, t.pair[last]))
+    last = next_nearest(f, last, idle); // (there are more)
+  return last;
 }
 
 int32_t owner_of_last(const Tableau& t) {
@@ -159,9 +152,9 @@ c2d_status rest_far(Follower& f) {
   apply_list(t);
   const c2d_status status = read_form(*f.tape, t.delayed.numbers, &form); // (the list is empty)
   if (status != C2D_OK) return status;
-  const double near = near_gap(f);
+  const int32_t last = last_awake(f);
   for (int32_t i = 0; i < t.pairs; ++i)
-    if (is_idle(t, i) && static_cast<double>(f.y[t.pair[i].dof]) > near && !holds_a_body(t, form, i)) fall_asleep(t, i);
+    if (is_idle(t, i) && is_behind(f, i, last) && !holds_a_body(t, form, i)) fall_asleep(t, i);
   return C2D_OK;
 }
 

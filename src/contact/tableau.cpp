@@ -297,17 +297,22 @@ double own_stiffness(const Tableau& t, const ContactTape& tape, const Form& form
   return compliance > 0.0 ? 1.0 / compliance : 0.0;
 }
 
-// Pairs that are awake need their columns on demand. Before any is there, some are made, to tell how stiff pairs are.
+// Pairs that are awake need their columns on demand, many at a time. Before any is there, that of one pair is made, to tell how
+// stiff pairs are.
 c2d_status need_awake(const Tableau& t, const ContactTape& tape) {
+  if (!is_on_demand(*tape.model)) return C2D_OK;
   bool some = false;
-  for (int32_t i = 0; i < t.pairs && is_on_demand(*tape.model); ++i) some = some || t.pair[i].made >= 0;
+  for (int32_t i = 0; i < t.pairs; ++i) some = some || t.pair[i].made >= 0 || !is_asleep(t, i);
+  int32_t needed[kMostDelayed] = {0}, count = some ? 0 : 1;
   c2d_status status = C2D_OK;
-  for (int32_t i = 0; i < t.pairs && is_on_demand(*tape.model) && status == C2D_OK; ++i) {
-    if (is_asleep(t, i) && some) continue;
-    status = need_columns(tape, &i, 1);
-    some = true;
+  for (int32_t i = 0; i < t.pairs && status == C2D_OK; ++i) {
+    if (is_asleep(t, i) || t.pair[i].made >= 0) continue;
+    needed[count++] = i;
+    if (count < kMostDelayed) continue;
+    status = need_columns(tape, needed, count);
+    count = 0;
   }
-  return status;
+  return status == C2D_OK && count > 0 ? need_columns(tape, needed, count) : status;
 }
 
 c2d_status load_start(Tableau& t, const ContactTape& tape) {

@@ -37,22 +37,18 @@ uint64_t record_bytes(const CompressedPlan& plan) {
 }
 
 uint64_t lay_out_back(const CompressedPlan& plan, char* base, BackWork* out) {
-  Carver carver{0, true};
-  const auto take = [&](uint64_t bytes) {
-    carver.align();
-    const uint64_t at = carver.carve(bytes, 1);
-    return base ? base + at : nullptr;
-  };
+  AreaCarver area{base};
   BackWork w{};
+  char* dense = nullptr;
   const uint64_t block = round_up(kBlockHeaderBytes + plan.block_bytes), own = back_substitution_bytes(plan.border);
-  w.dense = take(own > block ? own : block); // however the border is cut
-  w.y = reinterpret_cast<Real*>(take(static_cast<uint64_t>(plan.border.pivots) * sizeof(Real)));
-  w.coefficient = reinterpret_cast<Real*>(take(static_cast<uint64_t>(plan.border.trailing) * sizeof(Real)));
-  w.record = take(record_bytes(plan));
-  w.buffer = take(kBlockHeaderBytes + plan.block_bytes);
-  carver.align();
+  area.take(dense, own > block ? own : block); // however the border is cut
+  w.dense = dense;
+  area.take(w.y, static_cast<uint64_t>(plan.border.pivots));
+  area.take(w.coefficient, static_cast<uint64_t>(plan.border.trailing));
+  area.take(w.record, record_bytes(plan));
+  area.take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
   if (out) *out = w;
-  return carver.fits ? carver.used : UINT64_MAX;
+  return area.total();
 }
 
 // A cell's record, as write_record wrote it; and the numbers of M and h, which stand unaligned.

@@ -14,13 +14,14 @@ struct Border {
   Compression& t;
   const TreeCell& root;
   ColumnSystem chosen; // the root's nodes and those of the border
-  int32_t room, nodes; // unknowns of the root; nodes of the border
+  int32_t nodes;       // of the border
   int32_t elements;    // at nodes of the border, in w.elements
   int32_t outer;       // unknowns of nodes of the border, rho, omega
   const RowSink* sink;
-  int32_t rows() const { return room + border_rows(t.plan); }
-  int32_t first_hole() const { return room + 2 * nodes + 3; }
-  int32_t first_contact() const { return room + outer + t.plan.holes; }
+  int32_t room() const { return root.unknowns; }
+  int32_t rows() const { return room() + border_rows(t.plan); }
+  int32_t first_hole() const { return room() + 2 * nodes + 3; }
+  int32_t first_contact() const { return room() + outer + t.plan.holes; }
   int32_t first_right() const { return first_contact() + 2 * border_contact(t.plan); }
 };
 
@@ -114,8 +115,8 @@ void fill_hole_column(const Border& b, int32_t hole, Real* to) {
     if (t.w.hole_at[node] == hole && has_integrals(t, node, c)) hole_normal(t.system.model, t.system.body, node, n);
     return static_cast<Real>(n[c]);
   };
-  for (int32_t i = 0; i < b.room; ++i) to[i] = normal(b.root.row_ids[i] / 2, b.root.row_ids[i] % 2);
-  for (int32_t i = 0; i < 2 * b.nodes; ++i) to[b.room + i] = normal(t.w.border[i / 2], i % 2);
+  for (int32_t i = 0; i < b.room(); ++i) to[i] = normal(b.root.row_ids[i] / 2, b.root.row_ids[i] % 2);
+  for (int32_t i = 0; i < 2 * b.nodes; ++i) to[b.room() + i] = normal(t.w.border[i / 2], i % 2);
   for (int32_t i = b.first_hole() - 3; i < b.rows(); ++i) to[i] = i == b.first_hole() + hole ? Real(-1) : Real(0);
 }
 
@@ -139,22 +140,22 @@ void fill_body_columns(const Border& b, int32_t count, Real* panel, int64_t ld) 
     w.place[w.list[j]] = -1;
     const Real* from = w.block + j * rows;
     Real* to = panel + j * ld;
-    for (int32_t i = 0; i < b.room; ++i) to[i] = from[2 * w.position[b.root.row_ids[i] / 2] + b.root.row_ids[i] % 2];
-    for (int32_t i = 0; i < border_rows(t.plan); ++i) to[b.room + i] = from[border + i];
+    for (int32_t i = 0; i < b.room(); ++i) to[i] = from[2 * w.position[b.root.row_ids[i] / 2] + b.root.row_ids[i] % 2];
+    for (int32_t i = 0; i < border_rows(t.plan); ++i) to[b.room() + i] = from[border + i];
   }
 }
 
 // As many columns from `first` on as are of one kind and fit.
 int32_t fill_some(const Border& b, int32_t first, int32_t count, Real* panel, int64_t ld) {
   const Compression& t = b.t;
-  if (first < b.room) return fill_root_column(b, first, panel), 1;
-  const int32_t j = first - b.room;
+  if (first < b.room()) return fill_root_column(b, first, panel), 1;
+  const int32_t j = first - b.room();
   if (j >= b.outer && first < b.first_contact()) return fill_hole_column(b, j - b.outer, panel), 1;
   if (first >= b.first_right()) return fill_right_column(b, first - b.first_right(), panel), 1;
   const bool contact = first >= b.first_contact();
   const int64_t fit = block_numbers(t.plan) / rows_of(t, b.chosen.sources);
   int32_t most = fit < kChunk ? static_cast<int32_t>(fit) : kChunk;
-  const int32_t left = (contact ? b.first_right() : b.room + b.outer) - first;
+  const int32_t left = (contact ? b.first_right() : b.room() + b.outer) - first;
   if (left < most) most = left;
   if (count < most) most = count;
   for (int32_t k = 0; k < most; ++k)
@@ -183,7 +184,7 @@ c2d_status write_unknowns(Border& b) {
   const uint64_t start = t.upper.end;
   const int32_t none = -1;
   for (int32_t j = 0; j < b.first_contact(); ++j) {
-    const int32_t outer = j - b.room;
+    const int32_t outer = j - b.room();
     const int32_t* id = outer < 0 ? t.w.ids + j : &none;
     if (outer >= 0 && outer < b.outer) id = t.w.sources + b.chosen.sources + outer;
     append(t.upper, id, sizeof *id);
@@ -210,9 +211,7 @@ c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink&
   for (int32_t i = 0; i < nodes; ++i) w.sources[sources++] = w.border[i];
   list_outer(t, w.sources + sources);
   const ColumnSystem chosen = choose_nodes(t.system, w.sources, sources, w.point, w.twin);
-  Border border{
-      t,    root, chosen, root.unknowns, nodes, list_elements(t, w.border, nodes, w.elements), t.plan.columns - 2 * t.plan.tree,
-      &sink};
+  Border border{t, root, chosen, nodes, list_elements(t, w.border, nodes, w.elements), t.plan.columns - 2 * t.plan.tree, &sink};
   c2d_status status = write_unknowns(border);
   if (status == C2D_OK && t.plan.keeps != 0) status = keep_whole(border);
   if (status != C2D_OK) return status;

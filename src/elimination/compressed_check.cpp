@@ -30,35 +30,29 @@ struct CheckWork {
 
 uint64_t lay_out_check(const CompressedPlan& plan, char* base, CheckWork* out) {
   CheckWork w{};
-  Carver carver{0, true};
-  const auto take = [&](auto*& to, uint64_t count) {
-    carver.align();
-    const uint64_t at = carver.carve(count, sizeof *to);
-    if (base) to = reinterpret_cast<decltype(to + 0)>(base + at);
-  };
+  AreaCarver area{base};
   const uint64_t samples = kCheckedNodes, nodes = static_cast<uint64_t>(plan.nodes), columns = kMostColumns;
   const uint64_t holes = static_cast<uint64_t>(plan.holes);
-  take(w.diagonal, 4 * nodes);
-  take(w.sum, 2 * samples);
-  take(w.largest, 2 * samples);
-  take(w.trace, holes);
-  take(w.block, 2 * samples * columns);
-  take(w.row, columns);
-  take(w.value, columns);
-  take(w.right, 2 * samples * static_cast<uint64_t>(plan.loads));
-  take(w.place, static_cast<uint64_t>(plan.columns) + 2 * static_cast<uint64_t>(plan.contact));
-  take(w.stamp, nodes);
-  take(w.elements, 2 * kNodesAtOnce);
-  take(w.node, samples);
-  take(w.column, columns);
-  take(w.hole, samples);
-  take(w.point, 2 * samples);
-  take(w.twin, samples);
-  take(w.holes, holes);
-  take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
-  carver.align();
+  area.take(w.diagonal, 4 * nodes);
+  area.take(w.sum, 2 * samples);
+  area.take(w.largest, 2 * samples);
+  area.take(w.trace, holes);
+  area.take(w.block, 2 * samples * columns);
+  area.take(w.row, columns);
+  area.take(w.value, columns);
+  area.take(w.right, 2 * samples * static_cast<uint64_t>(plan.loads));
+  area.take(w.place, static_cast<uint64_t>(plan.columns) + 2 * static_cast<uint64_t>(plan.contact));
+  area.take(w.stamp, nodes);
+  area.take(w.elements, 2 * kNodesAtOnce);
+  area.take(w.node, samples);
+  area.take(w.column, columns);
+  area.take(w.hole, samples);
+  area.take(w.point, 2 * samples);
+  area.take(w.twin, samples);
+  area.take(w.holes, holes);
+  area.take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
   if (out) *out = w;
-  return carver.fits ? carver.used : UINT64_MAX;
+  return area.total();
 }
 
 struct Check {

@@ -13,16 +13,6 @@ namespace {
 
 constexpr uint64_t kStreamBytes = 131072; // of data in a block, if a column of the border is no longer
 
-struct Bump {
-  char* base;
-  Carver carver{0, true};
-  template <class T> void take(T*& out, uint64_t count) {
-    carver.align();
-    const uint64_t at = carver.carve(count, sizeof(T));
-    out = base ? reinterpret_cast<T*>(base + at) : nullptr;
-  }
-};
-
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
 uint64_t cells_of(const CompressedPlan& plan) { return uint64_t{1} << tree_depth(plan.tree, plan.leaf); }
@@ -48,71 +38,71 @@ int64_t record_numbers(const CompressedPlan& plan) {
 
 uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* out) {
   CompressedWork w{};
-  Bump bump{base};
+  AreaCarver area{base};
   const uint64_t nodes = static_cast<uint64_t>(plan.nodes), tree = static_cast<uint64_t>(plan.tree);
   const uint64_t n = static_cast<uint64_t>(most_dofs(plan)), k = n / 2, loads = static_cast<uint64_t>(right_sides(plan));
   const uint64_t cells = cells_of(plan), border = static_cast<uint64_t>(border_rows(plan));
   const uint64_t listed = 2 * nodes + 2 * static_cast<uint64_t>(kProxies);
-  bump.take(w.root_d, n * n);
-  bump.take(w.root_q, border * n);
-  bump.take(w.root_c, (border + n) * loads);
-  bump.take(w.border, nodes - tree);
-  bump.take(w.hole, static_cast<uint64_t>(plan.holes));
-  bump.take(w.right, (2 * nodes + 3) * loads);
-  bump.take(w.position, nodes);
-  bump.take(w.stamp, nodes);
-  bump.take(w.hole_at, nodes);
-  bump.take(w.place, static_cast<uint64_t>(plan.columns) + 2 * static_cast<uint64_t>(plan.contact));
-  bump.take(w.ids, 2 * n);
-  bump.take(w.block, static_cast<uint64_t>(block_numbers(plan)));
+  area.take(w.root_d, n * n);
+  area.take(w.root_q, border * n);
+  area.take(w.root_c, (border + n) * loads);
+  area.take(w.border, nodes - tree);
+  area.take(w.hole, static_cast<uint64_t>(plan.holes));
+  area.take(w.right, (2 * nodes + 3) * loads);
+  area.take(w.position, nodes);
+  area.take(w.stamp, nodes);
+  area.take(w.hole_at, nodes);
+  area.take(w.place, static_cast<uint64_t>(plan.columns) + 2 * static_cast<uint64_t>(plan.contact));
+  area.take(w.ids, 2 * n);
+  area.take(w.block, static_cast<uint64_t>(block_numbers(plan)));
   int32_t** const lists[] = {&w.sources, &w.elements, &w.twin, &w.list};
-  for (int32_t** list : lists) bump.take(*list, listed);
-  bump.take(w.point, 2 * listed);
+  for (int32_t** list : lists) area.take(*list, listed);
+  area.take(w.point, 2 * listed);
   for (int i = 0; i < 2; ++i) {
-    bump.take(w.rows[i], 2 * tree);
-    bump.take(w.columns[i], 2 * tree);
-    bump.take(w.row_begin[i], cells + 1);
-    bump.take(w.column_begin[i], cells + 1);
+    area.take(w.rows[i], 2 * tree);
+    area.take(w.columns[i], 2 * tree);
+    area.take(w.row_begin[i], cells + 1);
+    area.take(w.column_begin[i], cells + 1);
   }
-  bump.take(w.upper_buffer, kBlockHeaderBytes + plan.block_bytes);
+  area.take(w.upper_buffer, kBlockHeaderBytes + plan.block_bytes);
   if (plan.keeps != 0) {
-    for (Real*& coupling : w.coupling) bump.take(coupling, k * k);
-    bump.take(w.sums, border * n);
-    bump.take(w.whole, (n + border) * (n + border));
-    bump.take(w.kept_buffer, kBlockHeaderBytes + plan.block_bytes);
+    for (Real*& coupling : w.coupling) area.take(coupling, k * k);
+    area.take(w.sums, border * n);
+    area.take(w.whole, (n + border) * (n + border));
+    area.take(w.kept_buffer, kBlockHeaderBytes + plan.block_bytes);
   }
   // From here on the work area of eliminate() may stand, when the tree is done.
-  const uint64_t behind = bump.carver.used;
-  bump.take(w.order, tree);
-  bump.take(w.room, tree);
-  bump.take(w.circle, 3 * cells);
-  bump.take(w.reach, nodes);
-  bump.take(w.d, n * n);
-  bump.take(w.v, n * n);
-  bump.take(w.e, n * (n + k));
-  bump.take(w.row_x, n * (n + 2));
-  bump.take(w.column_x, n * (n + 2));
-  bump.take(w.samples, (n + 32) * n);
-  bump.take(w.b, n * loads);
-  bump.take(w.c, n * loads);
-  bump.take(w.g, n * loads);
-  bump.take(w.norms, 2 * n);
-  bump.take(w.sample, 2 * n);
-  for (Real*& result : w.result) bump.take(result, static_cast<uint64_t>(result_numbers(plan)));
+  const uint64_t behind = area.carver.used;
+  area.take(w.order, tree);
+  area.take(w.room, tree);
+  area.take(w.circle, 3 * cells);
+  area.take(w.reach, nodes);
+  area.take(w.d, n * n);
+  area.take(w.v, n * n);
+  area.take(w.e, n * (n + k));
+  area.take(w.row_x, n * (n + 2));
+  area.take(w.column_x, n * (n + 2));
+  area.take(w.samples, (n + 32) * n);
+  area.take(w.b, n * loads);
+  area.take(w.c, n * loads);
+  area.take(w.g, n * loads);
+  area.take(w.norms, 2 * n);
+  area.take(w.sample, 2 * n);
+  for (Real*& result : w.result) area.take(result, static_cast<uint64_t>(result_numbers(plan)));
   int32_t** const orders[] = {&w.row_order, &w.column_order, &w.pivots};
-  for (int32_t** order : orders) bump.take(*order, 2 * n + 2 * static_cast<uint64_t>(kChunk));
-  bump.take(w.lower_buffer, kBlockHeaderBytes + plan.block_bytes);
-  bump.take(w.read_buffer, kBlockHeaderBytes + plan.block_bytes);
-  bump.carver.align();
-  Bump dense{base};
+  for (int32_t** order : orders) area.take(*order, 2 * n + 2 * static_cast<uint64_t>(kChunk));
+  area.take(w.lower_buffer, kBlockHeaderBytes + plan.block_bytes);
+  area.take(w.read_buffer, kBlockHeaderBytes + plan.block_bytes);
+  area.carver.align();
+  AreaCarver dense{base};
   dense.carver.used = behind;
   char* room = nullptr;
   dense.take(room, elimination_bytes(plan.border));
   w.dense = room;
   dense.carver.align();
-  if (!bump.carver.fits || !dense.carver.fits) return UINT64_MAX;
+  if (!area.carver.fits || !dense.carver.fits) return UINT64_MAX;
   if (out) *out = w;
-  return bump.carver.used > dense.carver.used ? bump.carver.used : dense.carver.used;
+  return area.carver.used > dense.carver.used ? area.carver.used : dense.carver.used;
 }
 
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }

@@ -51,7 +51,7 @@ struct CompressedWork {
   Real *root_d, *root_q, *root_c; // [n * n], [border rows * n], [border rows * loads]
   void* dense;                    // of eliminate()
   // of what is kept for later right-hand sides
-  Real *coupling[2], *sums, *whole; // [rank * rank], [border rows * rank], [(n + border rows)^2]
+  Real *coupling[2], *sums, *whole; // [rank * rank], [border rows * n], [(n + border rows)^2]
   char* kept_buffer;
 };
 constexpr int64_t kLoadsBeside = 1; // right-hand sides beside the load cases: noise

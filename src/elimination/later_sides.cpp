@@ -17,7 +17,7 @@ struct LaterWork {
   Real* x;                     // [columns * count]; before that right-hand sides, as they are assembled
   Real *own, *sums, *beside;   // [count * n], [count * n], [count * n] of a cell
   Real *matrix, *right, *room; // [(n + border rows)^2], [(n + border rows) * count], later_room()
-  int32_t* ids;                // [8 n + border rows + ...] of a cell
+  int32_t* ids;                // [6 n + 2 border rows] of a cell, or of the border
   int32_t *place, *elements, *nodes;
   Hole* hole;
   char* buffer;
@@ -26,36 +26,30 @@ struct LaterWork {
 
 uint64_t lay_out_later(const CompressedPlan& plan, char* base, LaterWork* out) {
   LaterWork w{};
-  Carver carver{0, true};
-  const auto take = [&](auto*& to, uint64_t count) {
-    carver.align();
-    const uint64_t at = carver.carve(count, sizeof *to);
-    if (base) to = reinterpret_cast<decltype(to + 0)>(base + at);
-  };
+  AreaCarver area{base};
   const uint64_t nodes = static_cast<uint64_t>(plan.nodes), columns = static_cast<uint64_t>(plan.columns);
   const uint64_t n = static_cast<uint64_t>(most_dofs(plan)), rows = static_cast<uint64_t>(border_rows(plan));
   const uint64_t sides = static_cast<uint64_t>(kMostSides), border = n + rows;
-  take(w.b, 2 * nodes * sides);
-  take(w.c, 2 * nodes * sides);
-  take(w.x, columns * sides);
-  take(w.own, n * sides);
-  take(w.sums, rows * sides);
-  take(w.beside, n * sides);
-  take(w.matrix, border * border);
-  take(w.right, border * sides);
-  take(w.room, static_cast<uint64_t>(later_room(plan)));
-  take(w.ids, 4 * n + 2 * border);
-  take(w.place, columns + 2 * static_cast<uint64_t>(plan.contact));
-  take(w.elements, 2 * sides);
-  take(w.nodes, nodes);
-  take(w.hole, static_cast<uint64_t>(plan.holes));
-  take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
+  area.take(w.b, 2 * nodes * sides);
+  area.take(w.c, 2 * nodes * sides);
+  area.take(w.x, columns * sides);
+  area.take(w.own, n * sides);
+  area.take(w.sums, rows * sides);
+  area.take(w.beside, n * sides);
+  area.take(w.matrix, border * border);
+  area.take(w.right, border * sides);
+  area.take(w.room, static_cast<uint64_t>(later_room(plan)));
+  area.take(w.ids, 4 * n + 2 * border);
+  area.take(w.place, columns + 2 * static_cast<uint64_t>(plan.contact));
+  area.take(w.elements, 2 * sides);
+  area.take(w.nodes, nodes);
+  area.take(w.hole, static_cast<uint64_t>(plan.holes));
+  area.take(w.buffer, kBlockHeaderBytes + plan.block_bytes);
   char* back = nullptr;
-  take(back, compressed_back_bytes(plan));
+  area.take(back, compressed_back_bytes(plan));
   w.back = back;
-  carver.align();
   if (out) *out = w;
-  return carver.fits ? carver.used : UINT64_MAX;
+  return area.total();
 }
 
 struct Sides {

@@ -31,6 +31,7 @@ c2d_status begin(Session& session) {
   s->state = C2D_STATE_RUNNING;
   c2d_status status = kSmallCode ? c2d_status{C2D_OK} : allow_friction(s);
   if (status == C2D_OK) status = begin_path(session);
+  if (!kSmallCode && status == C2D_ERR_MEMORY) s->state = C2D_STATE_PREPARED; // on demand: there is no tableau to go on with
   if (!kSmallCode) s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   return status;
 }

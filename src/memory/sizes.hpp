@@ -80,5 +80,19 @@ struct Carver {
   uint64_t carve(uint64_t count, uint64_t size); // where the array begins
   void align() { used = round_up(used); }
 };
+// Arrays of a work area, each from a multiple of kAlignment on; null where there is only to be counted.
+struct AreaCarver {
+  char* base;
+  Carver carver{0, true};
+  template <class T> void take(T*& out, uint64_t count) {
+    carver.align();
+    const uint64_t at = carver.carve(count, sizeof(T));
+    out = base ? reinterpret_cast<T*>(base + at) : nullptr;
+  }
+  uint64_t total() { // UINT64_MAX: beyond any memory
+    carver.align();
+    return carver.fits ? carver.used : UINT64_MAX;
+  }
+};
 
 } // namespace c2d

@@ -33,9 +33,7 @@ bool read_count(const std::string& value, int32_t& count) {
 }
 
 bool read_threads(const std::string& value, int32_t& threads) {
-  const char* end = value.data() + value.size();
-  const auto result = std::from_chars(value.data(), end, threads);
-  return result.ec == std::errc() && result.ptr == end && threads >= 1 && threads <= C2D_THREADS_MOST;
+  return read_count(value, threads) && threads >= 1 && threads <= C2D_THREADS_MOST;
 }
 
 bool read_distance(const std::string& value, double& distance) {

@@ -4,7 +4,6 @@
 #include "bie/panel.hpp"
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
-#include "contact/frictionless.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "model/pair_frame.hpp"
@@ -72,31 +71,17 @@ constexpr int64_t kPacking = full_scratch(kDepth, kDepth);
 
 uint64_t lay_out_area(const CompressedPlan& plan, int64_t m, char* base, LaterArea* out) {
   LaterArea area{};
-  Carver carver{0, true};
-  const auto take = [&](auto*& to, uint64_t bytes) {
-    carver.align();
-    const uint64_t at = carver.carve(bytes, 1);
-    if (base) to = reinterpret_cast<decltype(to + 0)>(base + at);
-  };
+  AreaCarver carver{base};
   const uint64_t nodes = static_cast<uint64_t>(plan.nodes), contact = static_cast<uint64_t>(m);
-  take(area.scratch, kAssemblyBytes);
-  take(area.packing, static_cast<uint64_t>(kPacking) * sizeof(Real));
-  take(area.columns, 2 * contact * static_cast<uint64_t>(kMostSides) * sizeof(Real));
-  take(area.point, 2 * nodes * sizeof(double));
-  take(area.twin, nodes * sizeof(int32_t));
-  take(area.work, later_sides_bytes(plan));
-  carver.align();
+  carver.take(area.scratch, 1);
+  carver.take(area.packing, static_cast<uint64_t>(kPacking));
+  carver.take(area.columns, 2 * contact * static_cast<uint64_t>(kMostSides));
+  carver.take(area.point, 2 * nodes);
+  carver.take(area.twin, nodes);
+  carver.take(area.work, later_sides_bytes(plan));
   if (out) *out = area;
-  return carver.fits ? carver.used : UINT64_MAX;
+  return carver.total();
 }
-
-// A body's tree with what goes through it.
-struct Tree {
-  CompressedPlan plan;
-  LaterArea area;
-  ColumnSystem system;
-  LaterSides sides;
-};
 
 LaterArea area_of(const Session& session, const CompressedPlan& plan) {
   LaterArea area;
@@ -145,11 +130,12 @@ c2d_status respond_on_demand(c2d_solver* s) {
     for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
       for (int32_t i = 0; i < m.head->load_cases; ++i) area.coefficient[i] = i == k ? Real(1) : Real(0);
       status = back_substitute_compressed(plan, s->tapes, area.coefficient, area.outer, area.work);
+      if (status != C2D_OK) break;
       for_pairs_of(m, b, [&](const Pair& pair, int side) {
         for (int slot = 0; slot <= pair.tangential; ++slot)
           area.column[dof_on(m, pair, side) + slot] = displacement_along(m, b, pair, side, slot, area.outer, 1);
       });
-      if (status == C2D_OK) status = write_column(session.tape, b, BodyMatrix::response, k, area.column);
+      status = write_column(session.tape, b, BodyMatrix::response, k, area.column);
     }
   }
   return status;

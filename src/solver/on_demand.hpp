@@ -19,7 +19,7 @@ c2d_status tell_touching(c2d_solver* solver);
 
 // After elimination: what each load case makes of the contact of each body, to the tape. Errors: the block store's.
 c2d_status respond_on_demand(c2d_solver* solver);
-// ColumnMaker::make of a session. C2D_ERR_MEMORY: more pairs touch, or are about to, than there is room for; then nothing is
+// ContactTape::make, of a session. C2D_ERR_MEMORY: more pairs touch, or are about to, than there is room for; then nothing is
 // made.
 c2d_status make_columns(void* session, const int32_t* pair, int32_t count);
 // Unknowns outside the contact of a body, in area.outer, by tractions and load factors as trailing_coefficients lists them.

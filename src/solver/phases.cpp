@@ -184,15 +184,14 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   carver = rates;
   C2D_RATES_ARRAYS_(C2D_TAKE, columns + 1)
   const uint64_t bytes = larger(used, carver.total());
-  if (!kSmallCode && back.later > 0 && bytes != UINT64_MAX) {
-    carver.used = bytes;
-    carver.align();
-    area.later = carver.items(back.later, 1);
+  if (kSmallCode || back.later == 0 || bytes == UINT64_MAX) {
     if (out) *out = area;
-    return carver.total();
+    return bytes;
   }
+  carver.used = round_up(bytes);
+  area.later = carver.items(back.later, 1);
   if (out) *out = area;
-  return bytes;
+  return carver.total();
 }
 
 uint64_t scratch_bytes(const PhaseSizes& s) {

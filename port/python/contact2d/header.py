@@ -921,7 +921,7 @@ Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, an
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_prepare(c2d_solver* solver);
 
----------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT: changed loads; compressed: MEMORY with bytes_needed. That contact cannot hold a body is no error: c2d_advance tells it."""),
+---------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT: changed loads; compressed: MEMORY; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it."""),
     "c2d_change_loads": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_change_loads(c2d_solver* solver);
@@ -941,7 +941,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("zones", c_int32, False, None),
     ], """c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 
----------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0, infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_...."""),
+---------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0, infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY."""),
     "c2d_advance": (c_int32, [
         ("solver", c_void_p, False, None),
         ("load", POINTER(c_double), True, None),
@@ -949,7 +949,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("outcome", POINTER(c_int32), False, None),
     ], """c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 
-Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays, valid, at the last load it could reach; after a cancel, too: c2d_advance goes on there. Errors: STORE_..., CANCELLED."""),
+Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays, valid, at the last load it could reach; after a cancel or MEMORY (`touching`), too. Errors: STORE_..., CANCELLED, MEMORY."""),
     "c2d_next_event": (c_int32, [
         ("solver", c_void_p, False, None),
         ("direction", POINTER(c_double), True, None),
@@ -974,7 +974,7 @@ Go back to the newest state that is whole: nothing is eliminated again, and what
         ("context", c_void_p, False, None),
     ], """c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
 
-The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call: the callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, STORE_...."""),
+The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call: the callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last load reached, also after CALLBACK, CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, MEMORY, STORE_...."""),
     "c2d_cancel": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_cancel(c2d_solver* solver);
