@@ -377,15 +377,15 @@ c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, doubl
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
 
-   Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0,
-   infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY. */
+   Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one serves all if zones = 1), each >= 0, infinity:
+   full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY. */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays,
    valid, at the last load it could reach; after a cancel or MEMORY (`touching`), too. Errors: STORE_..., CANCELLED, MEMORY. */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 /* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction;
    infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border
-   of its status (zero pressure, or about to slip) may be given the status that goes with the direction. Errors: STORE_.... */
+   of its status (zero pressure or about to slip) may get the status that goes with the direction. Errors: STORE_..., MEMORY. */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
 /* Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves
