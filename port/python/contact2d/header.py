@@ -941,7 +941,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("zones", c_int32, False, None),
     ], """c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 
----------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0, infinity is full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY."""),
+---------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one serves all if zones = 1), each >= 0, infinity: full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY."""),
     "c2d_advance": (c_int32, [
         ("solver", c_void_p, False, None),
         ("load", POINTER(c_double), True, None),
@@ -957,7 +957,7 @@ Go in a straight line from the load factors reached to load[0 .. cases). If *out
         ("step", POINTER(c_double), False, None),
     ], """c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
-How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the direction. Errors: STORE_...."""),
+How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border of its status (zero pressure or about to slip) may get the status that goes with the direction. Errors: STORE_..., MEMORY."""),
     "c2d_save": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_save(c2d_solver* solver);
