@@ -60,6 +60,7 @@ std::string elimination_text(const Session& session, int32_t wanted) {
   const std::string chosen = elimination_of(session.limits, wanted) == C2D_ELIMINATION_COMPRESSED ? "compressed" : "dense";
   if (wanted != C2D_ELIMINATION_BY_SIZE) return chosen;
   if (session.limits.free_pairs > 0) return chosen + ", as there are free zones";
+  if (session.limits.touching > 0) return chosen + ", as the contact is on demand";
   return chosen + " by size: compressed from " + std::to_string(1001 + int64_t{3} * session.limits.pairs / 2) +
          " nodes of a body on";
 }

@@ -42,9 +42,9 @@ std::string local_time() {
 
 class Run {
 public:
-  explicit Run(const Options& options, bool anew = false, StoreChoice* of_many = nullptr)
-      : options_(options), store_(of_many != nullptr ? *of_many : own_store_), line_(options.progress), anew_(anew),
-        is_one_of_many_(of_many != nullptr) {
+  Run(const Options& options, double begun, bool anew = false, StoreChoice* of_many = nullptr)
+      : options_(options), begun_(begun), store_(of_many != nullptr ? *of_many : own_store_), line_(options.progress),
+        anew_(anew), is_one_of_many_(of_many != nullptr) {
     session_.messages.quiet = options.quiet;
   }
   ~Run() {
@@ -87,6 +87,7 @@ private:
   int follow();
   void stopped_before_load(c2d_status status);
   void show_contact_zone();
+  double time_left() const;
   int report();
   c2d_status show_interior();
   c2d_status show_vtk(const Scene& scene);
@@ -111,6 +112,7 @@ private:
   int library_failed(c2d_status status);
 
   const Options& options_;
+  const double begun_; // when, by clock_seconds
   // In the order in which they need each other: the solver closes its tapes before the store goes.
   c2d_threads threads_;
   bool has_threads_ = false;
@@ -330,10 +332,8 @@ int Run::open_store(uint64_t budget) {
 
 // The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
 int Run::read() {
-  const double start = clock_seconds(nullptr);
   int exit = read_deck();
   record_.meshes = session_.meshes;
-  record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   const int32_t chosen = options_.touching < 0 && options_.deck == "-" ? 0 : options_.touching; // (it cannot begin anew)
   session_.limits.touching = touching_of(session_.limits, chosen, options_.elimination, options_.stepping);
@@ -527,7 +527,9 @@ int Run::prepare() {
   }
   if (status == C2D_OK && tells_corners()) status = find_corners(solver, summary_, corners_);
   begin_tables();
+  if (status == C2D_OK) status = get_summary(solver, summary_);
   if (status != C2D_OK) return library_failed(status);
+  record_.read_seconds = time_left();
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;
   session_.messages.forget_latest();
@@ -572,8 +574,14 @@ void Run::show_contact_zone() {
     append_contact_zone(outputs_.text(Output::kListing), record_.coefficients.back(), ends_.data(), summary_);
 }
 
+// Since the run began, that the phases of the library have not taken, by the last summary: all of the time is some phase's.
+double Run::time_left() const {
+  double left = clock_seconds(nullptr) - begun_;
+  for (const double seconds : summary_.seconds) left -= seconds;
+  return left;
+}
+
 int Run::report() {
-  const double start = clock_seconds(nullptr);
   c2d_solver* solver = session_.solver;
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
   c2d_status status = get_summary(solver, summary_);
@@ -602,7 +610,7 @@ int Run::report() {
     append_ending(outputs_.text(Output::kListing), record_, summary_);
   else if (outputs_.has(Output::kListing))
     append_short_ending(outputs_.text(Output::kListing), record_, summary_);
-  record_.write_seconds = clock_seconds(nullptr) - start;
+  record_.write_seconds = time_left() - record_.read_seconds;
   if (outputs_.has(Output::kJson)) append_json(outputs_.text(Output::kJson), record_, summary_);
   return 0;
 }
@@ -703,8 +711,9 @@ int Run::cancelled() {
 // A run, and once more from the beginning where that helps; with the values of the responses.
 int run_with(const Options& options, std::vector<double>& values, StoreChoice* store) {
   Options again = options;
+  const double begun = clock_seconds(nullptr);
   {
-    Run run(options, false, store);
+    Run run(options, begun, false, store);
     const int exit = run.go();
     values = run.values();
     if (run.wants_fresh_start().empty()) return exit;
@@ -714,7 +723,7 @@ int run_with(const Options& options, std::vector<double>& values, StoreChoice* s
       again.given.emplace_back("--touching", "0");
     }
   }
-  Run run(again, true, store);
+  Run run(again, begun, true, store);
   const int exit = run.go();
   values = run.values();
   return exit;

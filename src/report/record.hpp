@@ -53,7 +53,7 @@ struct RunRecord {
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
   MeshLoop meshes;                                // how the mesh was found, and errors of the first coefficient's last step
   const Interior* interior = nullptr;             // results inside; null if none were asked for
-  double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
+  double read_seconds = 0.0, write_seconds = 0.0; // of the program, and what is no other phase's
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 
   // The first coefficient whose path ended early; null if all reached their load.

@@ -501,7 +501,7 @@ c2d_status prepare_once(c2d_solver* s) {
   if (status != C2D_OK) return status;
   const bool loads_only = s->factors != 0 && kNewLoadsPart.linked;
   s->loads_changed = s->factors = 0;
-  for (double& seconds : s->seconds) seconds = 0.0;
+  for (int32_t p = C2D_PHASE_ASSEMBLE; p < C2D_PHASES; ++p) s->seconds[p] = 0.0; // (what it took to read a deck stays)
   s->saves = 0;
   if (loads_only) {
     status = run_loads(s, m);
