@@ -598,6 +598,15 @@ TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallC
   const test::Result small = run("run '" + deck + "' --elimination compressed --memory 700K");
   CHECK(small.status == 4);
   CHECK(small.err.find("bytes would do") != std::string::npos);
+  // Less than the least of dense elimination is answered by what will do, too, as check tells it.
+  const test::Result least = run("run '" + deck + "' --elimination compressed --memory 1000");
+  CHECK(least.status == 4);
+  const std::string before = "bytes is too small: ";
+  const size_t at = least.err.find(before);
+  REQUIRE(at != std::string::npos);
+  const std::string enough = std::to_string(std::stoull(least.err.substr(at + before.size())));
+  CHECK(checked.out.find(" bytes; " + enough + " would do\n") != std::string::npos);
+  CHECK(run("run '" + deck + "' -q --elimination compressed --memory " + enough).status == 0);
   // A run that is cut off goes on with what it was begun with.
   CHECK(run("run '" + deck + "' -q --elimination compressed --store file:'" + (folder / "store") + "' --csv '" +
             (folder / "a.csv") + "'")

@@ -238,7 +238,7 @@ TEST_CASE("on demand: too many pairs end the path with what would do, and that d
   c2d_error last = C2D_INIT(c2d_error);
   c2d_last_error(machine.solver, &last);
   CHECK(last.bytes_needed > 0);
-  CHECK(std::string(last.text).find("than the 80 of c2d_limits.touching; with 160 ") != std::string::npos);
+  CHECK(std::string(last.text).find("than the 80 of c2d_limits.touching; room for 160 takes ") != std::string::npos);
   uint64_t minimum = 0;
   std::vector<c2d_body_limits> list;
   many::Model more = m;
@@ -562,7 +562,9 @@ TEST_CASE("on demand: the program's option" * doctest::skip(c2d::kSmallCode)) {
   CHECK_MESSAGE(dense.err.find("cannot be on demand") != std::string::npos, dense.err);
   const test::Result few = run("run rough.dat --touching 1 --memory 300M --stepping deck");
   CHECK(few.status == 4);
-  CHECK_MESSAGE(few.err.find("of c2d_limits.touching; with 2 ") != std::string::npos, few.err);
+  CHECK_MESSAGE(few.err.find("of c2d_limits.touching; room for 160 takes ") != std::string::npos, few.err);
+  REQUIRE(run("run rough.dat --touching 160 -q --csv c.csv").status == 0); // (there was room for 80 with 1)
+  CHECK(same_numbers(test::read_file(folder / "c.csv"), test::read_file(folder / "b.csv")));
   CHECK(few.err.find("--elimination dense takes less memory") == std::string::npos);
 }
 

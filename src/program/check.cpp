@@ -88,7 +88,9 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
   append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
   if (elimination == C2D_ELIMINATION_COMPRESSED)
-    append_line(out, "memory, compressed", std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes");
+    append_line(out, "memory, compressed",
+                std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes; " +
+                    std::to_string(least_bytes(session.limits, wanted, session.workspace.minimum)) + " would do");
   append_tapes(out, session, elimination);
   append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
 }

@@ -43,6 +43,15 @@ void ask_for_huge_pages(void* memory, uint64_t bytes) {
 // (The minimum grows with the nodes, as what compressed elimination lists of them.)
 uint64_t compressed_bytes(uint64_t minimum) { return 2 * minimum + (uint64_t{128} << 20); }
 
+uint64_t least_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum) {
+  if (elimination_of(limits, elimination) != C2D_ELIMINATION_COMPRESSED) return minimum;
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = C2D_ELIMINATION_COMPRESSED;
+  c2d_error why = C2D_INIT(c2d_error);
+  const c2d_status status = c2d_tape_need(&limits, &options, minimum, C2D_TAPE_UPPER, nullptr, nullptr, &why);
+  return status == C2D_ERR_MEMORY ? std::max(why.bytes_needed, minimum) : minimum;
+}
+
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
   const auto count = [](int32_t limit) { return static_cast<uint64_t>(limit); };
   if (chosen != C2D_ELIMINATION_BY_SIZE) return chosen;
@@ -79,13 +88,14 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t eli
   else
     out.bytes = std::max(std::min(useful, free_memory() / 2), out.minimum);
   if (out.bytes < out.minimum) {
-    error =
-        "workspace of " + std::to_string(wanted) + " bytes is too small: " + std::to_string(out.minimum) + " bytes would do";
+    error = "workspace of " + std::to_string(wanted) +
+            " bytes is too small: " + std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do";
     return C2D_ERR_MEMORY;
   }
   if (out.bytes <= SIZE_MAX) out.memory.reset(std::malloc(static_cast<size_t>(out.bytes)));
   if (out.memory == nullptr) {
-    error = "no " + std::to_string(out.bytes) + " bytes of memory to be had: " + std::to_string(out.minimum) +
+    error = "no " + std::to_string(out.bytes) +
+            " bytes of memory to be had: " + std::to_string(least_bytes(limits, elimination, out.minimum)) +
             " bytes of workspace would do (--memory)";
     return C2D_ERR_MEMORY;
   }

@@ -29,6 +29,9 @@ void ask_for_huge_pages(void* memory, uint64_t bytes);
 // What compressed elimination makes use of, beside this minimum.
 uint64_t compressed_bytes(uint64_t minimum);
 
+// The least workspace that will do: this minimum, or what compressed elimination asks for, whose ranks are not known before.
+uint64_t least_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum);
+
 // C2D_ELIMINATION_DENSE or COMPRESSED: what is chosen, by size or as it is.
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen);
 

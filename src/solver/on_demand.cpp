@@ -45,7 +45,7 @@ void plan_demand(c2d_solver* s, const Model& m) {
 
 c2d_status tell_touching(c2d_solver* s) {
   Sizes more = sizes_of(s);
-  const int64_t twice = 2 * more.touching;
+  const int64_t twice = columns_of(more); // (there may be room for more than were told)
   more.touching = twice < more.pairs ? twice : more.pairs;
   c2d_error e = blank_error();
   uint64_t least = 0;
@@ -53,7 +53,7 @@ c2d_status tell_touching(c2d_solver* s) {
   char what[200];
   Text text = text_in(what);
   put_all(text, status_text(C2D_ERR_MEMORY), ": more pairs touch, or nearly, than the ", s->sizes.touching,
-          " of c2d_limits.touching; with ", more.touching, " ", e.bytes_needed, " bytes would do");
+          " of c2d_limits.touching; room for ", more.touching, " takes ", e.bytes_needed, " bytes");
   return fail_with(s, e, C2D_ERR_MEMORY, what);
 }
 
