@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sys/stat.h>
 
 using namespace runs;
 
@@ -679,6 +680,15 @@ TEST_CASE("compressed solver: the program chooses by size, and check says from w
   CHECK(little.err.find("--elimination dense takes less memory") != std::string::npos);
   CHECK(as_asked.err.find("--elimination dense") == std::string::npos);
   CHECK(run("run large --memory 1M --elimination dense").status == 0);
+  // Bounds of what is written are far above it: the disk is not asked for all of them.
+  REQUIRE(run("make ring n=1000 order=1 >larger").status == 0);
+  REQUIRE(run("run larger -q --keep --store file:kept").status == 0);
+  struct stat tape;
+  REQUIRE(::stat((folder / "kept/contact2d.store/tape1.c2d").c_str(), &tape) == 0);
+  const std::string check = run("check larger").out, lower = check.substr(check.find("tape lower") + 10);
+  const size_t each = lower.find("blocks of ");
+  REQUIRE(each != std::string::npos);
+  CHECK(static_cast<uint64_t>(tape.st_blocks) * 512 < std::stoull(lower) * std::stoull(lower.substr(each + 10)) / 4);
 }
 
 // ---- points inside ----------------------------------------------------------------------------------------------------

@@ -259,6 +259,16 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
   REQUIRE(shrunk.open(1, 1, 64) == 0);
   CHECK(contains(shrunk.file_of(1), "/tape1.c2d"));
   CHECK(shrunk.remove_tapes(error));
+  app::StoreChoice mostly_unwritten; // only what is expected counts, of the tape beside it, too
+  REQUIRE(mostly_unwritten.choose("", 1000, false, error));
+  mostly_unwritten.expect(0, 900);
+  REQUIRE(mostly_unwritten.open(0, 1000, 64) == 0);
+  CHECK(mostly_unwritten.file_of(0) == "");
+  REQUIRE(mostly_unwritten.open(1, 1, 64) == 0);
+  CHECK(mostly_unwritten.file_of(1) == "");
+  REQUIRE(mostly_unwritten.open(2, 1, 64) == 0);
+  CHECK(contains(mostly_unwritten.file_of(2), "/tape2.c2d"));
+  CHECK(mostly_unwritten.remove_tapes(error));
   if (!can_refuse_calls() || !can_judge_calls()) return;
   const System none("calloc", [] { return ENOMEM; });
   app::StoreChoice store;

@@ -703,6 +703,20 @@ TEST_CASE("the posix store finds a full disk when it opens a tape") {
   REQUIRE(stat(folder.name("contact2d.store/tape1.c2d").c_str(), &tape) == 0);
   CHECK(tape.st_blocks < 2048); // and has not taken the rest of it from others
   CHECK(port.open(port.context, 1, 2, 100) == 0);
+  // Of a tape most of which will not be written only what is expected is reserved; all of it may be written.
+  for (const int32_t none : {-1, int32_t{C2D_TAPES}}) c2d_posix_store_expect(&store, none, 0);
+  c2d_posix_store_expect(&store, 1, 8192);
+  REQUIRE(port.open(port.context, 1, room, 2) == 0);
+  REQUIRE(stat(folder.name("contact2d.store/tape1.c2d").c_str(), &tape) == 0);
+  CHECK(tape.st_blocks * 512 < 1 << 20);
+  char two[2] = {'a', 'b'};
+  CHECK(port.write(port.context, 1, 100000, two, 2) == 0);
+  two[0] = 0;
+  CHECK(port.read(port.context, 1, 100000, two, 2) == 0);
+  CHECK(two[0] == 'a');
+  c2d_posix_store_expect(&store, 1, UINT64_MAX);
+  const int32_t all = port.open(port.context, 1, 2, room);
+  CHECK((all == ENOSPC || all == EFBIG));
   CHECK(c2d_posix_store_discard(&store, nullptr) == 0);
 }
 

@@ -409,6 +409,7 @@ module contact2d
     integer(c_int64_t) :: blocks(C2D_TAPES) = 0
     integer(c_int64_t) :: block_bytes(C2D_TAPES) = 0
     type(c_ptr) :: helper = c_null_ptr
+    integer(c_int64_t) :: expected(C2D_TAPES) = 0
   end type
 
   type, bind(C) :: c2d_threads
@@ -1076,6 +1077,12 @@ module contact2d
       import
       type(c2d_posix_store), intent(inout) :: store
       type(c2d_port), intent(inout) :: out
+    end subroutine
+    subroutine c2d_posix_store_expect(store, tape, bytes) bind(C)
+      import
+      type(c2d_posix_store), intent(inout) :: store
+      integer(c_int32_t), value :: tape
+      integer(c_int64_t), value :: bytes
     end subroutine
     function c2d_posix_store_remove(store) bind(C) result(status)
       import

@@ -117,7 +117,8 @@ int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_b
   if (is_new) file = open_at(s->folder, name.text, O_RDWR | O_CREAT | O_EXCL);
   if (file < 0) return open_code(errno);
   code = is_new ? sync_folder(s->folder) : check_own(file);
-  if (code == 0) code = reserve(file, blocks * block_bytes);
+  const uint64_t bytes = blocks * block_bytes;
+  if (code == 0) code = reserve(file, bytes < s->expected[tape] ? bytes : s->expected[tape]);
   if (code != 0) {
     close_file(&file);
     return code;
@@ -306,7 +307,7 @@ extern "C" {
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder) {
   memset(store, 0, sizeof *store);
   store->parent = store->folder = store->lock = -1;
-  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) store->file[tape] = -1;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) store->file[tape] = -1, store->expected[tape] = UINT64_MAX;
   if (!folder || folder[0] == '\0') return ENOENT;
   const int32_t code = open_folders(store, folder);
   if (code != 0) c2d_posix_store_done(store);
@@ -323,6 +324,10 @@ void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out) {
   out->start_read = start_read;
   out->start_write = start_write;
   out->wait = wait;
+}
+
+void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes) {
+  if (tape >= 0 && tape < C2D_TAPES) store->expected[tape] = bytes;
 }
 
 int32_t c2d_posix_store_remove(c2d_posix_store* store) {

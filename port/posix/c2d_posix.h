@@ -2,7 +2,7 @@
    keeps a second solver, in this or another process, out. In the folder that it is given the store makes one of its own,
    contact2d.store, with the files `lock`, which bears its mark, and tape0.c2d ... tape3.c2d; it opens, writes and removes
    nothing else, follows no links, and takes no folder of that name without the mark. Room for a tape is reserved when it is
-   opened, where the file system can.
+   opened, where the file system can; of a tape most of which will not be written, what c2d_posix_store_expect says.
    Blocks are read ahead and written behind by a thread of the store's, from the first such transfer on until the last
    tape is closed; it blocks all signals. (Before glibc 2.34 programs then link with -pthread.)
 
@@ -42,6 +42,7 @@ typedef struct c2d_posix_store {
   int32_t file[C2D_TAPES];
   uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];
   void* helper; /* the thread and its queue; null: none */
+  uint64_t expected[C2D_TAPES];
 } c2d_posix_store;
 
 /* Make the folder unless it is there (its parent must be), and in it the store's own; lock it until _done or the end of the
@@ -49,6 +50,9 @@ typedef struct c2d_posix_store {
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder);
 /* Set context, open, read, write, sync, close, start_read, start_write and wait of *out; the rest of it is left alone. */
 void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
+/* Of this tape, when it is opened next, no more than so many bytes are reserved (all of it unless this is called: bounds of
+   compressed elimination are ten times what it writes, and more). No such tape: nothing is done. */
+void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes);
 /* Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a file that is not there is
    no failure. */
 int32_t c2d_posix_store_remove(c2d_posix_store* store);

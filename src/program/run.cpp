@@ -326,7 +326,6 @@ int Run::keep_sketch(const std::vector<NamedText>& files) {
 
 int Run::open_store(uint64_t budget) {
   if (!store_.folder().empty()) return 0;
-  if (elimination_of(session_.limits, options_.elimination) == C2D_ELIMINATION_COMPRESSED) store_.expect_little();
   return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
 }
 
@@ -339,6 +338,8 @@ int Run::read() {
   session_.limits.touching = touching_of(session_.limits, chosen, options_.elimination, options_.stepping);
   if (exit == 0) exit = session_.take_memory(options_.memory, options_.elimination);
   if (exit != 0) return exit;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
+    store_.expect(tape, expected_bytes(session_.limits, options_.elimination, session_.workspace.minimum, tape));
   const uint64_t free = free_memory() / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
   if (options_.threads > 1) {

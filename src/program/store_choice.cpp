@@ -1,5 +1,6 @@
 #include "program/store_choice.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <sys/stat.h>
@@ -73,20 +74,22 @@ bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_by
   if (budget_ == 0) return false;
   const uint64_t bytes = blocks * block_bytes;
   if (block_bytes != 0 && bytes / block_bytes != blocks) return false;
+  const uint64_t counted = std::min(bytes, tape.expected);
   uint64_t others = 0;
   for (const Tape& t : tapes_)
-    if (&t != &tape) others += t.bytes;
-  if (bytes > SIZE_MAX || others > budget_ || bytes > budget_ - others) return false;
+    if (&t != &tape) others += t.counted;
+  if (bytes > SIZE_MAX || others > budget_ || counted > budget_ - others) return false;
   if (tape.region == nullptr || tape.bytes < bytes) {
     std::free(tape.region);
     tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
     tape.bytes = tape.region != nullptr ? bytes : 0;
     if (tape.region == nullptr) return false;
-    if (!expects_little_) ask_for_huge_pages(tape.region, tape.bytes);
+    if (counted == bytes) ask_for_huge_pages(tape.region, tape.bytes);
     c2d_memory_store_init(&tape.store, tape.region, bytes);
     tape.port = C2D_INIT(c2d_port);
     c2d_memory_store_port(&tape.store, &tape.port);
   }
+  tape.counted = counted;
   return true;
 }
 
@@ -100,6 +103,7 @@ int32_t StoreChoice::open(int32_t tape, uint64_t blocks, uint64_t block_bytes) {
     const int32_t code = may_use_folder_ ? open_temporary_folder() : kNoMemory;
     if (code != 0) return code;
   }
+  if (!t.in_memory) c2d_posix_store_expect(&files_, tape, t.expected);
   const c2d_port& port = port_of(tape);
   return port.open(port.context, tape, blocks, block_bytes);
 }

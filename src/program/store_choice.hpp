@@ -23,8 +23,9 @@ public:
   // not called on a folder the user named. False with an error text if the folder cannot be made or is in
   // use.
   bool choose(const std::string& wanted, uint64_t budget, bool keep, std::string& error);
-  // Most of the tapes may never be written: their memory is not asked for in large pages.
-  void expect_little() { expects_little_ = true; }
+  // Of a tape that is opened from now on so many bytes are written, as a rule, and most of what it may hold are not: only they
+  // count in the budget and are reserved in files, and its memory is not asked for in large pages. UINT64_MAX: all of it.
+  void expect(int32_t tape, uint64_t bytes) { tapes_[tape].expected = bytes; }
   // The functions of c2d_port.
   int32_t open(int32_t tape, uint64_t blocks, uint64_t block_bytes);
   int32_t read(int32_t tape, uint64_t block, void* data, uint64_t bytes) const;
@@ -52,7 +53,7 @@ private:
   struct Tape {
     bool in_memory = false;
     void* region = nullptr;
-    uint64_t bytes = 0;
+    uint64_t bytes = 0, expected = UINT64_MAX, counted = 0;
     c2d_memory_store store;
     c2d_port port;
   };
@@ -66,7 +67,6 @@ private:
   c2d_posix_store files_;
   c2d_port files_port_;
   uint64_t budget_ = 0;
-  bool expects_little_ = false;
   std::string folder_, tried_;
   bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false, busy_ = false;
 };

@@ -52,6 +52,17 @@ uint64_t least_bytes(const c2d_limits& limits, int32_t elimination, uint64_t min
   return status == C2D_ERR_MEMORY ? std::max(why.bytes_needed, minimum) : minimum;
 }
 
+uint64_t expected_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum, int32_t tape) {
+  if (elimination_of(limits, elimination) != C2D_ELIMINATION_COMPRESSED) return UINT64_MAX;
+  c2d_options options = C2D_INIT(c2d_options);
+  options.elimination = C2D_ELIMINATION_COMPRESSED;
+  uint64_t blocks = 0, each = 0;
+  const c2d_status status =
+      c2d_tape_need(&limits, &options, least_bytes(limits, elimination, minimum), tape, &blocks, &each, nullptr);
+  constexpr uint64_t kWritten = 4; // that is for cells of rank 256 throughout; an eighth of it was written
+  return status == C2D_OK ? blocks * each / kWritten : UINT64_MAX;
+}
+
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen) {
   const auto count = [](int32_t limit) { return static_cast<uint64_t>(limit); };
   if (chosen != C2D_ELIMINATION_BY_SIZE) return chosen;

@@ -32,6 +32,10 @@ uint64_t compressed_bytes(uint64_t minimum);
 // The least workspace that will do: this minimum, or what compressed elimination asks for, whose ranks are not known before.
 uint64_t least_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum);
 
+// More than is written to a tape, as a rule: with compressed elimination a quarter of what may be by the least workspace; else
+// UINT64_MAX.
+uint64_t expected_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum, int32_t tape);
+
 // C2D_ELIMINATION_DENSE or COMPRESSED: what is chosen, by size or as it is.
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen);
 

@@ -604,6 +604,7 @@ class c2d_posix_store(Struct):
         ("blocks", c_uint64 * C2D_TAPES),
         ("block_bytes", c_uint64 * C2D_TAPES),
         ("helper", c_void_p),
+        ("expected", c_uint64 * C2D_TAPES),
     ]
 
 
@@ -1204,6 +1205,13 @@ Make the folder unless it is there (its parent must be), and in it the store's o
     ], """void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
 
 Set context, open, read, write, sync, close, start_read, start_write and wait of *out; the rest of it is left alone."""),
+    "c2d_posix_store_expect": (None, [
+        ("store", POINTER(c2d_posix_store), False, None),
+        ("tape", c_int32, False, None),
+        ("bytes", c_uint64, False, None),
+    ], """void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes);
+
+Of this tape, when it is opened next, no more than so many bytes are reserved (all of it unless this is called: bounds of compressed elimination are ten times what it writes, and more). No such tape: nothing is done."""),
     "c2d_posix_store_remove": (c_int32, [
         ("store", POINTER(c2d_posix_store), False, None),
     ], """int32_t c2d_posix_store_remove(c2d_posix_store* store);
