@@ -538,9 +538,9 @@ int32_t count_asleep(c2d_solver* s) {
 TEST_CASE("asleep: the tableau has columns of what touches and of what is about to, few as long as few touch") {
   for (const bool friction : {true, false}) {
     CAPTURE(friction);
-    Solver solver(friction ? family("mindlin", {"n=36"}) : family("hertz", {"n=70"}));
+    Solver solver(friction ? family("mindlin", {"n=36"}) : family("hertz", {"n=140"}));
     begin(solver, friction ? 0.3 : 0);
-    int32_t before = summary_of(solver.s).pairs;
+    int32_t first = 0, before = summary_of(solver.s).pairs;
     for (const double load : {0.001, 0.1, 0.4}) {
       CAPTURE(load);
       REQUIRE(advance(solver.s, load) == C2D_OK);
@@ -555,11 +555,13 @@ TEST_CASE("asleep: the tableau has columns of what touches and of what is about 
       }
       const int32_t asleep = count_asleep(t);
       CHECK(columns == c2d::used_columns(t));
-      CHECK(asleep < before);
+      CHECK(asleep <= before);
       CHECK(touching < t.pairs - asleep);
-      CHECK(touching + t.delayed.most > t.pairs - asleep); // no more than one lot is ready beforehand
+      CHECK(touching + 2 * t.delayed.most > t.pairs - asleep); // no more than one lot is ready beforehand
+      first = std::max(first, asleep);
       before = asleep;
     }
+    CHECK(before < first);
   }
 }
 
@@ -657,7 +659,7 @@ TEST_CASE("asleep: whichever read of a column that wakes fails, that is told") {
   int reads = 0;
   for (int n = 0; n <= reads; n += n < 8 || n + 4 > reads ? 1 : 9) {
     CAPTURE(n);
-    Solver solver(family("mindlin", {"n=36"}));
+    Solver solver(family("mindlin", {"n=48"}));
     at_little_load(solver);
     int seen = 0;
     solver.store.before = [&seen, n](const RamStore::Operation& o, size_t) {

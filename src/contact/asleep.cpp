@@ -14,15 +14,16 @@ namespace {
 
 Real* t_column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 
-// Pairs that wake together: one, and as many as the list has room for numbers of their columns, a function of the number of
-// unknowns.
+// Pairs that wake together: one, and as many as have as many columns as the list is long, a function of the number of unknowns,
+// or, where columns need no more than be read, twice as many: the list has room for what they say of those that are awake.
 struct Waking {
   int32_t count, columns;
   int32_t pair[kMostDelayed];
 };
 bool add(const Tableau& t, int32_t pair, Waking& w) {
   const int32_t columns = 1 + last_slot(t, t.pair[pair]);
-  if (w.count > 0 && w.columns + columns > t.delayed.most) return false;
+  const int32_t most = is_on_demand(*t.model) ? t.delayed.most : 2 * t.delayed.most;
+  if (w.count > 0 && (w.count == kMostDelayed || w.columns + columns > most)) return false;
   w.pair[w.count++] = pair;
   w.columns += columns;
   return true;

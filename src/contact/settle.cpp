@@ -105,14 +105,14 @@ bool anything_offends(const Follower& f, const PathScales& s) {
 
 namespace {
 
-// A fingerprint of all statuses and signs, to notice a set that was there before.
-uint64_t fingerprint(const Tableau& t) {
-  uint64_t hash = 1469598103934665603u;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const int32_t code = t.pair[i].status == C2D_SLIP ? 3 + t.pair[i].sign : t.pair[i].status;
-    hash = (hash ^ static_cast<uint64_t>(code + 1)) * 1099511628211u;
-  }
-  return hash;
+// What a pair adds to the fingerprint of all statuses and signs, by which a set that was there before is noticed: the number of
+// the pair and its code, mixed as by SplitMix64 (Steele, Lea and Flood 2014).
+uint64_t mark_of(const Tableau& t, int32_t i) {
+  const int32_t code = t.pair[i].status == C2D_SLIP ? 3 + t.pair[i].sign : t.pair[i].status;
+  uint64_t x = (8 * static_cast<uint64_t>(i) + static_cast<uint64_t>(code)) * 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
 }
 
 enum class Round : int32_t { quiet, changed, stuck };
@@ -153,8 +153,8 @@ double mark_worst(const Follower& f, const PathScales& s, const Offenders& those
   return worst;
 }
 
-// Change every offender that is not mended by the changes before it.
-Round change_all(Follower& f, const PathScales& s) {
+// Change every offender that is not mended by the changes before it. `statuses`: the fingerprint, less that of the first round.
+Round change_all(Follower& f, const PathScales& s, uint64_t& statuses) {
   Tableau& t = *f.t;
   Offenders those = find_offenders(f, s);
   bool changed = false;
@@ -165,7 +165,9 @@ Round change_all(Follower& f, const PathScales& s) {
       if (!mark.offends || !mark.changes) continue;
       mark.offends = 0;
       --those.left;
+      const uint64_t before = mark_of(t, i);
       if (!apply_change(f, i, mark.status, mark.slip - 1, pair_state(t, i, f.y).wt)) return Round::stuck;
+      statuses += mark_of(t, i) - before;
     }
   }
   return changed ? Round::changed : Round::quiet;
@@ -175,12 +177,12 @@ Round change_all(Follower& f, const PathScales& s) {
 // and after. True: nothing offends any more.
 bool change_in_rounds(Follower& f, const PathScales& s) {
   constexpr int32_t kRounds = 12;
-  uint64_t seen[kRounds];
+  uint64_t seen[kRounds], statuses = 0;
   for (int32_t round = 0; round < kRounds; ++round) {
-    seen[round] = fingerprint(*f.t);
+    seen[round] = statuses;
     for (int32_t k = 0; k < round; ++k)
       if (seen[k] == seen[round]) return false;
-    const Round made = change_all(f, round == 0 ? s : decision_scales(f));
+    const Round made = change_all(f, round == 0 ? s : decision_scales(f), statuses);
     if (made != Round::changed) return made == Round::quiet;
   }
   return false;

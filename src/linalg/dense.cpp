@@ -210,10 +210,12 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
 void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
                  Real* c, int64_t ldc) {
   if (!packs(engine, n, k)) {
+    Real factor[kTriangle];
     for (int32_t j = 0; j < n; ++j)
-      for (int32_t p = 0; p < k; ++p) {
-        const Real factor = b[j + p * ldb], *const left = a + p * lda;
-        for (int32_t i = 0; i < m; ++i) c[i + j * ldc] -= left[i] * factor;
+      for (int32_t d = 0; d < k; d += kTriangle) {
+        const int32_t some = smaller(kTriangle, k - d);
+        for (int32_t p = 0; p < some; ++p) factor[p] = b[j + (d + p) * ldb];
+        gemm_minus(engine, m, 1, some, a + d * lda, lda, factor, some, c + j * ldc, ldc);
       }
     return;
   }

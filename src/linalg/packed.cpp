@@ -69,13 +69,14 @@ void pack_right(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t l
   }
 }
 
-// The same of B^T (n x k).
+// The same of B^T (n x k), of which each column is met in short pieces: the next ones come nearer meanwhile.
 void pack_transposed(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t ldb, const Right& right) {
   const int32_t cols = p.kernel.cols;
   for (int32_t j = 0; j < n; j += cols) {
     const int32_t some = smaller(cols, n - j);
     Real* to = right.slice(j);
     for (int32_t i = 0; i < k; ++i, to += cols) {
+      C2D_FETCH(b + j + 2 * cols + i * ldb, 0, 2);
       for (int32_t c = 0; c < some; ++c) to[c] = b[j + c + i * ldb];
       for (int32_t c = some; c < cols; ++c) to[c] = 0;
     }

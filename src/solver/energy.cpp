@@ -69,7 +69,7 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
     const double* load_part = book.of_loads + 2 * static_cast<int64_t>(k) * book.cases;
     const Real* work = book.of_contact + 2 * k * size;
     const Real* reaction = work + size;
-    double u = 0.0, r = 0.0;
+    double u = 0.0, r = 0.0, along = 0.0, reacting = 0.0; // those of tangential slots apart: neither sum waits for the other
     for (int32_t i = 0; i < book.cases; ++i) {
       u += load_part[i] * factor[i];
       r += load_part[book.cases + i] * factor[i];
@@ -77,17 +77,17 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
     for (int32_t i = 0; i < session.model.head->pairs; ++i) {
       const Pair& pair = f.t->pair[i];
       const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
-      const double force[2] = {now.p, now.q};
       const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
-      const double motion[2] = {now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit, now.wt};
-      for (int32_t d = 0; d <= pair.tangential; ++d) {
-        const int32_t j = pair.dof + d;
-        u += work[j] * force[d] + work[book.m + j] * motion[d];
-        r += reaction[j] * force[d] + reaction[book.m + j] * motion[d];
-      }
+      const double wn = now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit;
+      const int32_t a = pair.dof, b = a + 1;
+      u += work[a] * now.p + work[book.m + a] * wn;
+      r += reaction[a] * now.p + reaction[book.m + a] * wn;
+      if (pair.tangential == 0) continue;
+      along += work[b] * now.q + work[book.m + b] * now.wt;
+      reacting += reaction[b] * now.q + reaction[book.m + b] * now.wt;
     }
-    book.u[k] = u;
-    book.r[k] = r;
+    book.u[k] = u + along;
+    book.r[k] = r + reacting;
   }
 }
 
