@@ -9,11 +9,14 @@
 //   MATRIX    random:SEED, graded:SEED, or file:PATH with the N*N numbers
 #pragma once
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <string>
@@ -24,6 +27,25 @@ namespace rival {
 struct Matrix {
   std::vector<double> a, b; // column-major, and a right-hand side
   int32_t n;
+};
+
+// What is solved for, in pages of 2 MiB where there are: for all contenders as the program asks for its workspace.
+class Work {
+public:
+  explicit Work(size_t numbers) {
+    constexpr size_t kPage = size_t{1} << 21;
+    const size_t bytes = numbers * sizeof(double), whole = (bytes + kPage - 1) / kPage * kPage;
+    data_ = static_cast<double*>(std::aligned_alloc(kPage, whole));
+    if (data_ == nullptr) std::exit(3);
+    if (bytes >= kPage) madvise(data_, whole, MADV_HUGEPAGE);
+  }
+  ~Work() { std::free(data_); }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+  double* data() { return data_; }
+
+private:
+  double* data_;
 };
 
 inline Matrix make_matrix(const std::string& kind, int32_t n) {
@@ -87,10 +109,11 @@ template <class Solve, class Peak> int serve(Solve solve, Peak peak) {
   std::fflush(stdout);
   while (std::scanf("%15s %599s %d", what, kind, &n) == 3) {
     if (held != kind || m.n != n) m = make_matrix(held = kind, n);
-    std::vector<double> a, x, wall, processor;
+    Work a(m.a.size());
+    std::vector<double> x, wall, processor;
     const double most = what[0] == 't' ? peak() : 0, start = wall_seconds();
     do {
-      a = m.a;
+      std::memcpy(a.data(), m.a.data(), m.a.size() * sizeof(double));
       x = m.b;
       const double w = wall_seconds(), p = processor_seconds();
       solve(n, a.data(), x.data());
