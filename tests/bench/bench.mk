@@ -29,10 +29,11 @@ REFERENCE_BLAS ?= $(call first_of,blas/libblas.so.3)
 REFERENCE_LAPACK ?= $(call first_of,lapack/liblapack.so.3)
 EIGEN_FLAGS ?= $(shell pkg-config --cflags eigen3 2>/dev/null || echo -I/usr/include/eigen3)
 HAS_EIGEN := $(shell echo '$(HASH)include <Eigen/LU>' | $(CXX) $(EIGEN_FLAGS) -fsyntax-only -x c++ - 2>/dev/null && echo yes)
+HAS_HMAT := $(shell echo '$(HASH)include <hmat/hmat.h>' | $(CXX) -fsyntax-only -x c++ - 2>/dev/null && echo yes)
 BENCH_FC ?= $(firstword $(shell command -v gfortran flang 2>/dev/null))
 endif
 RIVALS := $(addprefix $(BENCH)/,rival_rows $(if $(OPENBLAS)$(REFERENCE_LAPACK),rival_lapack) \
-  $(if $(HAS_EIGEN),rival_eigen rival_eigen_native) $(if $(BENCH_FC),rival_rows_fortran))
+  $(if $(HAS_EIGEN),rival_eigen rival_eigen_native) $(if $(HAS_HMAT),rival_hmat) $(if $(BENCH_FC),rival_rows_fortran))
 RIVAL := $(CXX) -std=c++17 -O2
 $(RIVALS): tests/bench/rivals/serve.hpp | $(BUILD)/flags
 $(BENCH)/rival_rows: tests/bench/rivals/rows.cpp
@@ -51,6 +52,10 @@ $(BENCH)/rival_eigen: tests/bench/rivals/eigen.cpp
 $(BENCH)/rival_eigen_native: tests/bench/rivals/eigen.cpp
 	@mkdir -p $(@D)
 	$(RIVAL) -O3 -march=native -DNDEBUG $(EIGEN_FLAGS) -o $@ $<
+
+$(BENCH)/rival_hmat: tests/bench/rivals/hmat.cpp
+	@mkdir -p $(@D)
+	$(RIVAL) -o $@ $< -lhmat
 
 bench: $(BENCH)/run_bench $(BENCH)/empty $(BENCH)/spawn $(RIVALS) $(PROGRAM)
 	@$(BENCH)/run_bench --program $(PROGRAM) --empty $(BENCH)/empty --spawn $(BENCH)/spawn --examples examples --decks tests/data/decks \

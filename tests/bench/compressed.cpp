@@ -3,6 +3,7 @@
 #include "../host_structs.hpp"
 #include "../many_bodies.hpp"
 #include "bench.hpp"
+#include "children.hpp"
 
 #include "c2d_memory.h"
 
@@ -347,12 +348,67 @@ void awkward(bool large) {
   }
 }
 
+// ---- beside others ----------------------------------------------------------------------------------------------------
+
+// A disc, half of it held, the other half pulled: the problem of write_boundary_matrix.
+many::Model half_held(int32_t nodes) {
+  many::Model m;
+  many::Body body = body_of({circle(0, 0, 1, nodes, 1)});
+  body.sides = {{1, nodes / 2}, {nodes / 2 + 1, nodes}};
+  m.add(body);
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(1, 2, many::end_of(many::kPulled, 0.3, 1));
+  return m;
+}
+
+struct Other {
+  std::string name, absent;
+  std::vector<std::string> words;
+};
+
+// Whole runs, in which every entry is integrated, beside the algebra alone of others on that matrix.
+void beside_others(const Options& options) {
+  const std::string hmat = options.folder + "/rival_hmat", lapack = options.folder + "/rival_lapack";
+  const Other others[] = {
+      {"openblas", options.openblas.empty() ? "OpenBLAS is not installed" : "", {lapack, options.openblas}},
+      {"hmat", is_program(hmat) ? "" : "HMAT-OSS was not installed when this was built", {hmat, "1e-10"}},
+  };
+  const std::string file = "/tmp/contact2d-bench-disc-" + std::to_string(getpid());
+  for (int32_t nodes : {1000, 2000, 4000}) {
+    if (nodes > 2000 && !options.large) continue;
+    const std::string key = "beside." + std::to_string(nodes) + ".";
+    const Outcome own = compressed(half_held(nodes));
+    row(key + "own", own.seconds, "s", "all of the run, " + std::to_string(static_cast<int>(own.megabytes)) + " MB");
+    write_boundary_matrix(file, nodes);
+    for (const Other& other : others) {
+      if (!other.absent.empty()) {
+        note(key + other.name, other.absent);
+        continue;
+      }
+      Child child(other.words, {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1"});
+      const Answer time = ask(child, "time", "file:" + file, 2 * nodes),
+                   left = ask(child, "residual", "file:" + file, 2 * nodes);
+      if (!time.ok || !left.ok) {
+        note(key + other.name, "has failed");
+        continue;
+      }
+      char residual[48];
+      std::snprintf(residual, sizeof residual, "scaled residual %.1e", left.residual);
+      row(key + other.name, time.processor, "s", times(time.processor / own.seconds) + " of ours, " + residual);
+    }
+    unlink(file.c_str());
+  }
+}
+
 } // namespace
 
 void compressed_elimination(const Options& options) {
   heading("Compressed elimination: two blocks that touch in at most 200 pairs, whole runs");
   against_dense(options.large);
   growth(options.large);
+  heading("Compressed elimination of a disc, whole runs, beside the algebra of others on its matrix: a dense elimination, and "
+          "hierarchical matrices to 1e-10");
+  beside_others(options);
   heading("Compressed elimination: what is left of the equations of awkward bodies");
   awkward(options.large);
   heading("A rough face on a flat one: candidate pairs of which few touch, whole runs");
