@@ -225,7 +225,8 @@
    ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
 /* By size (C2D_ELIMINATION_BY_SIZE) elimination is compressed if this holds of the limits: of the functional nodes of any body
    and all pairs, unless there are free zones. Then it takes less time. */
-#define C2D_COMPRESSES(nodes, pairs) ((nodes) > 1000 + (pairs) + (pairs) / 2)
+#define C2D_COMPRESSED_FROM(pairs) (801 + (pairs) / 2) /* nodes */
+#define C2D_COMPRESSES(nodes, pairs) ((nodes) >= C2D_COMPRESSED_FROM(pairs))
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
 /* c2d_limits.touching: pairs that may touch, or nearly, at once; 0: all. More pairs than so many columns have room for are a

@@ -646,10 +646,10 @@ TEST_CASE("compressed solver: by size, as the limits say, whatever the memory" *
     }
     return chosen;
   };
-  CHECK(by_size(1003, 2, 0) == C2D_ELIMINATION_DENSE);
-  CHECK(by_size(1004, 2, 0) == C2D_ELIMINATION_COMPRESSED);
-  CHECK(by_size(1301, 201, 0) == C2D_ELIMINATION_DENSE);
-  CHECK(by_size(1302, 201, 0) == C2D_ELIMINATION_COMPRESSED);
+  CHECK(by_size(801, 2, 0) == C2D_ELIMINATION_DENSE);
+  CHECK(by_size(802, 2, 0) == C2D_ELIMINATION_COMPRESSED);
+  CHECK(by_size(900, 201, 0) == C2D_ELIMINATION_DENSE);
+  CHECK(by_size(901, 201, 0) == C2D_ELIMINATION_COMPRESSED);
   CHECK(by_size(2000, 201, 201) == C2D_ELIMINATION_DENSE); // (bodies with equations of free zones are)
 }
 
@@ -658,14 +658,14 @@ TEST_CASE("compressed solver: the program chooses by size, and check says from w
   const auto run = [&](const std::string& words) {
     return test::run_shell("cd '" + folder.path() + "' && '" + paths::program() + "' " + words);
   };
-  REQUIRE(run("make ring n=499 order=1 >small && '" + paths::program() + "' make ring n=500 order=1 >large").status == 0);
+  REQUIRE(run("make ring n=399 order=1 >small && '" + paths::program() + "' make ring n=400 order=1 >large").status == 0);
   const auto says = [&](const std::string& words, const std::string& expected) {
     const test::Result out = run("check " + words);
     CHECK_MESSAGE(out.out.find("elimination                 " + expected + "\n") != std::string::npos, out.out);
     return out.out.find("memory, compressed") != std::string::npos;
   };
-  CHECK_FALSE(says("small", "dense by size: compressed from 1001 nodes of a body on"));
-  CHECK(says("large", "compressed by size: compressed from 1001 nodes of a body on"));
+  CHECK_FALSE(says("small", "dense by size: compressed from 801 nodes of a body on"));
+  CHECK(says("large", "compressed by size: compressed from 801 nodes of a body on"));
   CHECK_FALSE(says("large --elimination dense", "dense"));
   CHECK(says("small --elimination compressed", "compressed"));
   CHECK_FALSE(says("'" + paths::root() + "/examples/three_bodies.dat'", "dense, as there are free zones"));

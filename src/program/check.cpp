@@ -1,5 +1,6 @@
 #include "program/check.hpp"
 
+#include "contact2d_memory.h"
 #include "program/exit_code.hpp"
 #include "program/output_file.hpp"
 #include "program/session.hpp"
@@ -61,7 +62,7 @@ std::string elimination_text(const Session& session, int32_t wanted) {
   if (wanted != C2D_ELIMINATION_BY_SIZE) return chosen;
   if (session.limits.free_pairs > 0) return chosen + ", as there are free zones";
   if (session.limits.touching > 0) return chosen + ", as the contact is on demand";
-  return chosen + " by size: compressed from " + std::to_string(1001 + int64_t{3} * session.limits.pairs / 2) +
+  return chosen + " by size: compressed from " + std::to_string(C2D_COMPRESSED_FROM(session.limits.pairs)) +
          " nodes of a body on";
 }
 

@@ -60,7 +60,7 @@ const OptionRow kOptions[] = {
      "deck (default): elements on a line of symmetry are kept; images: they are replaced by images"},
     {"--elimination", nullptr, "dense|compressed|size", kRun | kCheck | kSweep,
      "compressed: time and memory grow with the number of nodes, not with its cube and square as dense; size (default): "
-     "compressed where a body has more than 1000 nodes and 1.5 for each pair"},
+     "compressed where a body has more than 800 nodes and one for two pairs"},
     {"--touching", nullptr, "N", kRun | kCheck | kSweep,
      "pairs that may touch, or nearly, at once, 0 for all: where there are more, columns of the contact system are made when "
      "pairs are about to touch; default: a fifth of more than 1500 pairs, and all where that cannot be or is too little"},
