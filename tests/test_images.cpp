@@ -1,11 +1,18 @@
 // Symmetry by images where bodies do not meet every line: what is modelled against the whole, made from it by reflection.
+#include "bie/batch.hpp"
+#include "bie/diagonal.hpp"
+#include "bie/panel.hpp"
 #include "many_bodies.hpp"
+#include "memory/config.hpp"
+#include "solver/solver.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 using namespace many;
 
@@ -401,6 +408,39 @@ TEST_CASE("images: bodies that meet both lines, one or the other, and none") {
   for (const int32_t function_nodes : {1, 2, 3}) {
     CAPTURE(function_nodes);
     check_unfolded(cross(function_nodes));
+  }
+}
+
+// It is what keeps the cost of a compressed body with images from growing with the square of its nodes.
+TEST_CASE("images: the diagonal in closed form is the sum over the elements and their images" *
+          doctest::skip(c2d::kSmallCode)) {
+  for (const int32_t function_nodes : {1, 2, 3, 4}) {
+    CAPTURE(function_nodes);
+    Machine machine(cross(function_nodes));
+    REQUIRE(machine.status == C2D_OK);
+    const c2d::Model model = c2d::model_of(machine.solver);
+    const auto scratch = std::make_unique<c2d::AssemblyScratch>();
+    for (int b = 0; b < model.head->bodies; ++b) {
+      CAPTURE(b);
+      const int32_t nodes = model.body[b].nodes;
+      std::vector<double> closed(at(4 * nodes)), summed(closed), point(at(2 * nodes));
+      std::vector<int32_t> twin(at(nodes));
+      c2d::ColumnSystem system{model,
+                               b,
+                               c2d::Quadrature::accurate,
+                               closed.data(),
+                               point.data(),
+                               twin.data(),
+                               scratch.get(),
+                               c2d::batch_for(c2d::best_instructions())};
+      system.some_passed_over = c2d::place_sources(system);
+      REQUIRE(c2d::fill_diagonal_closed(system, 0, nodes));
+      system.diagonal = summed.data(), system.batch = nullptr;
+      c2d::fill_diagonal(system, 0, nodes);
+      double most = 0;
+      for (size_t i = 0; i < closed.size(); ++i) most = std::max(most, std::fabs(closed[i] - summed[i]));
+      CHECK(most < 2e-15 * 8); // entries below 1, some dozen elements
+    }
   }
 }
 

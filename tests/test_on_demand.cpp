@@ -4,6 +4,8 @@
 #include "memory/config.hpp"
 #include "solver/solver.hpp"
 
+#include "paths.hpp"
+#include "shell.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>

@@ -3,6 +3,7 @@
 #include "bie/integrals_detail.hpp"
 #include "bie/panel.hpp"
 #include "memory/config.hpp"
+#include "model/symmetry.hpp"
 
 #include <math.h>
 
@@ -15,8 +16,16 @@ struct Rays {
   double start[2], end[2];
 };
 
-// Leaves out the elements at the node, whose own sums are taken off the diagonal.
-void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, const double at[2], Rays& rays,
+// From the source to the image of a geometry node.
+void aim(const Model& m, int image, double x, double y, const double at[2], double ray[2]) {
+  const double point[2] = {x / m.head->length_unit, y / m.head->length_unit};
+  const Source p = mirrored_source(*m.head, image, point);
+  ray[0] = p.x - at[0], ray[1] = p.y - at[1];
+}
+
+// Leaves out the images of the elements at the node, which is its own image there; their own sums are taken off the diagonal.
+// (A reflection turns the way round: where the element ends its image starts.)
+void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, int image, const double at[2], Rays& rays,
                double* diagonal) {
   const Model& m = system.model;
   const int b = system.body, f = m.head->function_nodes;
@@ -28,10 +37,10 @@ void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, 
     double x[kElementNodes], y[kElementNodes], own[2][2];
     element_coordinates(m, b, element, x, y);
     const bool to_start = f == 1 || l < f - 1, to_end = f == 1 || l > 0;
-    if (to_start) rays.start[0] = x[1] / m.head->length_unit - at[0], rays.start[1] = y[1] / m.head->length_unit - at[1];
-    if (to_end) rays.end[0] = x[0] / m.head->length_unit - at[0], rays.end[1] = y[0] / m.head->length_unit - at[1];
+    if (to_start) aim(m, image, x[1], y[1], at, image == 0 ? rays.start : rays.end);
+    if (to_end) aim(m, image, x[0], y[0], at, image == 0 ? rays.end : rays.start);
     rigid_sum_own_line(any, l, own);
-    for (int i = 0; i < 4; ++i) diagonal[i] -= own[i / 2][i % 2];
+    for (int i = 0; i < 4; ++i) diagonal[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * own[i / 2][i % 2];
   }
 }
 
@@ -52,20 +61,25 @@ void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
 
 bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
-  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.body[system.body].lines != 0 ||
-      m.body[system.body].element_nodes != 2)
+  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.body[system.body].element_nodes != 2)
     return false;
+  const int32_t lines = m.body[system.body].lines;
   Integrator& any = system.scratch->integrator; // material and functions are the same for all elements
   make_integrator(m, system.body, 0, system.quadrature, Measure::own_length, any);
   for (int32_t node = first_node; node < first_node + count; ++node) {
     const int32_t twin = system.twin[node];
     double* diagonal = system.diagonal + 4 * static_cast<int64_t>(node);
     const double* at = system.point + 2 * static_cast<int64_t>(node);
-    if (twin == kSecondTwin) continue;
+    if (twin == kSecondTwin || twin == kAxisNode) continue;
     Rays rays = {};
-    leave_out(system, any, node, at, rays, diagonal);
-    if (twin >= 0) leave_out(system, any, twin, at, rays, diagonal);
-    take_path_off(any, rays, diagonal);
+    int images = 0;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image) || (image > 0 && !mirrored_source(*m.head, image, at).on_itself)) continue;
+      ++images;
+      leave_out(system, any, node, image, at, rays, diagonal);
+      if (twin >= 0) leave_out(system, any, twin, image, at, rays, diagonal);
+    }
+    if (images <= 2) take_path_off(any, rays, diagonal); // (on both lines symmetry holds the node)
   }
   return true;
 }

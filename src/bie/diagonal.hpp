@@ -4,7 +4,8 @@
 //   int T ds = k [ -(2-2nu) theta - sin(2 theta)/2, cos(2 theta)/2 - (1-2nu) ln r ]
 //                [ cos(2 theta)/2 + (1-2nu) ln r,   -(2-2nu) theta + sin(2 theta)/2 ]   between its ends:
 // a rigid translation does no work on the way. The boundary without the elements at the source is such a path, over
-// which theta grows by the angle of the material there, holes and all. No element need be looked at.
+// which theta grows by the angle of the material there, holes and all. No element need be looked at. With images it is the
+// boundary of the body and of all its images.
 #include "bie/columns.hpp"
 
 namespace c2d {
