@@ -584,6 +584,8 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   const test::Result check = run("check held.dat");
   CHECK_MESSAGE(check.out.find("room for 300 pairs") != std::string::npos, check.out);
   CHECK(run("check held.dat --elimination dense").out.find("room for") == std::string::npos);
+  CHECK(run("check - <held.dat").out.find("room for") == std::string::npos); // (it could not begin anew)
+  CHECK(check.out.find("compressed, as the contact is on demand\n") != std::string::npos);
   const test::Result held = run("run held.dat --json held");
   CHECK_MESSAGE(held.status == 0, held.err);
   CHECK(held.err.find("begins anew") == std::string::npos);

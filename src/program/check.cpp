@@ -104,7 +104,8 @@ int check_one(const std::string& deck, const Options& options) {
   Session session;
   session.messages.quiet = options.quiet;
   int exit = session.read_file(deck, {options.settings, false});
-  session.limits.touching = touching_of(session.limits, options.touching, options.elimination, C2D_STEPPING_EVENTS);
+  const int32_t chosen = options.touching < 0 && deck == "-" ? 0 : options.touching; // as it is run
+  session.limits.touching = touching_of(session.limits, chosen, options.elimination, C2D_STEPPING_EVENTS);
   if (exit == 0) exit = session.read_model_alone(options.symmetry);
   if (exit != 0) return exit;
 

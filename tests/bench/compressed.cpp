@@ -6,13 +6,16 @@
 #include "children.hpp"
 
 #include "c2d_memory.h"
+#include "c2d_posix.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <string>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -79,13 +82,17 @@ double seconds_inside(c2d_solver* solver, int32_t points) {
   return processor_seconds() - start;
 }
 
-void solve(const many::Model& m, int32_t elimination, int32_t points, int file) {
+constexpr uint64_t kStreamed = uint64_t{256} << 20;
+
+// With a folder in so much memory and files, else in memory alone.
+void solve(const many::Model& m, int32_t elimination, int32_t points, const std::string& folder, int file) {
   std::vector<c2d_body_limits> list;
   const c2d_limits limits = many::limits_of(m, list);
   uint64_t minimum = 0, in_core = 0, tapes = 0;
   if (c2d_memory_need(&limits, &minimum, &in_core, nullptr) != C2D_OK) give_up("limits refused");
   const bool compressed = elimination == C2D_ELIMINATION_COMPRESSED;
-  const uint64_t bytes = compressed ? 2 * minimum + kBeside : in_core;
+  const bool streams = !folder.empty();
+  const uint64_t bytes = streams ? kStreamed : compressed ? 2 * minimum + kBeside : in_core;
   c2d_options options = C2D_INIT(c2d_options);
   options.elimination = elimination;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
@@ -93,11 +100,18 @@ void solve(const many::Model& m, int32_t elimination, int32_t points, int file) 
     if (c2d_tape_need(&limits, &options, bytes, tape, &blocks, &each, nullptr) != C2D_OK) give_up("no tapes");
     tapes += blocks * each + 64;
   }
-  const Memory workspace(bytes), region(tapes);
+  const Memory workspace(bytes), region(streams ? 64 : tapes);
   c2d_memory_store store;
-  c2d_memory_store_init(&store, region.get(), tapes);
+  c2d_posix_store files;
   c2d_port port = C2D_INIT(c2d_port);
-  c2d_memory_store_port(&store, &port);
+  if (streams) {
+    if (c2d_posix_store_init(&files, folder.c_str()) != 0) give_up("no folder");
+    for (int32_t tape = 0; tape < C2D_TAPES; ++tape) c2d_posix_store_expect(&files, tape, 0);
+    c2d_posix_store_port(&files, &port);
+  } else {
+    c2d_memory_store_init(&store, region.get(), tapes);
+    c2d_memory_store_port(&store, &port);
+  }
   c2d_solver* solver = nullptr;
   if (c2d_create(&solver, workspace.get(), bytes, &limits, &port, nullptr) != C2D_OK) give_up("not created");
   c2d_status status = many::feed(solver, m);
@@ -116,10 +130,12 @@ void solve(const many::Model& m, int32_t elimination, int32_t points, int file) 
     c2d_get(solver, C2D_TN, 0, 1, summary.pairs, all.data() + kNumbers, 1);
     c2d_get(solver, C2D_STATUS, 0, 1, summary.pairs, all.data() + kNumbers + pairs, 1);
   }
+  c2d_close(solver);
+  if (streams) c2d_posix_store_discard(&files, folder.c_str());
   write_numbers(file, all);
 }
 
-Outcome run(const many::Model& m, int32_t elimination, int32_t points) {
+Outcome run(const many::Model& m, int32_t elimination, int32_t points, const std::string& folder = "") {
   int ends[2];
   if (pipe(ends) != 0) give_up("no pipe");
   std::fflush(stdout);
@@ -127,7 +143,7 @@ Outcome run(const many::Model& m, int32_t elimination, int32_t points) {
   if (child < 0) give_up("no process");
   if (child == 0) {
     close(ends[0]);
-    solve(m, elimination, points, ends[1]);
+    solve(m, elimination, points, folder, ends[1]);
     std::_Exit(0);
   }
   close(ends[1]);
@@ -236,11 +252,23 @@ void against_dense(bool large) {
   }
 }
 
-void growth(bool large) {
+// By the clock, as it waits for the files.
+void streamed(const many::Model& m, const std::string& key, const Outcome& in_memory, const std::string& folder) {
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome own = run(m, C2D_ELIMINATION_COMPRESSED, 0, folder + "/streamed");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double ratio = seconds / in_memory.seconds;
+  row(key + ".streamed", seconds, "s", "in 256 MiB and files");
+  row(key + ".streamed_memory", own.megabytes, "MB");
+  row(key + ".over_in_memory", ratio, "", judged(key + ".streamed_ratio", ratio, "<=", 2, ""));
+}
+
+void growth(bool large, const std::string& folder) {
   std::vector<double> sizes, times;
   for (int32_t nodes : {10000, 30000, 100000}) {
     if (nodes > 10000 && !large) continue;
-    const Outcome own = compressed(pressed(nodes), 400);
+    const many::Model m = pressed(nodes);
+    const Outcome own = compressed(m, 400);
     const std::string key = "compressed." + std::to_string(nodes);
     const double seconds = nodes == 10000    ? 10
                            : nodes == 100000 ? 150
@@ -252,6 +280,7 @@ void growth(bool large) {
     row(key + ".memory", own.megabytes, "MB", judged(key + ".megabytes", own.megabytes, "<=", memory, ""));
     row(key + ".inside", own.inside, "s", "400 x 400 points in the lower block");
     row(key + ".residual", own.residual, "", "a step of refinement would change " + std::to_string(own.error * 1e12) + "e-12");
+    streamed(m, key, own, folder);
     sizes.push_back(nodes), times.push_back(own.seconds);
   }
   if (sizes.size() > 1) {
@@ -405,7 +434,7 @@ void beside_others(const Options& options) {
 void compressed_elimination(const Options& options) {
   heading("Compressed elimination: two blocks that touch in at most 200 pairs, whole runs");
   against_dense(options.large);
-  growth(options.large);
+  growth(options.large, options.folder);
   heading("Compressed elimination of a disc, whole runs, beside the algebra of others on its matrix: a dense elimination, and "
           "hierarchical matrices to 1e-10");
   beside_others(options);
