@@ -452,6 +452,44 @@ TEST_CASE("compressed solver: other loads, and from one elimination to the other
   }
 }
 
+TEST_CASE("compressed solver: two load cases of a body whose right-hand sides come by cells" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = wide();
+  m.set_second(1, 2, many::end_of(many::kPulled, 0.5, -0.3));
+  m.set_second(1, 1, many::end_of(many::kHeld, 0.004, -0.002));
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = many::limits_of(m, list);
+  REQUIRE(limits.load_cases == 2);
+  std::vector<double> found[2];
+  for (const int32_t elimination : {C2D_ELIMINATION_DENSE, C2D_ELIMINATION_COMPRESSED}) {
+    Own own(limits, enough_for(limits));
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = elimination;
+    REQUIRE(c2d_set_options(own.solver(), &options) == C2D_OK);
+    REQUIRE(many::feed(own.solver(), m) == C2D_OK);
+    REQUIRE(c2d_prepare(own.solver()) == C2D_OK);
+    const double mu = 0, loads[3][2] = {{1, 0}, {0, 1}, {0.7, -0.4}};
+    REQUIRE(c2d_begin(own.solver(), &mu, 0) == C2D_OK);
+    for (const auto& load : loads) {
+      c2d_outcome outcome = C2D_UNDECIDED;
+      REQUIRE(c2d_advance(own.solver(), load, 2, &outcome) == C2D_OK);
+      REQUIRE(outcome == C2D_REACHED);
+      std::vector<double>& all = found[elimination == C2D_ELIMINATION_DENSE ? 0 : 1];
+      for (const int32_t field : {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY}) {
+        all.resize(all.size() + 540);
+        REQUIRE(c2d_get(own.solver(), field, 1, 1, 540, all.data() + all.size() - 540, 1) == C2D_OK);
+      }
+    }
+  }
+  for (size_t first = 0; first < found[0].size(); first += 540) {
+    double size = 0, apart = 0;
+    for (size_t i = first; i < first + 540; ++i)
+      size = std::max(size, std::fabs(found[0][i])), apart = std::max(apart, std::fabs(found[0][i] - found[1][i]));
+    CAPTURE(first);
+    CHECK(size > 0);
+    CHECK(apart < (kIsDouble ? 1e-10 : 1e-3) * size);
+  }
+}
+
 // A strip a millionth as thick as it is long: no elimination leaves many digits.
 TEST_CASE("compressed solver: what is left of the equations is told" * doctest::skip(c2d::kSmallCode)) {
   many::Model m;

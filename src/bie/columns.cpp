@@ -33,6 +33,7 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
 
 void add_element(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, const ElementTargets& t,
                  Measure measure) {
+  if (!kSmallCode && system.rest && !hole) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   const bool contact = measure == Measure::contact;

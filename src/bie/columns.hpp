@@ -37,6 +37,7 @@ struct ColumnSystem {
   const int32_t* chosen = nullptr; // [sources] nodes, kNoNode for a point that is none; null: all of the body's
   int32_t sources = 0;
   bool alone = false; // without images
+  bool rest = false;  // without what elements do at the body's own nodes (elimination/far_sums.hpp)
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 constexpr int32_t kNoNode = -1;
@@ -67,6 +68,9 @@ int32_t outer_column(const Model& model, int b, int32_t node, int component);
 
 // Fill `diagonal` for the nodes [first, first + count): one integral with unit density per source and element.
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count);
+
+// What one element takes off it, for the sources [first, first + count).
+void take_rigid_sums(const ColumnSystem& system, int32_t element, int32_t first, int32_t count);
 
 // Assign all rows of columns first ... first+count-1; panel is column-major with leading dimension ld.
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);

@@ -101,12 +101,13 @@ void add_to_far_field(const FarField& part, double kappa, FarField& out) {
   }
 }
 
+constexpr double kNothing = 1e-38; // squared, of what the first power is worth
+
 void add_far_field(const FarField& group, double k, double kappa, double x, double y, PointField& sum) {
   const Complex w = Complex{x, y} - group.middle;
   const double w2 = dot(w, w);
   const Complex inverse = (1.0 / w2) * conj(w), s = group.radius * inverse;
   const double s2 = dot(s, s);
-  constexpr double kNothing = 1e-38; // squared, of what the first power is worth
   Complex power = s, f = {0.0, 0.0}, f1 = f, f2 = f, g = f, g1 = f;
   double size = s2;
   for (int j = 1; j <= kFarTerms && size > kNothing; ++j, size *= s2) {
@@ -124,6 +125,23 @@ void add_far_field(const FarField& group, double k, double kappa, double x, doub
   add(sum.u, k * ((0.5 - kappa * far) * group.force - (0.5 * kappa) * f + conj(g) + 0.5 * (w * conj(slope))));
   sum.trace -= 2.0 * k * slope.re;
   add(sum.deviator, k * (conj(w) * bend + 2.0 * rise));
+}
+
+Complex far_displacement(const FarField& group, double k, double kappa, double x, double y) {
+  const Complex w = Complex{x, y} - group.middle;
+  const double w2 = dot(w, w);
+  const Complex inverse = (1.0 / w2) * conj(w), s = group.radius * inverse;
+  Complex power = s, f = {0.0, 0.0}, f1 = f, g = f;
+  double size = dot(s, s);
+  for (int j = 1; j <= kFarTerms && size > kNothing; ++j, size *= dot(s, s)) {
+    const Complex a = group.f[j - 1] * power;
+    add(f, a);
+    add(f1, j * a);
+    add(g, group.x[j - 1] * power);
+    power = power * s;
+  }
+  const Complex slope = inverse * (group.force - f1);
+  return k * ((0.5 - 0.5 * kappa * log(w2)) * group.force - (0.5 * kappa) * f + conj(g) + 0.5 * (w * conj(slope)));
 }
 
 // With n ds = -i dz all three are differences between the ends.

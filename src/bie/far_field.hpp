@@ -26,6 +26,9 @@ void add_to_far_field(const FarField& part, double kappa, FarField& out);
 // Adds the group's share at (x, y), no nearer to its middle than kFarDistance times the radius. k = 1/(4 pi (1 - nu)).
 void add_far_field(const FarField& group, double k, double kappa, double x, double y, PointField& sum);
 
+// Its displacements alone.
+Complex far_displacement(const FarField& group, double k, double kappa, double x, double y);
+
 // Elements that follow each other, of which nothing but the two ends matters: `u` everywhere on them, no tractions, at a point
 // that is not between them and the straight line through the ends.
 struct Chain {

@@ -91,35 +91,39 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   }
 }
 
+void take_rigid_sums(const ColumnSystem& system, int32_t element, int32_t first, int32_t count) {
+  const Model& m = system.model;
+  const int b = system.body, nf = m.head->function_nodes;
+  const int32_t lines = m.body[b].lines;
+  Integrator& integrator = system.scratch->integrator;
+  make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
+  int32_t node[kElementNodes];
+  for (int l = 0; l < nf; ++l) node[l] = functional_node(m, b, element, l);
+  if (fill_diagonal_batches(system, integrator, node, first, count)) return;
+  for (int32_t source = first; source < first + count; ++source) {
+    const int32_t twin = system.twin[source];
+    if (twin == kSecondTwin || twin == kAxisNode) continue;
+    double sum[2][2];
+    const double* at = system.point + 2 * static_cast<int64_t>(source);
+    double* block = system.diagonal + 4 * static_cast<int64_t>(source);
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
+      const Source p = mirrored_source(*m.head, image, at);
+      const int singular = p.on_itself ? singular_node(node, nf, node_of_source(system, source), twin) : -1;
+      rigid_sum(integrator, p.x, p.y, singular, sum);
+      for (int i = 0; i < 4; ++i) block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
+    }
+  }
+}
+
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
   const int b = system.body;
-  const int32_t lines = m.body[b].lines;
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
   if (fill_diagonal_closed(system, first_node, count)) return;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    Integrator& integrator = system.scratch->integrator;
-    make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
-    int32_t node[kElementNodes];
-    for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
-    if (fill_diagonal_batches(system, integrator, node, first_node, count)) continue;
-    for (int32_t source = first_node; source < first_node + count; ++source) {
-      const int32_t twin = system.twin[source];
-      if (twin == kSecondTwin || twin == kAxisNode) continue;
-      double sum[2][2];
-      const double* at = system.point + 2 * static_cast<int64_t>(source);
-      double* block = system.diagonal + 4 * static_cast<int64_t>(source);
-      for (int image = 0; image <= lines; ++image) {
-        if (!is_image(lines, image)) continue;
-        const Source p = mirrored_source(*m.head, image, at);
-        const int singular = p.on_itself ? singular_node(node, m.head->function_nodes, source, twin) : -1;
-        rigid_sum(integrator, p.x, p.y, singular, sum);
-        for (int i = 0; i < 4; ++i) block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
-      }
-    }
-  }
+  for (int32_t element = 0; element < m.body[b].elements; ++element)
+    if (is_integrated(m, b, element)) take_rigid_sums(system, element, first_node, count);
 }
 
 } // namespace c2d

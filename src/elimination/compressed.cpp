@@ -56,7 +56,10 @@ Real noise(int64_t i) {
 // Right-hand sides of the load cases and the noise.
 void fill_right(Compression& t) {
   const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
-  fill_columns(t.system, t.plan.columns + 2 * t.plan.contact, t.plan.loads, t.w.right, rows);
+  if (has_sums_by_cells(t.system))
+    fill_right_by_cells(t.system, t.w.right, rows, t.w.sums_by_cells);
+  else
+    fill_columns(t.system, t.plan.columns + 2 * t.plan.contact, t.plan.loads, t.w.right, rows);
   Real* last = t.w.right + rows * t.plan.loads;
   for (int64_t i = 0; i < rows; ++i) last[i] = noise(i);
 }
@@ -459,6 +462,7 @@ c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& 
   t.lower = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.lower_buffer);
   t.read = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.read_buffer);
   t.upper = records_of(plan, tapes, t.w.upper_buffer);
+  if (has_diagonal_by_cells(system)) fill_diagonal_by_cells(system, t.w.sums_by_cells);
   start_lists(t);
   start_leaves(t);
   write_samples(t);

@@ -52,7 +52,8 @@ struct CompressedStats {
   int64_t ranks, cells; // sum of the ranks of so many cells
 };
 
-// As eliminate(), with the same rows going to the sink. The system's sources are placed and its diagonal filled.
+// As eliminate(), with the same rows going to the sink. The system's sources are placed, and its diagonal is filled unless
+// elimination/far_sums.hpp says that it is done here.
 // C2D_ERR_MEMORY: a cell would keep more than `rank`; then stats->largest_rank is what that cell asks for.
 c2d_status eliminate_compressed(const CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes,
                                 void* work, PivotStats* pivots, CompressedStats* stats, const Watch& watch,

@@ -77,6 +77,12 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   area.take(w.room, tree);
   area.take(w.circle, 3 * cells);
   area.take(w.reach, nodes);
+  // Before there are cells of the tree.
+  AreaCarver far = area;
+  char* room_of_sums = nullptr;
+  far.take(room_of_sums, far_sums_bytes(plan.nodes, plan.loads));
+  w.sums_by_cells = room_of_sums;
+  far.carver.align();
   area.take(w.d, n * n);
   area.take(w.v, n * n);
   area.take(w.e, n * (n + k));
@@ -100,9 +106,10 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   dense.take(room, elimination_bytes(plan.border));
   w.dense = room;
   dense.carver.align();
-  if (!area.carver.fits || !dense.carver.fits) return UINT64_MAX;
+  if (!area.carver.fits || !dense.carver.fits || !far.carver.fits) return UINT64_MAX;
   if (out) *out = w;
-  return area.carver.used > dense.carver.used ? area.carver.used : dense.carver.used;
+  const uint64_t most = area.carver.used > dense.carver.used ? area.carver.used : dense.carver.used;
+  return most > far.carver.used ? most : far.carver.used;
 }
 
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }

@@ -3,6 +3,7 @@
 #include "bie/chosen.hpp"
 #include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"
+#include "elimination/far_sums.hpp"
 #include "elimination/stream.hpp"
 #include "linalg/interpolate.hpp"
 
@@ -50,6 +51,8 @@ struct CompressedWork {
   // of the border
   Real *root_d, *root_q, *root_c; // [n * n], [border rows * n], [border rows * loads]
   void* dense;                    // of eliminate()
+  // of the right-hand sides
+  void* sums_by_cells;
   // of what is kept for later right-hand sides
   Real *coupling[2], *sums, *whole; // [rank * rank], [border rows * n], [(n + border rows)^2]
   char* kept_buffer;

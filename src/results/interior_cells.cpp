@@ -13,46 +13,9 @@ namespace c2d {
 
 namespace {
 
-constexpr int32_t kDeepest = 31;
-constexpr int32_t kBlockOfPoints = 1024; // that stay in the cache
-
 FarCells cells_of(const Session& session, int b) { return far_cells_in(session.area.work, session.model.body[b].elements); }
 
 // ---- making --------------------------------------------------------------------------------------------------------------
-
-double length_of(Complex v) { return sqrt(dot(v, v)); }
-bool are_same(Complex a, Complex b) { return a.re == b.re && a.im == b.im; }
-
-// Behind those of the cell so far. One that comes back to where it began is none.
-void append(FarCell& cell, const Chain& next) {
-  Chain* const last = cell.chains > 0 && cell.chains < 3 ? &cell.chain[cell.chains - 1] : nullptr;
-  if (last && are_same(last->to, next.from)) {
-    last->to = next.to;
-    if (are_same(last->from, last->to)) --cell.chains;
-  } else if (cell.chains < 2) {
-    cell.chain[cell.chains++] = next;
-  } else {
-    cell.chains = 3;
-  }
-}
-
-void clear(FarCell& cell, Complex middle, double radius) {
-  cell.field = FarField{};
-  cell.field.middle = middle;
-  cell.field.radius = radius;
-  cell.chains = 0;
-}
-
-// The smallest box of circles, and the circle about its middle that holds them all.
-struct Hull {
-  Complex low = {1e300, 1e300}, high = {-1e300, -1e300};
-  void take(Complex middle, double radius) {
-    low = {fmin(low.re, middle.re - radius), fmin(low.im, middle.im - radius)};
-    high = {fmax(high.re, middle.re + radius), fmax(high.im, middle.im + radius)};
-  }
-  bool is_empty() const { return low.re > high.re; }
-  Complex middle() const { return 0.5 * (low + high); }
-};
 
 struct CellJob {
   const Session* session;
@@ -67,35 +30,14 @@ void element_field(const Session& session, int b, int32_t element, Measure measu
   prepare_field(t, u, out);
 }
 
-Complex middle_of(const Element& e) { return {e.c[0][0], e.c[0][1]}; }
-
-// Circle and chains of a leaf.
-void bound_leaf(const Session& session, int b, int32_t first, int32_t last, FarCell& cell) {
-  Integrator in;
-  Hull hull;
-  for (int32_t element = first; element < last; ++element) {
-    if (!is_integrated(session.model, b, element)) continue;
-    make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-    hull.take(middle_of(in.element), in.radius);
-  }
-  clear(cell, hull.middle(), 0.0);
-  for (int32_t element = first; element < last; ++element) {
-    if (!is_integrated(session.model, b, element)) continue;
-    make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-    const Element& e = in.element;
-    const double reach = length_of(middle_of(e) - cell.field.middle) + in.radius;
-    cell.field.radius = fmax(cell.field.radius, reach);
-    append(cell, Chain{{e.x[0], e.y[0]}, {e.x[e.nodes - 1], e.y[e.nodes - 1]}});
-  }
-}
-
 void make_leaf(void* argument, int32_t task) {
   const CellJob& job = *static_cast<const CellJob*>(argument);
   const Session& session = *job.session;
   const int32_t leaf = job.first + task, n = job.cells.elements, depth = job.cells.depth;
   const int32_t first = leaf_begin(n, depth, leaf), last = leaf_begin(n, depth, leaf + 1);
   FarCell& cell = job.cells.at(depth, leaf);
-  bound_leaf(session, job.b, first, last, cell);
+  bound_leaf(
+      session.model, job.b, first, last, [&](int32_t element) { return is_integrated(session.model, job.b, element); }, cell);
   for (int32_t element = first; element < last; ++element) {
     if (!is_integrated(session.model, job.b, element)) continue;
     NodalValues values;
@@ -106,22 +48,6 @@ void make_leaf(void* argument, int32_t task) {
     if (!values.any_contact) continue;
     element_field(session, job.b, element, Measure::contact, values.contact, nullptr, e);
     add_to_far_field(e, Complex{0.0, 0.0}, cell.field);
-  }
-}
-
-void make_parent(const FarCell* child, double kappa, FarCell& cell) {
-  Hull hull;
-  for (int k = 0; k < 2; ++k)
-    if (child[k].field.radius > 0.0) hull.take(child[k].field.middle, child[k].field.radius);
-  clear(cell, hull.middle(), 0.0);
-  if (hull.is_empty()) return;
-  for (int k = 0; k < 2; ++k)
-    if (child[k].field.radius > 0.0)
-      cell.field.radius = fmax(cell.field.radius, length_of(child[k].field.middle - cell.field.middle) + child[k].field.radius);
-  for (int k = 0; k < 2; ++k) {
-    add_to_far_field(child[k].field, kappa, cell.field);
-    for (int64_t i = 0; i < child[k].chains && i < 2; ++i) append(cell, child[k].chain[i]);
-    if (child[k].chains > 2) cell.chains = 3;
   }
 }
 
@@ -166,35 +92,6 @@ c2d_status make_cells(const Session& session, int b) {
 }
 
 // ---- walking -------------------------------------------------------------------------------------------------------------
-
-// Points of a block, the first `count` rows of `order`, meet the cells from the root down. Those to which a cell is near come
-// to the front and meet both of its halves, or at a leaf the elements.
-template <class Visitor> void walk(const FarCells& cells, uint16_t* order, int32_t count, const Visitor& visitor) {
-  int32_t left[kDeepest + 1];
-  left[0] = count;
-  for (int32_t d = 0, i = 0;;) {
-    const FarCell& cell = cells.at(d, i);
-    int32_t near = 0;
-    for (int32_t k = 0; k < left[d]; ++k) {
-      const uint16_t row = order[k];
-      if (!visitor.is_near(cell, row)) {
-        visitor.meet(cell, row);
-        continue;
-      }
-      order[k] = order[near];
-      order[near++] = row;
-    }
-    if (near > 0 && d < cells.depth) {
-      left[++d] = near;
-      i *= 2;
-      continue;
-    }
-    if (near > 0) visitor.meet_elements(leaf_begin(cells.elements, d, i), leaf_begin(cells.elements, d, i + 1), order, near);
-    for (; (i & 1) != 0; i /= 2) --d;
-    if (d == 0) return;
-    ++i;
-  }
-}
 
 // What both walks know.
 struct Visit {

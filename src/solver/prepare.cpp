@@ -7,6 +7,7 @@
 #include "contact/frictionless.hpp"
 #include "contact/reduction.hpp"
 #include "contact/reduction_plan.hpp"
+#include "elimination/far_sums.hpp"
 #include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
@@ -211,7 +212,8 @@ BodyJob job_of(c2d_solver* s, const Model& m, int b, const EliminationArea& area
   job.engine = engine_beside(s, sizes, set, bytes, &scratch);
   const double start = clock_now(s);
   job.system.some_passed_over = place_sources(job.system);
-  for (int32_t node = 0; node < m.body[b].nodes; node += kColumnsAtOnce) {
+  const bool diagonal_later = is_compressed(plan) && has_diagonal_by_cells(job.system);
+  for (int32_t node = 0; node < m.body[b].nodes && !diagonal_later; node += kColumnsAtOnce) {
     const int32_t rest = m.body[b].nodes - node;
     fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);
     tell_progress(s, C2D_PHASE_ASSEMBLE, b + 1, 0, job.total);
