@@ -91,6 +91,22 @@ TEST_CASE("far sums: of a ring with a hole beside its middle, elements and funct
     }
 }
 
+TEST_CASE("far sums: of a body with weight that turns, by its particular solutions") {
+  for (int32_t functions = 1; functions <= 3; ++functions) {
+    CAPTURE(functions);
+    ModelData d(functions);
+    Points outside, inside;
+    arc_to(outside, 0.3, 0.2, 1.5, 0, 360, 622);
+    arc_to(inside, 0.9, 0.1, 0.6, 0, -360, 234);
+    d.body(3, {outside, inside}, 2600, 0.3);
+    prescribe(d, functions);
+    c2d::BodyForce& force = d.body_forces[0][0];
+    force.bx = 40, force.by = -300, force.rho_omega2 = 200, force.x0 = 0.2, force.y0 = -0.1;
+    d.bodies[0].has_force = 1;
+    check(d);
+  }
+}
+
 TEST_CASE("far sums: of a thin layer, and of elements from 1 to 1e-5") {
   ModelData layer(3);
   layer.body(2, {rectangle(0, 0, 200, 1, 205, 3)}, 1000, 0.45);

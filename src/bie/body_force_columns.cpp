@@ -4,9 +4,6 @@
 
 namespace c2d {
 
-namespace {
-
-// H u_p - G t_p of one element, into the right-hand side of one load case.
 void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, int32_t load_case) {
   const Model& m = system.model;
   const int b = system.body, nf = m.head->function_nodes;
@@ -31,8 +28,6 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
   if (deposits.count > 0) scatter_sources(system, hole, node, true, true);
 }
 
-} // namespace
-
 // What the body force of a load case adds to its right-hand side: the equations hold for u - u_p and t - t_p.
 void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case) {
   const Model& m = system.model;
@@ -40,7 +35,8 @@ void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const 
   const Body& body = m.body[b];
   const int32_t column = panel.range.right + load_case;
   if (!panel.range.holds(column) || !is_loaded(body_force(m, b, load_case))) return;
-  for (int32_t element = 0; element < body.elements; ++element)
+  const bool elsewhere = !kSmallCode && system.rest && !hole;
+  for (int32_t element = 0; element < body.elements && !elsewhere; ++element)
     if (is_integrated(m, b, element)) add_particular(system, hole, panel, element, load_case);
   if (hole) return;
   for (int32_t node = 0; node < body.nodes; ++node) {

@@ -71,5 +71,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t source);
 // Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);
 void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case);
+// H u_p - G t_p of one element, its share of that.
+void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, int32_t load_case);
 
 } // namespace c2d

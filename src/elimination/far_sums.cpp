@@ -1,5 +1,6 @@
 #include "elimination/far_sums.hpp"
 
+#include "bie/body_force.hpp"
 #include "bie/chosen.hpp"
 #include "bie/kernels.hpp"
 #include "bie/panel.hpp"
@@ -116,32 +117,54 @@ struct Sides {
   int64_t ld;
 };
 
-// Is anything prescribed on the element in any load case? Fills the targets.
+bool has_force(const ColumnSystem& system, int32_t load) {
+  const Model& m = system.model;
+  return has_body_force(m, system.body) && is_loaded(body_force(m, system.body, load));
+}
+
+// Is anything prescribed on the element in any load case, particular solutions among it? Fills the targets.
 bool is_prescribed(const ColumnSystem& system, const Range& range, int32_t element) {
   if (!is_integrated(system.model, system.body, element)) return false;
   ElementTargets& t = system.scratch->targets;
   aim(system.model, system.body, element, range, t);
-  return t.want_h || t.want_g;
+  return t.want_h || t.want_g || has_body_force(system.model, system.body);
+}
+
+// The equations hold for u - u_p and t - t_p.
+void take_particular_off(const ColumnSystem& system, int32_t element, int l, int32_t load, double t[2], double u[2]) {
+  const Model& m = system.model;
+  const int b = system.body;
+  double x, y, tp[2];
+  node_position(m, b, functional_node(m, b, element, l), &x, &y);
+  const Particular p = particular_solution(m, b, load, x, y);
+  particular_traction(m, b, load, element, l, tp);
+  for (int c = 0; c < 2; ++c) {
+    t[c] -= tp[c] / (2.0 * shear_modulus(m, b));
+    u[c] -= p.u[c] / m.head->length_unit;
+  }
 }
 
 // What is prescribed in a load case, behind is_prescribed(), as a field.
 void add_prescribed(const ColumnSystem& system, int32_t element, int32_t load, FarField& out) {
   const Model& m = system.model;
   const ElementTargets& at = system.scratch->targets;
-  double t[kElementNodes][2], u[kElementNodes][2], most = 0.0;
-  for (int l = 0; l < m.head->function_nodes; ++l)
-    for (int c = 0; c < 2; ++c) {
-      t[l][c] = at.g[l][c].known ? known_traction(m, system.body, element, l, c, load) : 0.0;
-      u[l][c] = at.h[l][c].known ? -known_displacement(m, system.body, at.node[l], c, load) : 0.0;
-      if (t[l][c] != 0.0 || u[l][c] != 0.0) most = 1.0;
-    }
-  if (most == 0.0) return;
+  const bool forced = has_force(system, load);
   Complex traction[kElementNodes], displacement[kElementNodes];
-  for (int l = 0; l < m.head->function_nodes; ++l)
-    traction[l] = Complex{t[l][0], t[l][1]}, displacement[l] = Complex{u[l][0], u[l][1]};
+  bool some = false;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    double t[2], u[2];
+    for (int c = 0; c < 2; ++c) {
+      t[c] = at.g[l][c].known ? known_traction(m, system.body, element, l, c, load) : 0.0;
+      u[c] = at.h[l][c].known ? -known_displacement(m, system.body, at.node[l], c, load) : 0.0;
+    }
+    if (forced) take_particular_off(system, element, l, load, t, u);
+    for (int c = 0; c < 2; ++c) some = some || t[c] != 0.0 || u[c] != 0.0;
+    traction[l] = Complex{t[0], t[1]}, displacement[l] = Complex{u[0], u[1]};
+  }
+  if (!some) return;
   FieldElement& e = system.scratch->hole_field;
   make_integrator(m, system.body, element, Quadrature::accurate, Measure::own_length, e.in);
-  prepare_field(traction, at.want_h ? displacement : nullptr, e);
+  prepare_field(traction, at.want_h || forced ? displacement : nullptr, e);
   add_to_far_field(e, Complex{0.0, 0.0}, out);
 }
 
@@ -166,9 +189,12 @@ struct RightVisit : NodeVisit {
     const int32_t rows = 2 * count, loads = system.model.head->load_cases;
     const Panel panel{system.model, system.body, sides.range, w.near.right, rows};
     for (int32_t i = 0; i < rows * loads; ++i) w.near.right[i] = 0;
-    for (int32_t element = from; element < to; ++element)
-      if (is_prescribed(system, sides.range, element))
-        add_element(system, nullptr, panel, element, system.scratch->targets, Measure::own_length);
+    for (int32_t element = from; element < to; ++element) {
+      if (!is_prescribed(system, sides.range, element)) continue;
+      add_element(system, nullptr, panel, element, system.scratch->targets, Measure::own_length);
+      for (int32_t load = 0; load < loads; ++load)
+        if (has_force(system, load)) add_particular(system, nullptr, panel, element, load);
+    }
     for (int32_t load = 0; load < loads; ++load)
       for (int32_t i = 0; i < rows; ++i)
         add(w.near.node[i / 2], i % 2, load, static_cast<double>(w.near.right[load * rows + i]));

@@ -17,7 +17,7 @@ inline bool has_diagonal_by_cells(const ColumnSystem& s) {
 
 // What they work in, for no more elements and load cases.
 uint64_t far_sums_bytes(int32_t elements, int32_t loads);
-// As fill_columns() for all right-hand sides; those of body forces are element by element. right[i + k * ld].
+// As fill_columns() for all right-hand sides: right[i + k * ld].
 void fill_right_by_cells(const ColumnSystem& system, Real* right, int64_t ld, void* work);
 // As fill_diagonal() for all nodes.
 void fill_diagonal_by_cells(const ColumnSystem& system, void* work);
