@@ -106,13 +106,12 @@ bool anything_offends(const Follower& f, const PathScales& s) {
 namespace {
 
 // What a pair adds to the fingerprint of all statuses and signs, by which a set that was there before is noticed: the number of
-// the pair and its code, mixed as by SplitMix64 (Steele, Lea and Flood 2014).
+// the pair and its code, mixed.
 uint64_t mark_of(const Tableau& t, int32_t i) {
   const int32_t code = t.pair[i].status == C2D_SLIP ? 3 + t.pair[i].sign : t.pair[i].status;
-  uint64_t x = (8 * static_cast<uint64_t>(i) + static_cast<uint64_t>(code)) * 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
+  constexpr uint64_t kOdd = 0x9e3779b97f4a7c15u;
+  const uint64_t x = static_cast<uint64_t>(8 * i + code + 1) * kOdd;
+  return (x ^ (x >> 32)) * kOdd;
 }
 
 enum class Round : int32_t { quiet, changed, stuck };

@@ -79,12 +79,12 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
       const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
       const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
       const double wn = now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit;
-      const int32_t a = pair.dof, b = a + 1;
-      u += work[a] * now.p + work[book.m + a] * wn;
-      r += reaction[a] * now.p + reaction[book.m + a] * wn;
-      if (pair.tangential == 0) continue;
-      along += work[b] * now.q + work[book.m + b] * now.wt;
-      reacting += reaction[b] * now.q + reaction[book.m + b] * now.wt;
+      const auto take = [&](int32_t j, double force, double motion, double& of_u, double& of_r) {
+        of_u += work[j] * force + work[book.m + j] * motion;
+        of_r += reaction[j] * force + reaction[book.m + j] * motion;
+      };
+      take(pair.dof, now.p, wn, u, r);
+      if (pair.tangential) take(pair.dof + 1, now.q, now.wt, along, reacting);
     }
     book.u[k] = u + along;
     book.r[k] = r + reacting;
