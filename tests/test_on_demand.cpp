@@ -1,8 +1,6 @@
 // Contact on demand: columns of the contact system are made when pairs are about to touch. Against the same models with all of
 // the contact system formed.
-#include "many_bodies.hpp"
-#include "memory/config.hpp"
-#include "solver/solver.hpp"
+#include "on_demand.hpp"
 
 #include "paths.hpp"
 #include "shell.hpp"
@@ -18,103 +16,7 @@
 #include <memory>
 #include <sstream>
 
-namespace {
-
-struct Apart {
-  double tractions = 0, lengths = 0, energies = 0;
-  int statuses = 0;
-};
-
-double over(double apart, double size) { return size > 0 ? apart / size : apart; }
-
-// Results of the same model: how far apart, over the largest.
-Apart apart(const many::Result& a, const many::Result& b) {
-  Apart out;
-  REQUIRE(a.steps.size() == b.steps.size());
-  double t = 0, u = 0, dt = 0, du = 0;
-  for (size_t s = 0; s < a.steps.size(); ++s) {
-    REQUIRE(a.steps[s].rows.size() == b.steps[s].rows.size());
-    for (size_t i = 0; i < a.steps[s].rows.size(); ++i) {
-      const many::Row &x = a.steps[s].rows[i], &y = b.steps[s].rows[i];
-      if (x[C2D_STATUS] != y[C2D_STATUS]) ++out.statuses;
-      for (size_t f : {size_t{C2D_TN}, size_t{C2D_TT}})
-        t = std::max(t, std::fabs(x[f])), dt = std::max(dt, std::fabs(x[f] - y[f]));
-      for (size_t f :
-           {size_t{C2D_UN1}, size_t{C2D_UN2}, size_t{C2D_UT1}, size_t{C2D_UT2}, size_t{C2D_GAP}, size_t{C2D_SLIP_SUM}})
-        u = std::max(u, std::fabs(x[f])), du = std::max(du, std::fabs(x[f] - y[f]));
-    }
-    const many::Step &p = a.steps[s], &q = b.steps[s];
-    const double size = std::max(std::fabs(p.work), std::fabs(p.elastic));
-    for (const auto& [x, y] :
-         {std::pair(p.work, q.work), std::pair(p.dissipated, q.dissipated), std::pair(p.elastic, q.elastic)})
-      out.energies = std::max(out.energies, over(std::fabs(x - y), size));
-    out.energies = std::max(out.energies, std::fabs(p.defect - q.defect));
-  }
-  REQUIRE(a.boundary.size() == b.boundary.size());
-  for (size_t k = 0; k < a.boundary.size(); ++k)
-    for (size_t i = 0; i < a.boundary[k].size(); ++i) {
-      const many::EndResult &x = a.boundary[k][i], &y = b.boundary[k][i];
-      t = std::max({t, std::fabs(x.tx), std::fabs(x.ty)}), u = std::max({u, std::fabs(x.ux), std::fabs(x.uy)});
-      dt = std::max({dt, std::fabs(x.tx - y.tx), std::fabs(x.ty - y.ty)});
-      du = std::max({du, std::fabs(x.ux - y.ux), std::fabs(x.uy - y.uy)});
-    }
-  out.tractions = over(dt, t), out.lengths = over(du, u);
-  return out;
-}
-
-const bool kIsDouble = C2D_REAL_BYTES == 8;
-const double kNear = kIsDouble ? 1e-9 : 1e-2;
-
-many::Model on_demand(many::Model m, int32_t touching) {
-  m.elimination = C2D_ELIMINATION_COMPRESSED;
-  m.touching = touching;
-  return m;
-}
-
-void check_alike(const many::Model& m, int32_t touching) {
-  const many::Result dense = many::solve(m);
-  REQUIRE_MESSAGE(dense.status == C2D_OK, dense.messages());
-  many::Machine machine(on_demand(m, touching));
-  const many::Result own = machine.run();
-  REQUIRE_MESSAGE(own.status == C2D_OK, own.messages());
-  CHECK(own.outcome == dense.outcome);
-  CHECK(machine.solver->model.columns > 0);
-  CHECK(machine.solver->made > 0);
-  const Apart by = apart(dense, own);
-  if (std::getenv("SHOW"))
-    MESSAGE("tractions " << by.tractions << " lengths " << by.lengths << " energies " << by.energies << " made "
-                         << machine.solver->made << " events " << machine.solver->stats.events);
-  CHECK(by.statuses == 0);
-  CHECK(by.tractions < kNear);
-  CHECK(by.lengths < kNear);
-  CHECK(by.energies < 10 * kNear);
-}
-
-} // namespace
-
-namespace {
-
-many::Model quadratic(many::Model m, int32_t nodes) {
-  m.function_nodes = nodes;
-  for (many::Body& body : m.bodies) {
-    const std::vector<many::End> ends = body.ends; // two for each element: every end of an element like its first
-    body.ends.clear();
-    for (size_t e = 0; e < ends.size() / 2; ++e) body.ends.insert(body.ends.end(), static_cast<size_t>(nodes), ends[2 * e]);
-  }
-  return m;
-}
-
-// The upper block is pushed along after it has been pressed, and back.
-many::Model pushed(many::Model m) {
-  m.cases = 2;
-  for (many::Body& body : m.bodies) body.second.assign(body.ends.size(), many::End());
-  for (const auto& [number, side] : {std::pair<int32_t, int32_t>(1, 1), std::pair<int32_t, int32_t>(2, 3)})
-    m.set_second(number, side, many::end_of(many::kHeld, 0, 0, number == 2 ? 1e-4 : 0, 0));
-  m.paths = {{2, 1.0, 0.0}, {2, 1.0, 1.0}, {1, 1.0, -0.5}, {1, 0.5, 0.0}, {1, 0.0, 0.0}};
-  return m;
-}
-
-} // namespace
+using namespace demand;
 
 TEST_CASE("on demand: a rough face as with the whole contact system, with friction and without" *
           doctest::skip(c2d::kSmallCode)) {

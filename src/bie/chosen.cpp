@@ -1,5 +1,7 @@
 #include "bie/chosen.hpp"
 
+#include <math.h>
+
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
 
@@ -112,6 +114,73 @@ void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Rea
     for (int32_t j = 0; j < columns.count; ++j) out[j * ld + c] = 0;
     panel.add(c, system.model.body[system.body].columns + c, 1.0);
   }
+}
+
+namespace {
+
+// Row k: displacements at a node times the free motion k.
+void add_node_motions(const ColumnSystem& system, const ChosenColumns& columns, int32_t node, double weight, Real* out,
+                      int64_t ld) {
+  const Model& m = system.model;
+  const Body& body = m.body[system.body];
+  const double unit = m.head->length_unit;
+  double x, y;
+  node_position(m, system.body, node, &x, &y);
+  Unknown unknown[2];
+  unknowns_at(m, system.body, node, unknown);
+  for (int c = 0; c < 2; ++c) {
+    if (unknown[c].kind != UnknownKind::displacement) continue;
+    const int32_t place = columns.place[outer_column(m, system.body, node, c)];
+    const double arm = c == 0 ? -(y - body.centre[1]) / unit : (x - body.centre[0]) / unit;
+    for (int32_t k = 0; k < motions_held(m, system.body) && place >= 0; ++k)
+      out[place * ld + k] = static_cast<Real>(weight * (body.free_motion[k][c] + body.free_motion[k][2] * arm));
+  }
+}
+
+// Orthonormal rows, the first of them the free motions.
+void complete_motions(const Body& body, double rows[3][3]) {
+  int count = body.free_motions;
+  for (int k = 0; k < count; ++k)
+    for (int c = 0; c < 3; ++c) rows[k][c] = body.free_motion[k][c];
+  for (int next = 0; next < 3 && count < 3; ++next) {
+    double row[3] = {0.0, 0.0, 0.0}, size = 0.0;
+    row[next] = 1.0;
+    for (int pass = 0; pass < 2; ++pass)
+      for (int k = 0; k < count; ++k) {
+        double part = 0.0;
+        for (int c = 0; c < 3; ++c) part += rows[k][c] * row[c];
+        for (int c = 0; c < 3; ++c) row[c] -= part * rows[k][c];
+      }
+    for (double value : row) size += value * value;
+    if (size < 0.1) continue; // (of three unit vectors some have more beside one or two rows)
+    for (int c = 0; c < 3; ++c) rows[count][c] = row[c] / sqrt(size);
+    ++count;
+  }
+}
+
+} // namespace
+
+void turn_sums(const Model& m, int b, Real* sums) {
+  const int32_t held = motions_held(m, b);
+  if (held == 0) return;
+  double rows[3][3];
+  complete_motions(m.body[b], rows);
+  const double before[3] = {static_cast<double>(sums[0]), static_cast<double>(sums[1]), static_cast<double>(sums[2])};
+  for (int k = 0; k < 3; ++k) {
+    double sum = 0.0;
+    for (int c = 0; c < 3; ++c) sum += rows[k][c] * before[c];
+    sums[k] = k < held ? Real(0) : static_cast<Real>(sum);
+  }
+}
+
+void fill_sums(const ColumnSystem& system, const ChosenColumns& columns, double weight, Real* out, int64_t ld) {
+  const Model& m = system.model;
+  fill_balances(system, columns, out, ld);
+  if (motions_held(m, system.body) == 0) return;
+  for (int32_t j = 0; j < columns.count; ++j) turn_sums(m, system.body, out + j * ld);
+  for (int32_t k = 0; k < columns.element_count; ++k)
+    for (int l = 0; l < m.head->function_nodes; ++l)
+      add_node_motions(system, columns, functional_node(m, system.body, columns.elements[k], l), weight, out, ld);
 }
 
 void fill_hole_row(const ColumnSystem& system, const Hole& hole, const ChosenColumns& columns, Real* out, int64_t ld) {

@@ -24,6 +24,12 @@ void fill_chosen(const ColumnSystem& system, const ChosenColumns& columns, Real*
 void fill_tractions(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld);
 // Assigns three rows, the balances, from out[0] on.
 void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld);
+// The same rows as compressed elimination has them. On motions that nothing in the body's equations holds (motions_held,
+// model/model.hpp) no unknown of the balances does work. In their place, first, stand the sums over all displacements times
+// these motions, and times `weight`; behind them the balances along what is orthogonal to these.
+void fill_sums(const ColumnSystem& system, const ChosenColumns& columns, double weight, Real* out, int64_t ld);
+// Of balances in three numbers, one after another, those rows: zero for motions.
+void turn_sums(const Model& model, int b, Real* sums);
 // Assigns one row: L tr V of a hole (bie/holes.hpp), which its nodes' equations have times n.
 void fill_hole_row(const ColumnSystem& system, const Hole& hole, const ChosenColumns& columns, Real* out, int64_t ld);
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/held_columns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -45,10 +46,10 @@ void take_apart(const Tableau& t, const Form& form, Real* column, Real* by) {
     for (int slot = 0; slot <= last_slot(t, pair) && !is_asleep(t, i); ++slot) {
       Real& there = column[pair.dof + slot];
       if (has_changed_places(t, form, i, slot)) {
-        by[column_of(t, i, slot)] = there;
+        by[column_of(t, i, slot)] += there;
         there = 0;
       } else if (slot == 0 && last_slot(t, pair) == 1 && pair.status == C2D_SLIP && t.guided - 1 != i) {
-        by[column_of(t, i, 1)] = static_cast<Real>(-friction(pair, pair.sign)) * there; // r of a pair that holds a body
+        by[column_of(t, i, 1)] += static_cast<Real>(-friction(pair, pair.sign)) * there; // r of a pair that holds a body
       }
     }
   }
@@ -63,14 +64,13 @@ c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   Real *const first = t_column(t, used), *const by = t.delayed.numbers; // the list is empty
   Form form;
   c2d_status status = read_form(tape, first, &form);
-  int32_t next = 0;
+  OpenColumns columns{first, 0, {}};
   for (int32_t k = 0; k < w.count; ++k)
-    for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]) && status == C2D_OK; ++slot, ++next) {
-      Real* const column = t_column(t, used + next);
-      status = read_open_column(tape, t.pair[w.pair[k]], slot, column);
-      take_apart(t, form, column, by + static_cast<int64_t>(next) * used);
-    }
+    for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]); ++slot)
+      columns.dof[columns.count++] = t.pair[w.pair[k]].dof + slot;
+  if (status == C2D_OK) status = read_open_columns(tape, form, columns);
   if (status != C2D_OK) return status;
+  for (int32_t j = 0; j < columns.count; ++j) take_apart(t, form, t_column(t, used + j), by + static_cast<int64_t>(j) * used);
   if (used > 0) gemm_minus(t.engine, t.m, w.columns, used, t.t, t.m, by, used, first, t.m);
   for (int32_t k = 0; k < w.count; ++k) {
     t.column[w.pair[k]] = t.delayed.cols;
@@ -149,7 +149,8 @@ c2d_status rest_far(Follower& f) {
   Form form;
   form.open = t.open;
   form.sliding = t.sliding;
-  if (!delays(t) || !t.open || idle_columns(t) <= kIdleMost * t.delayed.most || !may_sleep(t, form)) return C2D_OK;
+  if (!delays(t) || !t.open || is_let_go(t) || idle_columns(t) <= kIdleMost * t.delayed.most || !may_sleep(t, form))
+    return C2D_OK;
   apply_list(t);
   const c2d_status status = read_form(*f.tape, t.delayed.numbers, &form); // (the list is empty)
   if (status != C2D_OK) return status;
@@ -159,8 +160,14 @@ c2d_status rest_far(Follower& f) {
   return C2D_OK;
 }
 
+void end_sleep(Tableau& t) {
+  for (int32_t i = 0; i < t.pairs && delays(t); ++i)
+    if (t.column[i] < 0) t.column[i] = 0;
+}
+
 bool may_sleep(const Tableau& t, const Form& form) {
-  if (!form.open || t.may_rest != 0 || is_let_go(t) || (form.sliding && !t.smooth)) return false;
+  if (!form.open || t.may_rest != 0 || (form.sliding && !t.smooth)) return false;
+  if (is_let_go(t) && !is_on_demand(*t.model)) return false;
   if (t.body->slides != 0) return false;
   for (int32_t i = 0; i < t.pairs; ++i)
     if (t.pair[i].tangential != 0 && t.pair[i].mu > 1e300) return false;

@@ -47,8 +47,8 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t columns, int64_t motions
     case ContactMatrix::motion_load: at.rows = border; [[fallthrough]];
     case ContactMatrix::closing:
     case ContactMatrix::stiffness_load: at.columns = cases; break;
-    case ContactMatrix::border:
-    case ContactMatrix::motion: at.columns = border; break;
+    case ContactMatrix::border: at.columns = border; break;
+    case ContactMatrix::motion: at.columns = columns > 0 ? motions : border; break;
     case ContactMatrix::basis: at.columns = has_basis(m) ? 1 : 0; break;
     case ContactMatrix::mix: at.rows = motions; [[fallthrough]];
     default: at.columns = motions;
@@ -126,9 +126,11 @@ c2d_status read_compliance(const ContactTape& tape, const Pair& pair, int slot, 
   return read_column(tape, ContactMatrix::compliance, demand ? pair.made + slot : pair.dof + slot, data);
 }
 
-c2d_status read_open_column(const ContactTape& tape, const Pair& pair, int slot, Real* data) {
-  if (is_on_demand(*tape.model)) return read_compliance(tape, pair, slot, data);
-  return read_column(tape, ContactMatrix::stiffness, pair.dof + slot, data);
+c2d_status view_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real** out) {
+  const Place at = place_of(tape, matrix);
+  *out = reinterpret_cast<const Real*>(static_cast<const char*>(tape.buffer) + kBlockHeaderBytes);
+  return read_block(*tape.tapes, C2D_TAPE_CONTACT, static_cast<uint64_t>(at.first + column), tape.buffer,
+                    static_cast<uint64_t>(at.rows) * sizeof(Real));
 }
 
 c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data) {

@@ -33,7 +33,8 @@ enum class ContactMatrix : int32_t {
   motions,
   mix,         // what made G orthonormal: a column for each motion, a number for each motion
   border,      // C, orthonormal: a column of m for each of these motions
-  motion,      // x = X w' + sum_k lambda_k x_k: a row of X, m numbers, for each of these motions,
+  motion,      // x = X w' + sum_k lambda_k x_k: a row of X, m numbers, for each of these motions, on demand displacements on
+               // side 0 of all pairs under each column of `motions`
   motion_load, // x_k: per load case, a number for each
   basis,       // a column of m, if there are many (contact/basis.hpp)
   count
@@ -65,9 +66,10 @@ c2d_status write_column(const ContactTape& tape, int b, BodyMatrix matrix, int32
 c2d_status read_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, Real* data);
 // On demand these pairs' columns are made, unless they are there. Errors: the block store's; C2D_ERR_MEMORY: there is no room.
 c2d_status need_columns(const ContactTape& tape, const int32_t* pair, int32_t count);
-// The column of a pair's slot in A, and in the tableau with every pair open: on demand, where no motion is free, the same.
+// The column of a pair's slot in A.
 c2d_status read_compliance(const ContactTape& tape, const Pair& pair, int slot, Real* data);
-c2d_status read_open_column(const ContactTape& tape, const Pair& pair, int slot, Real* data);
+// A column as it stands in the tape's buffer, until something else is read or written.
+c2d_status view_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real** out);
 // All columns of a matrix, at this distance.
 c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data, int64_t ld);
 c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data, int64_t ld);

@@ -476,7 +476,7 @@ c2d_status reduce_on_demand(const Reduction& as_given) {
   for (int32_t i = 0; i < r.model.head->pairs; ++i) r.model.pair[i].made = -1;
   const c2d_status status = for_bodies(
       r, is_in_contact, [&](int b) { return is_rigid(r.model, b) ? watched(r, b, find_compliance) : c2d_status{C2D_OK}; });
-  const Step steps[] = {form_closing, form_open_rates};
+  const Step steps[] = {form_closing};
   return status == C2D_OK ? take_steps(r, steps) : status;
 }
 

@@ -98,8 +98,8 @@ double pair_product(const Model& m, int b, const double u[3], const double v[3])
 c2d_status start_path(Follower& f, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
-  for (int32_t i = 0; i < t.pairs && delays(t); ++i)
-    t.column[i] = t.pair[i].dof; // there may be no tableau for long; none sleeps
+  for (int32_t i = 0; i < t.pairs && delays(t); ++i) // there may be no tableau for long; none sleeps
+    t.column[i] = is_on_demand(*f.model) ? 0 : t.pair[i].dof;
   t.delayed.cols = t.n;
   tie_pairs(t, f.model->head->pairs);
   place_as_given(f);

@@ -4,6 +4,7 @@
 
 #include "contact/asleep.hpp"
 #include "contact/basis.hpp"
+#include "contact/held_columns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
@@ -315,13 +316,29 @@ c2d_status need_awake(const Tableau& t, const ContactTape& tape) {
   return status == C2D_OK && count > 0 ? need_columns(tape, needed, count) : status;
 }
 
+// Columns of the pairs that are awake, which stand one after another.
+c2d_status load_open_columns(const Tableau& t, const ContactTape& tape, const Form& form) {
+  OpenColumns columns{t.t, 0, {}};
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && !is_asleep(t, i) && status == C2D_OK; ++slot) {
+      columns.dof[columns.count++] = t.pair[i].dof + slot;
+      if (columns.count < kMostDelayed) continue;
+      status = read_open_columns(tape, form, columns);
+      columns.first += static_cast<int64_t>(t.m) * columns.count;
+      columns.count = 0;
+    }
+  return status == C2D_OK ? read_open_columns(tape, form, columns) : status;
+}
+
 c2d_status load_start(Tableau& t, const ContactTape& tape) {
   Form form;
   c2d_status status = load_basis(t, tape, &form);
   t.stiffness = 0.0;
   t.open = form.open;
   t.sliding = form.sliding;
-  place_columns(t, !kSmallCode && may_sleep(t, form));
+  // (Without friction there are no columns of tangents, in which a motion that they hold would go on.)
+  place_columns(t, !kSmallCode && may_sleep(t, form) && !(is_smooth(t) && holds_tangents(*t.model, form)));
   if (!kSmallCode && status == C2D_OK) status = need_awake(t, tape);
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= last_slot(t, t.pair[i]) && status == C2D_OK; ++slot) {
@@ -333,8 +350,8 @@ c2d_status load_start(Tableau& t, const ContactTape& tape) {
       const double own = own_stiffness(t, tape, form, i, slot, to);
       t.stiffness = fmax(t.stiffness, own);
       t.pair[i].stiffness[slot] = static_cast<Real>(own);
-      if (form.open && !is_asleep(t, i)) status = read_open_column(tape, t.pair[i], slot, to);
     }
+  if (!kSmallCode && form.open && status == C2D_OK) status = load_open_columns(t, tape, form);
   if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
   if (status != C2D_OK) return status;
   for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
@@ -399,10 +416,13 @@ bool bring_tangents_in(Tableau& t, int32_t* culprit) {
   return true;
 }
 
-// A closed pair that is open on the tape.
+// A closed pair that is open on the tape, or whose tangent alone holds a body there.
 bool bring_pair_in(Tableau& t, Pair& pair) {
   const int32_t a = pair.dof;
-  if (pair.status == C2D_STICK) {
+  if (pair.tangential != 0 && !has_left(pair, 1)) {
+    if (!compliant(pair, 0, own_entry(t, a))) return false;
+    pivot(t, pair, 0); // both forces are unknowns then
+  } else if (pair.status == C2D_STICK) {
     if (!exchange_pair(t, pair, compliant)) return false;
     takes_part(pair, 1);
   } else {
@@ -620,6 +640,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   sort_columns(t);
   leave_normal_columns(t);
   if (delays(t)) read_all_own(t);
+  if (!kSmallCode && let_go) end_sleep(t);
   return C2D_OK;
 }
 

@@ -53,13 +53,15 @@ Real noise(int64_t i) {
   return (z >> 40 & 1) != 0 ? Real(1) : Real(-1);
 }
 
-// Right-hand sides of the load cases and the noise.
+// Right-hand sides of the load cases and the noise. No load is in what stands for a balance.
 void fill_right(Compression& t) {
   const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
   if (has_sums_by_cells(t.system))
     fill_right_by_cells(t.system, t.w.right, rows, t.w.sums_by_cells);
   else
     fill_columns(t.system, t.plan.columns + 2 * t.plan.contact, t.plan.loads, t.w.right, rows);
+  for (int32_t k = 0; k < t.plan.loads; ++k)
+    turn_sums(t.system.model, t.system.body, t.w.right + k * rows + 2 * static_cast<int64_t>(t.plan.nodes));
   Real* last = t.w.right + rows * t.plan.loads;
   for (int64_t i = 0; i < rows; ++i) last[i] = noise(i);
 }

@@ -238,10 +238,10 @@ void add_proxy_fields(Compression& t, const ChosenColumns& columns, const Circle
   for (int32_t i = 0; i < 2 * proxies; ++i) add_sample(sum, w.block + i, ld, false);
 }
 
-// The balances, and the holes whose place inside is near.
+// The balances or motions, and the holes whose place inside is near.
 void add_sums(Compression& t, const ChosenColumns& columns, const Circle& circle, SampleSum& sum) {
   Real* out = t.w.block;
-  fill_balances(t.system, columns, out, 3);
+  fill_sums(t.system, columns, 1.0, out, 3);
   for (int i = 0; i < 3; ++i) add_sample(sum, out + i, 3, false);
   for (int32_t k = 0; k < t.plan.holes; ++k) {
     const Hole& hole = t.w.hole[k];

@@ -41,10 +41,10 @@ void list_outer(const Compression& t, int32_t* columns) {
 int64_t rows_of(const Compression& t, int32_t sources) { return 2 * static_cast<int64_t>(sources) + 3 + t.plan.holes; }
 
 // Sums over the boundary, below the rows of the sources.
-void fill_sums(const Compression& t, const ChosenColumns& columns, int32_t sources) {
+void fill_below(const Compression& t, const ChosenColumns& columns, int32_t sources) {
   const int64_t ld = rows_of(t, sources);
   Real* below = t.w.block + 2 * static_cast<int64_t>(sources);
-  fill_balances(t.system, columns, below, ld);
+  fill_sums(t.system, columns, weight_of_motions(t.plan), below, ld);
   for (int32_t k = 0; k < t.plan.holes; ++k) fill_hole_row(t.system, t.w.hole[k], columns, below + 3 + k, ld);
 }
 
@@ -89,7 +89,7 @@ void find_root_products(Compression& t, const TreeCell& root) {
     }
     const ChosenColumns columns{w.place, count, w.elements, list_elements(t, w.list, count, w.elements)};
     fill_chosen(chosen, columns, w.block, rows);
-    fill_sums(t, columns, nodes);
+    fill_below(t, columns, nodes);
     for (int32_t j = 0; j < count; ++j) w.place[column_of(t, root.column_ids[first + j])] = -1;
     add_products(t, root, first, count);
     for (int64_t i = 0; i < static_cast<int64_t>(rows) * count && t.plan.keeps != 0; ++i)
@@ -134,7 +134,7 @@ void fill_body_columns(const Border& b, int32_t count, Real* panel, int64_t ld) 
   for (int32_t j = 0; j < count; ++j) w.place[w.list[j]] = j;
   const ChosenColumns columns{w.place, count, w.elements, b.elements};
   fill_chosen(b.chosen, columns, w.block, rows);
-  fill_sums(t, columns, sources);
+  fill_below(t, columns, sources);
   const int64_t border = 2 * static_cast<int64_t>(sources - b.nodes);
   for (int32_t j = 0; j < count; ++j) {
     w.place[w.list[j]] = -1;

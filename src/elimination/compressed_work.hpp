@@ -76,6 +76,8 @@ inline EliminationPlan border_with(const CompressedPlan& plan, int32_t unknowns)
 }
 // Rows of the border: of its nodes, the balances, the holes.
 inline int32_t border_rows(const CompressedPlan& plan) { return 2 * (plan.nodes - plan.tree) + 3 + plan.holes; }
+// Of the displacements in the sums that hold motions.
+inline double weight_of_motions(const CompressedPlan& plan) { return 1.0 / plan.nodes; }
 int64_t result_numbers(const CompressedPlan& plan);
 int64_t record_numbers(const CompressedPlan& plan);
 

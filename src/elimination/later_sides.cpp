@@ -96,7 +96,7 @@ void assemble(const Sides& t, const int32_t* unknown, int32_t count) {
   all.chosen = w.nodes;
   all.sources = plan.nodes;
   fill_tractions(all, columns, w.x, 2 * static_cast<int64_t>(plan.nodes));
-  fill_balances(t.s.system, columns, w.right, rows);
+  fill_sums(t.s.system, columns, weight_of_motions(plan), w.right, rows);
   for (int32_t i = 0; i < plan.holes; ++i) fill_hole_row(t.s.system, w.hole[i], columns, w.right + 3 + i, rows);
   for (int32_t k = 0; k < count; ++k) w.place[first + unknown[k]] = -1;
 }
@@ -325,6 +325,16 @@ c2d_status solve_unit_tractions(const LaterSides& s, const int32_t* unknown, int
   for (int32_t i = 0; i < rows; ++i)
     for (int32_t k = 0; k < count; ++k)
       t.w.sums[static_cast<int64_t>(i) * count + k] = t.w.right[i + static_cast<int64_t>(k) * rows];
+  *x = t.w.x;
+  return solve_sides(t);
+}
+
+c2d_status solve_motions(const LaterSides& s, Real** x) {
+  const int32_t count = motions_held(s.system.model, s.system.body), rows = border_rows(s.plan);
+  Sides t = begin_sides(s, count);
+  for (int64_t i = 0; i < 2 * static_cast<int64_t>(s.plan.nodes) * count; ++i) t.w.b[i] = 0;
+  for (int32_t i = 0; i < rows * count; ++i) t.w.sums[i] = 0;
+  for (int32_t k = 0; k < count; ++k) t.w.sums[k * count + k] = 1;
   *x = t.w.x;
   return solve_sides(t);
 }

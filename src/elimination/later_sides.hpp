@@ -30,6 +30,9 @@ struct LaterSides {
 // at most kMostSides: (*x)[column * count + k], in the work area. Errors: those of the tapes; C2D_ERR_INTERNAL: they hold
 // nothing of the kind.
 c2d_status solve_unit_tractions(const LaterSides& s, const int32_t* unknown, int32_t count, Real** x);
+// Unknowns outside the contact under each motion of the body that nothing in its equations holds (motions_held), to which no
+// traction belongs, side by side as above.
+c2d_status solve_motions(const LaterSides& s, Real** x);
 // What all contact tractions together bring, `traction` by contact unknown of the body: x += that.
 c2d_status add_tractions(const LaterSides& s, const Real* traction, Real* x);
 

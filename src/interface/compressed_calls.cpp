@@ -2,6 +2,7 @@
 #include "memory/parts.hpp"
 #include "results/interior_cells.hpp"
 #include "solver/compressed.hpp"
+#include "solver/hold_demand.hpp"
 #include "solver/on_demand.hpp"
 
 // (Small code has none.)
@@ -24,6 +25,10 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              tell_touching,
                                                                              respond_on_demand,
                                                                              make_columns,
+                                                                             hold_on_demand,
+                                                                             count_held,
+                                                                             functional_of_motions,
+                                                                             hold_functional,
                                                                              has_far_cells,
                                                                              evaluate_by_cells};
 

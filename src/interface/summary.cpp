@@ -10,9 +10,9 @@
 
 namespace c2d {
 
-const EnergyPart kEnergyPart = {true,          build_energy,        add_demanded,   work_by_case,      begin_energy,
-                                note_turn,     add_segment,         before_jump,    after_jump,        release,
-                                close_balance, find_outcome_motion, balance_forces, add_boundary_force};
+const EnergyPart kEnergyPart = {true,         build_energy,  add_demanded,        hold_demanded,  work_by_case,
+                                begin_energy, note_turn,     add_segment,         before_jump,    after_jump,
+                                release,      close_balance, find_outcome_motion, balance_forces, add_boundary_force};
 
 C2D_BRINGS(c2d_link_warnings); // it tells the condition and the largest tension
 

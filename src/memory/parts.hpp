@@ -125,11 +125,13 @@ struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy
 };
 
 struct DemandedColumns;
+struct Form;
 
 struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, results/balance.cpp
   bool linked = false;
   Function<c2d_status, c2d_solver*> build_energy = NotLinked();
   Function<void, Session&, int, const DemandedColumns&> add_demanded = Nothing();
+  Function<void, Session&, const Form&, int32_t, const Real*> hold_demanded = Nothing();
   Function<double*, c2d_solver*> work_by_case = Nothing();
   Function<void, c2d_solver*> begin_energy = Nothing();
   Function<void, Session&, const double*> note_turn = Nothing();
@@ -220,6 +222,10 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, c2d_solver*> tell_touching = NotLinked();
   Function<c2d_status, c2d_solver*> respond_on_demand = NotLinked();
   Function<c2d_status, void*, const int32_t*, int32_t> make_columns = NotLinked();
+  Function<c2d_status, c2d_solver*, bool> hold_on_demand = NotLinked();
+  Function<c2d_status, c2d_solver*> count_held = NotLinked();
+  Function<c2d_status, const Session&, int, const Real*, Real*> functional_of_motions = NotLinked();
+  Function<c2d_status, const Session&, const Real*, Real*, double*> hold_functional = NotLinked();
   Function<bool, const Session&, int> has_far_cells = Nothing();
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };

@@ -311,6 +311,11 @@ double given_traction(const Model& m, int b, int32_t end, int component, int32_t
 
 // Are columns of the contact system made when they are asked for?
 inline bool is_on_demand(const Model& m) { return !kSmallCode && m.head->columns > 0; }
+// Motions of a body on demand that nothing in its equations holds, the first free ones, and on which no reaction does work
+// (may_be_on_demand).
+inline int32_t motions_held(const Model& m, int b) {
+  return kSmallCode || m.body[b].on_demand == 0 ? 0 : m.body[b].free_motions;
+}
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
 // A platen (c2d_add_platen): a rigid body tied to elements of another. These are its side of the zone as well: the arrays of
 // its mesh are those of that body, but it counts no elements, nodes or regions, so that none is looked at as its own.

@@ -1,6 +1,7 @@
 // The result table: a row per pair, with the displacements of both sides.
 #include "results/table.hpp"
 
+#include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 
 namespace c2d {
@@ -120,6 +121,37 @@ void follow_others(const Session& session, int b) {
   for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) follow_pair(session, at.pair, 1 - at.side);
 }
 
+// On demand the motions of all bodies are what slots of the pairs that hold them move beyond what the loads do there; columns
+// have theirs, by which nothing moves in these slots.
+c2d_status move_on_demand(const Session& session) {
+  const Model& m = session.model;
+  const Follower& f = session.follower;
+  Real *const u = session.area.u[0], *const column = session.area.column;
+  Form form;
+  c2d_status status = read_form(session.tape, column, &form);
+  double amount[kMostHeld] = {};
+  for (int32_t i = 0; i < m.head->pairs && form.count > 0; ++i) {
+    const Pair& pair = m.pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    const double w[2] = {now.wn - effective_gap(*m.head, pair, f.load) / f.t->length_unit, now.wt};
+    for (int32_t k = 0; k < form.count; ++k)
+      if (form.held[k] >= pair.dof && form.held[k] <= pair.dof + pair.tangential) amount[k] = w[form.held[k] - pair.dof];
+    for (int32_t k = 0; k < form.count && m.head->interference != 0; ++k) // h has the overlaps taken off
+      if (form.held[k] == pair.dof) amount[k] -= f.load[m.head->interference - 1] * pair.overlap / m.head->length_unit;
+  }
+  for (int32_t i = 0; i < f.t->cases && form.count > 0 && status == C2D_OK; ++i) {
+    const Real* h = nullptr;
+    status = view_column(session.tape, ContactMatrix::closing, i, &h);
+    for (int32_t k = 0; k < form.count && status == C2D_OK; ++k) amount[k] -= f.load[i] * static_cast<double>(h[form.held[k]]);
+  }
+  for (int32_t k = 0; k < form.count && status == C2D_OK; ++k) {
+    const Real* motion = nullptr;
+    status = view_column(session.tape, ContactMatrix::motion, k, &motion);
+    for (int32_t j = 0; j < m.head->contact && status == C2D_OK; ++j) u[j] += static_cast<Real>(amount[k]) * motion[j];
+  }
+  return status;
+}
+
 // On demand: of side 0 by the columns of the pairs that carry a force, and by the loads.
 c2d_status displacements_on_demand(const Session& session) {
   const Model& m = session.model;
@@ -138,6 +170,7 @@ c2d_status displacements_on_demand(const Session& session) {
       for (int32_t j = 0; j < m.head->contact; ++j) u[j] += static_cast<Real>(tau[slot]) * column[j];
     }
   }
+  if (status == C2D_OK && m.head->motions > 0) status = move_on_demand(session);
   for (int32_t i = 0; i < m.head->pairs; ++i) follow_pair(session, i, 0);
   return status;
 }

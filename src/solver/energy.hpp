@@ -13,6 +13,7 @@
 // is exact. Their coefficients are found once, by one adjoint pass over the tape each.
 // A point load's displacement is infinite where it acts: its own field counts at the distance of the body's size, in
 // work and elastic energy alike.
+#include "contact/basis.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -43,6 +44,8 @@ struct DemandedColumns {
   const Real* x;
 };
 void add_demanded(Session& session, int b, const DemandedColumns& columns);
+// Then, of a column of A: what the motions that go with it bring, by which nothing moves in the slots that hold them.
+void hold_demanded(Session& session, const Form& form, int32_t dof, const Real* column);
 // Functionals, after the reduction; uses the path area. Errors: the block store's.
 c2d_status build_energy(c2d_solver* solver);
 // Nothing has been done yet. Part of begin_path.

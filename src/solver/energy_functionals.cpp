@@ -136,7 +136,9 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
     return C2D_OK;
   }
   add_loads(a, k, reactions);
-  const c2d_status status = a.touched ? remove_outer(a) : c2d_status{C2D_OK};
+  c2d_status status = C2D_OK;
+  if (is_on_demand(m) && a.touched) status = kCompressedPart.functional_of_motions(a.session, a.b, a.outer, a.motion);
+  if (a.touched && status == C2D_OK) status = remove_outer(a);
   add_to_sides(a);
   return status;
 }
@@ -152,6 +154,7 @@ double overlap_part(const Model& m, const Real* motions) {
 // Motions of the bodies out of the functional: x = X (w' - overlaps closed) + sum lambda_k x_k.
 c2d_status remove_motions(Adjoint& a) {
   const ModelHeader& head = *a.model().head;
+  if (is_on_demand(a.model())) return kCompressedPart.hold_functional(a.session, a.motion, a.jump, a.lambda);
   Real* column = a.session.area.column;
   bool any = false;
   for (int32_t j = 0; j < head.border; ++j) {
@@ -177,7 +180,7 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* c
   const int32_t m = head.contact;
   for (int32_t i = 0; i < 2 * m; ++i) contact[i] = 0;
   for (int32_t i = 0; i < head.load_cases; ++i) loads[i] = 0.0;
-  for (int32_t i = 0; i < head.border; ++i) area.motion[i] = 0;
+  for (int32_t i = 0; i < (is_on_demand(session.model) ? head.motions : head.border); ++i) area.motion[i] = 0;
   for (Real* u : area.u)
     for (int32_t i = 0; i < m; ++i) u[i] = 0;
   Adjoint a{session, 0, contact, contact + m, loads, area.motion, area.own, area.outer, false};
@@ -210,6 +213,15 @@ void add_demanded(Session& session, int b, const DemandedColumns& columns) {
           sum += static_cast<double>(a.outer[i]) * static_cast<double>(columns.x[static_cast<int64_t>(i) * columns.count + j]);
       of_tau[columns.dof[j]] += static_cast<Real>(signed_on(columns.side[j], sum));
     }
+  }
+}
+
+void hold_demanded(Session& session, const Form& form, int32_t dof, const Real* column) {
+  if (kSmallCode) return;
+  const EnergyBook book = energy_book(session.solver);
+  for (int32_t k = 0; k < 2 * book.cases; ++k) {
+    Real *const of_tau = book.of_contact + 2 * static_cast<int64_t>(k) * book.m, *const of_jump = of_tau + book.m;
+    for (int32_t i = 0; i < form.count; ++i) of_tau[dof] -= column[form.held[i]] * of_jump[form.held[i]];
   }
 }
 

@@ -67,17 +67,53 @@ template <class Number> c2d_status project(const Session& session, ContactMatrix
   return C2D_OK;
 }
 
-// The same of columns of A that are made on demand: of those that are there.
-c2d_status project_made(const Session& session, Real* out) {
+// On demand v.T of a column is v'.A less what it makes of the slots that hold motions, METHOD (10.11), v'.A being known of all.
+c2d_status take_balance(const Session& session, const Book& book, const Form& form, int32_t count, const int32_t* dof) {
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < count; ++j) book.stick[dof[j]] = book.equation_tau[dof[j]];
+  for (int32_t k = 0; k < form.count && status == C2D_OK; ++k) {
+    const Real* g = nullptr;
+    status = view_column(session.tape, ContactMatrix::resultants, k, &g);
+    for (int32_t j = 0; j < count && status == C2D_OK; ++j) book.stick[dof[j]] -= book.equation_tau[form.held[k]] * g[dof[j]];
+  }
+  for (int32_t j = 0; j < count; ++j)
+    if (has_force(form, session.model, dof[j])) book.stick[dof[j]] = 0;
+  return status;
+}
+
+// The same of columns of A that are made on demand, v' in the place of y: of those that are there.
+c2d_status project_made(const Session& session, const Book& book, const Form& form) {
   const Model& m = session.model;
-  for (int32_t i = 0; i < m.head->contact; ++i) out[i] = 0;
-  for (int32_t i = 0; i < m.head->pairs; ++i)
-    for (int slot = 0; slot <= (session.solver->sliding != 0 ? 0 : m.pair[i].tangential) && m.pair[i].made >= 0; ++slot) {
-      const c2d_status status = read_compliance(session.tape, m.pair[i], slot, session.area.column);
-      if (status != C2D_OK) return status;
-      out[m.pair[i].dof + slot] = static_cast<Real>(product(session.area.y, session.area.column, m.head->contact));
-    }
-  return C2D_OK;
+  for (int32_t i = 0; i < m.head->contact; ++i) book.equation_tau[i] = book.stick[i] = 0;
+  const auto for_made = [&](auto visit) {
+    c2d_status status = C2D_OK;
+    for (int32_t i = 0; i < m.head->pairs; ++i)
+      for (int slot = 0; slot <= (session.solver->sliding != 0 ? 0 : m.pair[i].tangential) && m.pair[i].made >= 0; ++slot)
+        if (status == C2D_OK) status = visit(m.pair[i], slot);
+    return status;
+  };
+  const c2d_status status = for_made([&](const Pair& pair, int slot) {
+    const c2d_status read = read_compliance(session.tape, pair, slot, session.area.column);
+    if (read == C2D_OK)
+      book.equation_tau[pair.dof + slot] = static_cast<Real>(product(session.area.y, session.area.column, m.head->contact));
+    return read;
+  });
+  return status != C2D_OK ? status : for_made([&](const Pair& pair, int slot) {
+    const int32_t dof = pair.dof + slot;
+    return take_balance(session, book, form, 1, &dof);
+  });
+}
+
+// v.R of the motions that slots hold, to these.
+c2d_status project_held(const Session& session, const Form& form, Real* out) {
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < session.model.head->contact; ++i) out[i] = 0;
+  for (int32_t k = 0; k < form.count && status == C2D_OK; ++k) {
+    const Real* motion = nullptr;
+    status = view_column(session.tape, ContactMatrix::motions, k, &motion);
+    if (status == C2D_OK) out[form.held[k]] = static_cast<Real>(product(session.area.y, motion, session.model.head->contact));
+  }
+  return status;
 }
 
 // v'.B: of the pairs' own rows v' itself, else with S_u of the body that keeps its equations.
@@ -148,11 +184,13 @@ void find_load_work(Session& session, const Book& book, int b) {
 
 } // namespace
 
-void note_demanded(c2d_solver* s, int32_t dof, const Real* column) {
-  const Book book = book_of(s);
-  double sum = 0.0;
-  for (int32_t i = 0; i < s->model.contact; ++i) sum += sign_of(i) * static_cast<double>(column[i]);
-  book.stick[dof] = book.equation_tau[dof] = static_cast<Real>(sum);
+c2d_status note_demanded(Session& session, const Form& form, int32_t count, const int32_t* dof, const Real* columns) {
+  const Book book = book_of(session.solver);
+  const int32_t contact = session.model.head->contact;
+  for (int32_t j = 0; j < count; ++j)
+    book.equation_tau[dof[j]] =
+        static_cast<Real>(product(book.equation_w, columns + 2 * static_cast<int64_t>(j) * contact, contact));
+  return take_balance(session, book, form, count, dof);
 }
 
 c2d_status build_judge(c2d_solver* s) {
@@ -170,7 +208,7 @@ c2d_status build_judge(c2d_solver* s) {
     book.moment[0][i] = book.moment[1][i] = 0;
   }
   const bool demand = is_on_demand(session.model);
-  if (!kSmallCode && status == C2D_OK && demand) status = project_made(session, book.stick);
+  if (!kSmallCode && status == C2D_OK && demand) status = project_held(session, form, book.stick);
   if (status == C2D_OK && !demand) status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
   for (int32_t i = 0; i < m && form.sliding && !form.open; ++i) // w_t stands where q, which is zero, does else
@@ -185,8 +223,8 @@ c2d_status build_judge(c2d_solver* s) {
     status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
   for (int32_t i = 0; i < m && s->model.border == m; ++i) session.area.y[i] = 0; // what is left is round-off
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
-  if (demand)
-    memcpy(book.equation_tau, book.stick, static_cast<size_t>(m) * sizeof(Real));
+  if (!kSmallCode && demand && status == C2D_OK)
+    status = project_made(session, book, form);
   else if (status == C2D_OK)
     status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);

@@ -5,6 +5,7 @@
 // state that was found good is kept (pairs, loads, energies, values). A tableau that has drifted is built anew from the
 // tape. Where decisions may have been wrong already, the path is taken up again from the state kept, with a new tableau
 // after every change; if that does not help, the path ends there: C2D_BEYOND_LIMITS.
+#include "contact/basis.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -47,8 +48,8 @@ bool may_be_shown(Session& session, Agree with);
 // and the path cannot go on), the block store's.
 c2d_status return_to_good(Session& session);
 // v, as good as drawn by lot.
-// A column of A, and of the tableau with every pair open, has been made on demand.
-void note_demanded(c2d_solver* solver, int32_t dof, const Real* column);
+// Columns of A, so many of these slots, have been made on demand; they stand 2 m apart.
+c2d_status note_demanded(Session& session, const Form& form, int32_t count, const int32_t* dof, const Real* columns);
 inline double sign_of(int32_t row) {
   uint32_t mixed = static_cast<uint32_t>(row) * 2654435761u + 40503u;
   mixed = (mixed ^ mixed >> 15) * 2246822519u;

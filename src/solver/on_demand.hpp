@@ -17,11 +17,18 @@ uint64_t later_bytes(const CompressedPlan& plan, int64_t m);
 // Told, with its status, where there is no room for more columns: pairs and bytes that will do as far as can be known.
 c2d_status tell_touching(c2d_solver* solver);
 
-// After elimination: what each load case makes of the contact of each body, to the tape. Errors: the block store's.
+// After elimination: what each load case makes of the contact of each body, and its motions and balances that supports leave,
+// to the tape. Errors: the block store's.
 c2d_status respond_on_demand(c2d_solver* solver);
 // ContactTape::make, of a session. C2D_ERR_MEMORY: more pairs touch, or are about to, than there is room for; then nothing is
 // made.
 c2d_status make_columns(void* session, const int32_t* pair, int32_t count);
+// The same, for pairs whose columns may be there already; `counts`: what they bring to checks and energies is added.
+c2d_status make_some(Session& session, const int32_t* pair, int32_t count, bool counts);
+// For 2 kMostSides columns of the contact, between calls of these functions.
+Real* room_for_columns(const Session& session);
+// solve_motions of a body's tree.
+c2d_status solve_body_motions(const Session& session, int b, Real** x);
 // Unknowns outside the contact of a body, in area.outer, by tractions and load factors as trailing_coefficients lists them.
 c2d_status solve_on_demand(Session& session, int b, const CompressedPlan& plan, const Real* coefficient);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bie/columns.hpp"
+#include "contact/basis.hpp"
 #include "contact2d_memory.h"
 #include "memory/hostile.hpp"
 #include "memory/parts.hpp"
@@ -144,6 +145,18 @@ uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
 
 namespace {
 
+// n of the rates' numbers, n (n + 4): those of the rate problem; and where columns are made on demand, of bodies that the
+// contact alone holds, seven of each contact unknown and two squares of the motions (contact/force_cone.cpp) are more than
+// these may be.
+uint64_t side_of_rates(const PhaseSizes& s) {
+  uint64_t n = static_cast<uint64_t>(s.columns) + 1;
+  if (kSmallCode || s.columns >= s.m || s.motions == 0) return n;
+  const uint64_t motions = static_cast<uint64_t>(s.motions < kMostHeld ? s.motions : kMostHeld);
+  const uint64_t needed = 7 * static_cast<uint64_t>(s.m) + 32 + 2 * motions * motions * (8 / sizeof(Real));
+  while (n * (n + 4) < needed) ++n;
+  return n;
+}
+
 void add_back_need(const PhaseSizes& s, int b, const EliminationPlan& plan, BackNeed& out) {
   if (s.of(b).rows == 0) return;
   out.work = larger(out.work, back_bytes(s, b, plan));
@@ -182,7 +195,7 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   C2D_BACK_ARRAYS_(C2D_TAKE, widest, cases, back.outer, back.work)
   const uint64_t used = carver.total();
   carver = rates;
-  C2D_RATES_ARRAYS_(C2D_TAKE, columns + 1)
+  C2D_RATES_ARRAYS_(C2D_TAKE, side_of_rates(s))
   const uint64_t bytes = larger(used, carver.total());
   if (kSmallCode || back.later == 0 || bytes == UINT64_MAX) {
     if (out) *out = area;

@@ -401,8 +401,16 @@ using Tick = c2d_status (*)(void* context);
   else
     status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
+  if (is_on_demand(m) && status == C2D_OK) status = kCompressedPart.hold_on_demand(s, sliding);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
+}
+
+// What checks and energies need.
+c2d_status build_books(c2d_solver* s) {
+  c2d_status status = build_judge(s);
+  if (status == C2D_OK && s->keeps_energy) status = kEnergyPart.build_energy(s);
+  return status == C2D_OK && !kSmallCode && s->model.columns > 0 ? kCompressedPart.count_held(s) : status;
 }
 
 c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
@@ -521,8 +529,7 @@ c2d_status prepare_once(c2d_solver* s) {
   s->keeps_energy = kEnergyPart.linked;
   const double start = clock_now(s);
   if (status == C2D_OK && !s->blocked && !loads_only) status = kWarningPart.find_condition(s);
-  if (status == C2D_OK && !s->blocked) status = build_judge(s);
-  if (status == C2D_OK && !s->blocked && s->keeps_energy) status = kEnergyPart.build_energy(s);
+  if (status == C2D_OK && !s->blocked) status = build_books(s);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
@@ -568,9 +575,8 @@ bool rubs(const Model& m) {
 
 c2d_status allow_friction(c2d_solver* s) {
   if (kSmallCode || s->sliding == 0 || !rubs(model_of(s))) return C2D_OK;
-  c2d_status status = change_form(s, false);
-  if (status == C2D_OK) status = build_judge(s);
-  return status == C2D_OK && s->keeps_energy ? kEnergyPart.build_energy(s) : status;
+  const c2d_status status = change_form(s, false);
+  return status == C2D_OK ? build_books(s) : status;
 }
 
 c2d_status match_saved(c2d_solver* s, bool* again) {

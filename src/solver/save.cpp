@@ -5,6 +5,7 @@
 
 #include "contact/basis.hpp"
 #include "contact/frictionless.hpp"
+#include "contact/let_go.hpp"
 #include "contact/open_form.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"
@@ -256,13 +257,14 @@ bool are_possible_columns(c2d_solver* s, const Model& m) {
   Session session;
   open_session(s, session);
   const Tableau& t = session.tableau;
+  const bool none_used = s->floating != 0 || is_let_go(t); // none sleeps, and no pair's column is looked at
   int64_t columns = s->awake;
   for (int32_t i = 0; i < t.pairs && delays(t); ++i) {
     const int32_t own = 1 + last_slot(t, m.pair[i]);
     if (!all_within({{t.column[i], -1, s->awake - own}})) return false;
     if (t.column[i] < 0 && m.pair[i].status != C2D_OPEN) return false;
     if (t.column[i] < 0) columns += own;
-    if (t.column[i] >= 0 && is_on_demand(m) && m.pair[i].made < 0) return false;
+    if (t.column[i] >= 0 && is_on_demand(m) && m.pair[i].made < 0 && !none_used) return false;
   }
   return columns <= all_columns_of(t);
 }
