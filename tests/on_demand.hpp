@@ -23,7 +23,8 @@ inline double over(double apart, double size) { return size > 0 ? apart / size :
 inline Apart apart(const many::Result& a, const many::Result& b) {
   Apart out;
   REQUIRE(a.steps.size() == b.steps.size());
-  double t = 0, u = 0, dt = 0, du = 0;
+  double t = 0, u = 0, dt = 0, du = 0, size = 0;
+  for (const many::Step& step : a.steps) size = std::max({size, std::fabs(step.work), std::fabs(step.elastic)});
   for (size_t s = 0; s < a.steps.size(); ++s) {
     REQUIRE(a.steps[s].rows.size() == b.steps[s].rows.size());
     for (size_t i = 0; i < a.steps[s].rows.size(); ++i) {
@@ -36,7 +37,6 @@ inline Apart apart(const many::Result& a, const many::Result& b) {
         u = std::max(u, std::fabs(x[f])), du = std::max(du, std::fabs(x[f] - y[f]));
     }
     const many::Step &p = a.steps[s], &q = b.steps[s];
-    const double size = std::max(std::fabs(p.work), std::fabs(p.elastic));
     for (const auto& [x, y] :
          {std::pair(p.work, q.work), std::pair(p.dissipated, q.dissipated), std::pair(p.elastic, q.elastic)})
       out.energies = std::max(out.energies, over(std::fabs(x - y), size));
@@ -99,6 +99,15 @@ inline many::Model pushed(many::Model m) {
   for (const auto& [number, side] : {std::pair<int32_t, int32_t>(1, 1), std::pair<int32_t, int32_t>(2, 3)})
     m.set_second(number, side, many::end_of(many::kHeld, 0, 0, number == 2 ? 1e-4 : 0, 0));
   m.paths = {{2, 1.0, 0.0}, {2, 1.0, 1.0}, {1, 1.0, -0.5}, {1, 0.5, 0.0}, {1, 0.0, 0.0}};
+  return m;
+}
+
+// The upper block is held at the middle of its upper side alone, about which it may turn.
+inline many::Model hinged(many::Model m, double down) {
+  m.set(2, 3, many::End());
+  const many::Range top = m.side(2, 3);
+  const size_t middle = static_cast<size_t>((top.first + top.last) / 2), nodes = static_cast<size_t>(m.function_nodes);
+  for (size_t end : {middle * nodes - 1, middle * nodes}) m.body(2).ends[end] = many::end_of(many::kHeld, 0, 0, 0, -down);
   return m;
 }
 

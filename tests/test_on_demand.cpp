@@ -194,8 +194,10 @@ TEST_CASE("on demand: what cannot be so is refused by name, what is small is for
   other.elimination = C2D_ELIMINATION_DENSE;
   refused(other);
   other = m;
-  other.set(2, 3, many::end_of(many::kPulled, 0, -1e-3)); // held by the contact alone
+  other.set(2, 3, many::end_of(many::kPulled, 0, -1e-3));
+  other.friction = 0; // along x it is held by hardly anything
   refused(other);
+  refused(hinged(m, 1e-4));
   other = m;
   other.zones[0].kind = C2D_ZONE_TIED;
   refused(other);
@@ -478,7 +480,8 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   std::vector<int32_t> order;
   many::Model m = many::rough(1501);
   std::ofstream(folder / "held.dat") << many::deck_of(m, "held", order);
-  m.set(2, 3, many::end_of("0110", 0, 0, 0, -2e-5)); // along x held by the contact alone
+  std::ofstream(folder / "hinged.dat") << many::deck_of(hinged(m, 1e-5), "hinged", order);
+  m.set(2, 3, many::end_of(many::kPulled, 0, -0.01));
   std::ofstream(folder / "free.dat") << many::deck_of(m, "free", order);
   const auto run = [&](const std::string& words) {
     return test::run_shell("cd '" + folder.path() + "' && '" + paths::program() + "' " + words);
@@ -488,12 +491,14 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   CHECK(run("check held.dat --elimination dense").out.find("room for") == std::string::npos);
   CHECK(run("check - <held.dat").out.find("room for") == std::string::npos); // (it could not begin anew)
   CHECK(check.out.find("compressed, as the contact is on demand\n") != std::string::npos);
-  const test::Result held = run("run held.dat --json held");
-  CHECK_MESSAGE(held.status == 0, held.err);
-  CHECK(held.err.find("begins anew") == std::string::npos);
-  CHECK(test::read_file(folder / "held").find("\"elimination\": \"compressed") != std::string::npos);
-  const test::Result free = run("run free.dat --json free");
-  CHECK_MESSAGE(free.status == 0, free.err);
-  CHECK_MESSAGE(free.err.find("the contact cannot be on demand, the run begins anew") != std::string::npos, free.err);
-  CHECK(free.err.find("error") == std::string::npos);
+  for (const std::string name : {"held", "free"}) {
+    const test::Result there = run("run " + name + ".dat --json " + name);
+    CHECK_MESSAGE(there.status == 0, there.err);
+    CHECK_MESSAGE(there.err.find("begins anew") == std::string::npos, there.err);
+    CHECK(test::read_file(folder / name).find("\"elimination\": \"compressed") != std::string::npos);
+  }
+  const test::Result hinge = run("run hinged.dat --json hinged");
+  CHECK_MESSAGE(hinge.status == 0, hinge.err);
+  CHECK_MESSAGE(hinge.err.find("the contact cannot be on demand, the run begins anew") != std::string::npos, hinge.err);
+  CHECK(hinge.err.find("error") == std::string::npos);
 }

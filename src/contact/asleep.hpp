@@ -11,7 +11,8 @@ namespace c2d {
 // jump; where a body is let go on demand alone, while the tableau is built (end_sleep).
 bool may_sleep(const Tableau& t, const Form& form);
 
-// Of a body that is let go no column is looked at before there is a new tableau: none sleeps, so that what touches is seen.
+// Of a body that is let go, or comes to rest, no column is looked at before there is a new tableau: none sleeps, so that what
+// touches is seen.
 void end_sleep(Tableau& t);
 // Of open pairs that are awake all but the nearest fall asleep, where there are many: after all of a contact has opened T is no
 // wider than before it closed. Errors: the block store's.

@@ -1,5 +1,6 @@
 #include "contact/start.hpp"
 
+#include "contact/asleep.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/force_cone.hpp"
 #include "contact/let_go.hpp"
@@ -299,6 +300,7 @@ c2d_status seat(Follower& f, int32_t floating, c2d_outcome* outcome) {
     reset_pair(t.pair[i]);
     t.pair[i].status = C2D_OPEN;
   }
+  if (!kSmallCode) end_sleep(t); // there is no tableau on the way, and any pair may be met
   t.guided = 0;
   f.idle = false;
   f.bound.pair = -1;

@@ -29,6 +29,7 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              count_held,
                                                                              functional_of_motions,
                                                                              hold_functional,
+                                                                             fit_rigid,
                                                                              has_far_cells,
                                                                              evaluate_by_cells};
 

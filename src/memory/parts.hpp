@@ -226,6 +226,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, c2d_solver*> count_held = NotLinked();
   Function<c2d_status, const Session&, int, const Real*, Real*> functional_of_motions = NotLinked();
   Function<c2d_status, const Session&, const Real*, Real*, double*> hold_functional = NotLinked();
+  Function<c2d_status, const Session&> fit_rigid = NotLinked();
   Function<bool, const Session&, int> has_far_cells = Nothing();
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };

@@ -3,8 +3,11 @@
 
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -172,7 +175,7 @@ c2d_status displacements_on_demand(const Session& session) {
   }
   if (status == C2D_OK && m.head->motions > 0) status = move_on_demand(session);
   for (int32_t i = 0; i < m.head->pairs; ++i) follow_pair(session, i, 0);
-  return status;
+  return status == C2D_OK && m.head->motions > 0 ? kCompressedPart.fit_rigid(session) : status;
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "bie/panel.hpp"
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
+#include "contact/orthonormal.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "model/pair_frame.hpp"
@@ -246,39 +247,28 @@ c2d_status respond_on_demand(c2d_solver* s) {
 
 namespace {
 
-// The motions by which what the body has in the contact, -u, comes nearest to what is known of it.
-c2d_status fit_motions(const Session& session, int b, const Real* u, double amount[kMostMotions]) {
-  const Model& m = session.model;
-  const int32_t own = m.body[b].contact, count = m.body[b].free_motions;
-  Real *const motion = room_for_columns(session), *const rest = motion + static_cast<int64_t>(count) * own;
-  double product[kMostMotions][kMostMotions], right[kMostMotions];
+// By the contact unknowns of a body: where fit_motions finds what its motions have to make up for.
+Real* rest_of(const Session& session, int b) {
+  return room_for_columns(session) + static_cast<int64_t>(kMostMotions) * session.model.body[b].contact;
+}
+
+// The motions that come nearest to it.
+c2d_status fit_motions(const Session& session, int b, double amount[kMostMotions]) {
+  const int64_t own = session.model.body[b].contact;
+  const int32_t count = session.model.body[b].free_motions;
+  Real *const motion = room_for_columns(session), *const rest = rest_of(session, b);
+  double matrix[kMostMotions][kMostMotions], right[kMostMotions];
   for (int32_t k = 0; k < count; ++k) {
-    const c2d_status status = read_column(session.tape, b, BodyMatrix::motions, k, motion + static_cast<int64_t>(k) * own);
+    const c2d_status status = read_column(session.tape, b, BodyMatrix::motions, k, motion + k * own);
     if (status != C2D_OK) return status;
     amount[k] = 0.0;
   }
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    for (int slot = 0; slot <= pair.tangential; ++slot) {
-      const int32_t j = dof_on(m, pair, side) + slot;
-      rest[j] = -u[j] - displacement_along(m, b, pair, side, slot, session.area.outer, 1);
-    }
-  });
-  for (int32_t k = 0; k < count; ++k)
-    for (int32_t l = 0; l < count; ++l) {
-      product[k][l] = 0.0;
-      for (int32_t j = 0; j < own; ++j)
-        product[k][l] += static_cast<double>(motion[static_cast<int64_t>(k) * own + j]) *
-                         static_cast<double>(motion[static_cast<int64_t>(l) * own + j]);
-    }
-  for (int round = 0; round < 2; ++round) { // normal equations lose digits where the contact is narrow
+  for (int round = 0; round < 2; ++round) { // (normal equations lose digits where the contact is narrow)
     for (int32_t k = 0; k < count; ++k) {
-      right[k] = 0.0;
-      for (int32_t j = 0; j < own; ++j)
-        right[k] += static_cast<double>(motion[static_cast<int64_t>(k) * own + j]) * static_cast<double>(rest[j]);
+      for (int32_t l = 0; l < count; ++l) matrix[k][l] = product(motion + k * own, motion + l * own, static_cast<int32_t>(own));
+      right[k] = product(motion + k * own, rest, static_cast<int32_t>(own));
     }
-    double matrix[kMostMotions][kMostMotions];
-    memcpy(matrix, product, sizeof matrix);
-    for (int32_t k = 0; k < count; ++k) // (positive definite: normals and tangents hold the motions)
+    for (int32_t k = 0; k < count; ++k) // (the pairs hold the motions: it is positive definite)
       for (int32_t i = k + 1; i < count; ++i) {
         const double by = matrix[i][k] / matrix[k][k];
         for (int32_t l = k; l < count; ++l) matrix[i][l] -= by * matrix[k][l];
@@ -288,7 +278,7 @@ c2d_status fit_motions(const Session& session, int b, const Real* u, double amou
       for (int32_t l = k + 1; l < count; ++l) right[k] -= matrix[k][l] * right[l];
       right[k] /= matrix[k][k];
       amount[k] += right[k];
-      for (int32_t j = 0; j < own; ++j) rest[j] -= static_cast<Real>(right[k]) * motion[static_cast<int64_t>(k) * own + j];
+      for (int64_t j = 0; j < own; ++j) rest[j] -= static_cast<Real>(right[k]) * motion[k * own + j];
     }
   }
   return C2D_OK;
@@ -298,8 +288,14 @@ c2d_status fit_motions(const Session& session, int b, const Real* u, double amou
 c2d_status add_motions(const Session& session, int b, const Real* coefficient) {
   const int32_t count = session.model.body[b].free_motions;
   double amount[kMostMotions] = {};
-  Real* x = nullptr;
-  c2d_status status = fit_motions(session, b, coefficient, amount);
+  Real *x = nullptr, *const rest = rest_of(session, b);
+  for_pairs_of(session.model, b, [&](const Pair& pair, int side) {
+    for (int slot = 0; slot <= pair.tangential; ++slot) { // (coefficients are minus the displacements)
+      const int32_t j = dof_on(session.model, pair, side) + slot;
+      rest[j] = -coefficient[j] - displacement_along(session.model, b, pair, side, slot, session.area.outer, 1);
+    }
+  });
+  c2d_status status = fit_motions(session, b, amount);
   if (status == C2D_OK) status = solve_body_motions(session, b, &x);
   for (int32_t j = 0; j < outer_columns(session.model, b) && status == C2D_OK; ++j)
     for (int32_t k = 0; k < count; ++k)
@@ -308,6 +304,28 @@ c2d_status add_motions(const Session& session, int b, const Real* coefficient) {
 }
 
 } // namespace
+
+c2d_status fit_rigid(const Session& session) {
+  const Model& m = session.model;
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) {
+    if (!is_rigid(m, b) || m.body[b].contact == 0 || m.body[b].free_motions == 0) continue;
+    Real* const rest = rest_of(session, b);
+    for_ranges(m, b, [&](const UnknownRange& range) {
+      for (int32_t i = 0; i < range.count; ++i) rest[range.own + i] = session.area.u[range.side][range.all + i];
+    });
+    for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
+      status = read_column(session.tape, b, BodyMatrix::response, k, session.area.column);
+      for (int32_t i = 0; i < m.body[b].contact; ++i)
+        rest[i] -= static_cast<Real>(session.follower.load[k]) * session.area.column[i];
+    }
+    double amount[kMostMotions] = {};
+    if (status == C2D_OK) status = fit_motions(session, b, amount);
+    for (int32_t j = 0; j < m.body[b].free_motions; ++j)
+      session.area.motion[m.body[b].first_border + j] = static_cast<Real>(amount[j]);
+  }
+  return status;
+}
 
 c2d_status solve_on_demand(Session& session, int b, const CompressedPlan& plan, const Real* coefficient) {
   const int32_t own = session.model.body[b].contact;

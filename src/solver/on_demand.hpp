@@ -29,6 +29,8 @@ c2d_status make_some(Session& session, const int32_t* pair, int32_t count, bool 
 Real* room_for_columns(const Session& session);
 // solve_motions of a body's tree.
 c2d_status solve_body_motions(const Session& session, int b, Real** x);
+// With the displacements of the contact in area.u: motions of rigid bodies that the contact alone holds, to area.motion.
+c2d_status fit_rigid(const Session& session);
 // Unknowns outside the contact of a body, in area.outer, by tractions and load factors as trailing_coefficients lists them.
 c2d_status solve_on_demand(Session& session, int b, const CompressedPlan& plan, const Real* coefficient);
 
