@@ -235,59 +235,6 @@ TEST_CASE("on demand: a face that never touches" * doctest::skip(c2d::kSmallCode
 
 namespace {
 
-struct Host {
-  runs::RamStore own;
-  runs::RamStore* store;
-  c2d_port port = C2D_INIT(c2d_port);
-  std::unique_ptr<runs::Machine> machine;
-  int64_t chances = -1; // at how many more it is not cancelled; below 0: at none
-  uint64_t bytes = 0;
-  c2d_limits limits = C2D_INIT(c2d_limits);
-  std::vector<c2d_body_limits> list;
-  explicit Host(const many::Model& m, runs::RamStore* shared = nullptr) : store(shared != nullptr ? shared : &own) {
-    port.context = this;
-    const auto at = [](void* c) -> void* { return static_cast<Host*>(c)->store; };
-    static const auto stored = at;
-    port.open = [](void* c, int32_t t, uint64_t n, uint64_t each) { return runs::RamStore::open(stored(c), t, n, each); };
-    port.read = [](void* c, int32_t t, uint64_t k, void* d, uint64_t n) { return runs::RamStore::read(stored(c), t, k, d, n); };
-    port.write = [](void* c, int32_t t, uint64_t k, const void* d, uint64_t n) {
-      return runs::RamStore::write(stored(c), t, k, d, n);
-    };
-    port.sync = [](void* c, int32_t t) { return runs::RamStore::sync(stored(c), t); };
-    port.close = [](void* c, int32_t t) { return runs::RamStore::close(stored(c), t); };
-    port.cancel = [](void* c) { return static_cast<Host*>(c)->chances-- == 0 ? 1 : 0; };
-    limits = many::limits_of(m, list);
-    REQUIRE(c2d_memory_need(&limits, &bytes, nullptr, nullptr) == C2D_OK);
-    machine = std::make_unique<runs::Machine>(limits, bytes, &port, 8);
-    REQUIRE(machine->created == C2D_OK);
-    c2d_options options = C2D_INIT(c2d_options);
-    options.elimination = m.elimination;
-    REQUIRE(c2d_set_options(solver(), &options) == C2D_OK);
-    REQUIRE(many::feed(solver(), m) == C2D_OK);
-  }
-  c2d_solver* solver() const { return machine->solver; }
-  c2d_status begin() {
-    const c2d_status status = c2d_prepare(solver());
-    const double mu = 0.3;
-    return status == C2D_OK ? c2d_begin(solver(), &mu, 1) : status;
-  }
-  c2d_status go(double load) {
-    c2d_outcome outcome = C2D_REACHED;
-    const c2d_status status = c2d_advance(solver(), &load, 1, &outcome);
-    if (status == C2D_OK) CHECK(outcome == C2D_REACHED);
-    return status;
-  }
-  std::vector<double> results() const {
-    const int32_t pairs = limits.pairs, fields[] = {C2D_TN, C2D_TT, C2D_UN1, C2D_UT2, C2D_STATUS, C2D_GAP};
-    std::vector<double> out(6 * static_cast<size_t>(pairs));
-    for (int f = 0; f < 6; ++f) REQUIRE(c2d_get(solver(), fields[f], 0, 1, pairs, out.data() + f * pairs, 1) == C2D_OK);
-    c2d_summary sum = C2D_INIT(c2d_summary);
-    REQUIRE(c2d_get_summary(solver(), &sum) == C2D_OK);
-    out.insert(out.end(), {sum.work, sum.elastic, sum.dissipated, sum.energy_defect});
-    return out;
-  }
-};
-
 many::Model little() { return on_demand(many::rough(100), 80); }
 
 } // namespace

@@ -39,6 +39,20 @@ many::Model stacked(int32_t pairs, double pressure) {
   return m;
 }
 
+// Geometry of elements with three points: with functions of lower order no rotation strains nothing.
+many::Model curved(many::Model m) {
+  for (many::Body& body : m.bodies) {
+    std::vector<many::End> ends;
+    for (size_t e = 0; e < body.ends.size() / 4; ++e) ends.insert(ends.end(), 2, body.ends[4 * e]);
+    body.ends = ends;
+    body.element_nodes = 3;
+    for (many::Range* range : {&body.regions[0], &body.sides[0], &body.sides[1], &body.sides[2], &body.sides[3]})
+      range->first = (range->first + 1) / 2, range->last /= 2;
+  }
+  for (many::Side& side : m.zones[0].side) side.first = (side.first + 1) / 2, side.last = (side.last + 1) / 2;
+  return m;
+}
+
 } // namespace
 
 TEST_CASE("on demand: a block that the contact alone holds, pressed by a pressure" * doctest::skip(c2d::kSmallCode)) {
@@ -152,4 +166,167 @@ TEST_CASE("on demand: a floating block is pulled off" * doctest::skip(c2d::kSmal
   CHECK(own.outcome == C2D_FREE_MOTION);
   CHECK(dense.outcome == own.outcome);
   CHECK(apart(dense, own).tractions < kNear);
+}
+
+TEST_CASE("on demand: a floating block with curved elements" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = many::rough(417); // 208 elements of the face, 26 of the other sides
+  m.set(2, 3, many::end_of(many::kPulled, 0.001, -0.04));
+  check_alike(curved(m), 90);
+}
+
+TEST_CASE("on demand: overlaps that are closed push a floating block off" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = floating(200);
+  for (size_t i = 1; i < m.body(2).xy.size(); i += 2) m.body(2).xy[i] -= 2e-5;
+  m.cases = m.interference = 2;
+  for (many::Body& body : m.bodies) body.second.assign(body.ends.size(), many::End());
+  m.set_second(1, 1, many::end_of(many::kHeld));
+  m.set_second(2, 3, many::end_of(many::kPulled));
+  m.paths = {{1, 1.0, 1.0}, {1, 0.5, 1.0}};
+  check_alike(m, 90);
+}
+
+TEST_CASE("on demand: friction told after a preparation without, on a line of symmetry" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = halved(floating(200));
+  m.friction = 0;
+  many::Machine whole(m), own(on_demand(m, 90));
+  std::vector<double> result[2];
+  for (int k = 0; k < 2; ++k) {
+    c2d_solver* const s = (k == 0 ? whole : own).solver;
+    REQUIRE(c2d_prepare(s) == C2D_OK);
+    for (const double mu : {0.0, 0.4}) {
+      REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+      const double all = 1;
+      c2d_outcome outcome = C2D_UNDECIDED;
+      REQUIRE(c2d_advance(s, &all, 1, &outcome) == C2D_OK);
+      CHECK(outcome == C2D_REACHED);
+      for (const int32_t field : {C2D_TN, C2D_TT, C2D_UN1, C2D_UN2}) {
+        std::vector<double> of(200);
+        REQUIRE(c2d_get(s, field, 0, 1, 200, of.data(), 1) == C2D_OK);
+        result[k].insert(result[k].end(), of.begin(), of.end());
+      }
+    }
+  }
+  double size = 0, apart_by = 0;
+  for (size_t i = 0; i < result[0].size(); ++i)
+    size = std::max(size, std::fabs(result[0][i])), apart_by = std::max(apart_by, std::fabs(result[0][i] - result[1][i]));
+  CHECK(apart_by < kNear * size);
+}
+
+TEST_CASE("on demand: points inside a floating block, the residual, forces" * doctest::skip(c2d::kSmallCode)) {
+  const many::Model m = floating(200);
+  many::Machine whole(m), own(on_demand(m, 90));
+  const many::Result a = whole.run(), b = own.run();
+  REQUIRE(b.status == C2D_OK);
+  std::vector<double> xy, in[2];
+  for (int k = 0; k < 40; ++k) xy.insert(xy.end(), {0.02 + 0.024 * k, 0.02 + 0.02 * k});
+  for (int k = 0; k < 2; ++k) {
+    in[k].resize(40 * C2D_POINT_FIELDS);
+    REQUIRE(c2d_interior((k == 0 ? whole : own).solver, 2, 40, xy.data(), 2, in[k].data(), C2D_POINT_FIELDS) == C2D_OK);
+  }
+  for (bool stresses : {false, true}) {
+    double size = 0, apart_by = 0;
+    for (size_t i = 0; i < in[0].size(); ++i) {
+      if ((i % C2D_POINT_FIELDS >= C2D_POINT_SXX) != stresses) continue;
+      size = std::max(size, std::fabs(in[0][i])), apart_by = std::max(apart_by, std::fabs(in[0][i] - in[1][i]));
+    }
+    CHECK(apart_by < 10 * kNear * size);
+  }
+  CHECK(b.summary.compression_residual > 0);
+  CHECK(b.summary.compression_residual < (kIsDouble ? 1e-10 : 1e-3));
+  for (size_t k = 0; k < a.bodies.size(); ++k)
+    for (int c = 0; c < 3; ++c) CHECK(a.bodies[k].contact[c] == doctest::Approx(b.bodies[k].contact[c]).epsilon(1e-7));
+  CHECK(many::imbalance(m, b) < kNear);
+}
+
+// ---- saved, moved, failing, cut off ------------------------------------------------------------------------------------
+
+namespace {
+
+many::Model little() { return on_demand(floating(100, 0.03), 80); }
+
+} // namespace
+
+TEST_CASE("on demand: states of a floating block are taken up by another process; same bits" * doctest::skip(c2d::kSmallCode)) {
+  Host whole(little());
+  REQUIRE(whole.begin() == C2D_OK);
+  REQUIRE(whole.go(1) == C2D_OK);
+  const std::vector<double> expected = whole.results();
+  for (const double at : {0.0, 0.4}) { // 0: it lies nowhere yet
+    CAPTURE(at);
+    Host first(little());
+    REQUIRE(first.begin() == C2D_OK);
+    CHECK(first.solver()->floating == 1);
+    if (at > 0) REQUIRE(first.go(at) == C2D_OK);
+    CHECK(first.solver()->floating == (at > 0 ? 0 : 1));
+    REQUIRE(c2d_save(first.solver()) == C2D_OK);
+    runs::RamStore kept = first.own;
+    REQUIRE(first.go(1) == C2D_OK);
+    const std::vector<double> on = first.results();
+    if (at == 0) CHECK(on == expected);
+    Host second(little(), &kept);
+    REQUIRE(c2d_restore(second.solver()) == C2D_OK);
+    REQUIRE(second.go(1) == C2D_OK);
+    CHECK(second.results() == on);
+    CHECK(second.machine->guards_are_whole());
+  }
+}
+
+TEST_CASE("on demand: a floating block that has been let go is taken up and pressed again" * doctest::skip(c2d::kSmallCode)) {
+  Host first(little());
+  REQUIRE(first.begin() == C2D_OK);
+  REQUIRE(first.go(1) == C2D_OK);
+  REQUIRE(first.go(0) == C2D_OK);
+  REQUIRE(c2d_save(first.solver()) == C2D_OK);
+  runs::RamStore kept = first.own;
+  REQUIRE(first.go(0.7) == C2D_OK);
+  Host second(little(), &kept);
+  REQUIRE(c2d_restore(second.solver()) == C2D_OK);
+  REQUIRE(second.go(0.7) == C2D_OK);
+  CHECK(second.results() == first.results());
+}
+
+TEST_CASE("on demand: a store that fails at any operation with a floating block" * doctest::skip(c2d::kSmallCode)) {
+  size_t operations = 0, begun = 0;
+  {
+    Host whole(little());
+    REQUIRE(whole.begin() == C2D_OK);
+    begun = whole.own.done.size();
+    REQUIRE(whole.go(1) == C2D_OK);
+    whole.results();
+    operations = whole.own.done.size();
+  }
+  REQUIRE(operations > begun + 100);
+  for (size_t n = begun / 2; n < operations; n += 1 + (n < begun ? begun / 60 : (operations - begun) / 40)) {
+    CAPTURE(n);
+    Host host(little());
+    host.own.before = [n](const runs::RamStore::Operation&, size_t i) { return i == n ? 5 : 0; };
+    c2d_status status = host.begin();
+    if (status == C2D_OK) status = host.go(1);
+    double one = 0;
+    if (status == C2D_OK) status = c2d_get(host.solver(), C2D_TN, 0, 1, 1, &one, 1);
+    if (host.own.done.size() <= n) continue;
+    CHECK(status >= C2D_ERR_STORE_OPEN);
+    CHECK(status <= C2D_ERR_STORE_SYNC);
+    CHECK(c2d_get_state(host.solver()) == C2D_STATE_BROKEN);
+  }
+}
+
+TEST_CASE("on demand: cancelled at any chance a floating block goes on to the same bits" * doctest::skip(c2d::kSmallCode)) {
+  Host whole(little());
+  REQUIRE(whole.begin() == C2D_OK);
+  REQUIRE(whole.go(1) == C2D_OK);
+  const std::vector<double> expected = whole.results();
+  int cancelled = 0;
+  for (int64_t chance : {0, 1, 2, 5, 9, 20, 33, 60, 100}) {
+    CAPTURE(chance);
+    Host host(little());
+    host.chances = chance;
+    c2d_status status = host.begin();
+    for (; status == C2D_ERR_CANCELLED; status = host.begin()) ++cancelled;
+    REQUIRE(status == C2D_OK);
+    for (status = host.go(1); status == C2D_ERR_CANCELLED; status = host.go(1)) ++cancelled;
+    REQUIRE(status == C2D_OK);
+    CHECK(host.results() == expected);
+  }
+  CHECK(cancelled > 4);
 }
