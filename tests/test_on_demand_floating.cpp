@@ -285,6 +285,37 @@ TEST_CASE("on demand: a floating block that has been let go is taken up and pres
   CHECK(second.results() == first.results());
 }
 
+TEST_CASE("on demand: a state without friction is taken up when friction has been told since" *
+          doctest::skip(c2d::kSmallCode)) {
+  for (bool floats : {false, true}) {
+    CAPTURE(floats);
+    many::Model m = on_demand(floats ? halved(floating(100, 0.03)) : many::rough(100), 80);
+    m.friction = 0;
+    Host host(m);
+    REQUIRE(c2d_prepare(host.solver()) == C2D_OK);
+    const double mu[] = {0, 0.4};
+    REQUIRE(c2d_begin(host.solver(), &mu[0], 1) == C2D_OK);
+    REQUIRE(host.go(0.5) == C2D_OK);
+    REQUIRE(host.solver()->sliding == 1);
+    REQUIRE(c2d_save(host.solver()) == C2D_OK);
+    REQUIRE(host.go(1) == C2D_OK);
+    const std::vector<double> expected = host.results();
+    REQUIRE(c2d_begin(host.solver(), &mu[1], 1) == C2D_OK);
+    REQUIRE(host.go(1) == C2D_OK);
+    REQUIRE(host.solver()->sliding == 0);
+    REQUIRE(c2d_restore(host.solver()) == C2D_OK);
+    CHECK(host.solver()->sliding == 1);
+    REQUIRE(host.go(1) == C2D_OK);
+    const std::vector<double> there = host.results(); // (columns were made in other company: last digits differ)
+    double size = 0, apart_by = 0;
+    for (size_t i = 0; i < 400; ++i) // tractions and displacements
+      size = std::max(size, std::fabs(expected[i])), apart_by = std::max(apart_by, std::fabs(there[i] - expected[i]));
+    CHECK(apart_by < kNear * size);
+    CHECK(std::equal(there.begin() + 400, there.begin() + 500, expected.begin() + 400));               // statuses
+    for (size_t i = 600; i < 603; ++i) CHECK(there[i] == doctest::Approx(expected[i]).epsilon(kNear)); // energies
+  }
+}
+
 TEST_CASE("on demand: a store that fails at any operation with a floating block" * doctest::skip(c2d::kSmallCode)) {
   size_t operations = 0, begun = 0;
   {
@@ -329,4 +360,22 @@ TEST_CASE("on demand: cancelled at any chance a floating block goes on to the sa
     CHECK(host.results() == expected);
   }
   CHECK(cancelled > 4);
+}
+
+TEST_CASE("on demand: slender floating blocks as with the whole contact system, and those that bend too much refused" *
+          doctest::skip(c2d::kSmallCode)) {
+  for (double height : {0.01, 0.05, 10.0}) {
+    CAPTURE(height);
+    many::Model m = floating(200, height > 1 ? 0.05 : 1e-3);
+    for (size_t i = 1; i < m.body(2).xy.size(); i += 2)
+      if (m.body(2).xy[i] > 0.03) m.body(2).xy[i] *= height;
+    if (height > 0.03) {
+      check_alike(m, 90);
+      continue;
+    }
+    many::Machine machine(on_demand(m, 90));
+    const many::Result r = machine.run();
+    CHECK(r.status == C2D_ERR_LIMIT);
+    CHECK_MESSAGE(r.told_of("cannot be on demand"), r.messages());
+  }
 }

@@ -10,10 +10,6 @@ namespace c2d {
 
 namespace {
 
-// A body that is solved for loses digits as it bends, or shifts, more than its surface gives way where it is pressed. Measured
-// on columns up to 200 times as high as wide, pressures lose 4e-16 times this ratio; on layers up to 60 times as long as thick
-// that lie on all their length, 3e-14 to 4e-13 times. It is 4 to 350 for stout bodies, however unequal their elements.
-constexpr double kBendsTooMuch = sizeof(Real) == 8 ? 1e3 : 1e2;
 // R with 1 at the slots that hold may have so much elsewhere. T has squares of that, which cancel where pairs stick.
 constexpr double kMovesMost = 10, kWeighs = 1e-12;
 constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
@@ -125,7 +121,7 @@ bool bends_too_much(const Reduction& r) {
       const int32_t dof = r.model.pair[i].dof + slot;
       if (slides(r, dof)) continue;
       const double most = static_cast<double>(largest(r.engine, static_cast<int32_t>(m), r.first + dof * m));
-      if (!(most <= kBendsTooMuch * local_compliance(r.model, i, slot, r.first + dof * m))) return true;
+      if (bends_too_much(r.model, i, slot, r.first + dof * m, most)) return true;
     }
   return false;
 }

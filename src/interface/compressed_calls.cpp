@@ -27,6 +27,7 @@ const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                                              make_columns,
                                                                              hold_on_demand,
                                                                              count_held,
+                                                                             remake_columns,
                                                                              functional_of_motions,
                                                                              hold_functional,
                                                                              fit_rigid,

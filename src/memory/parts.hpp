@@ -224,6 +224,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, void*, const int32_t*, int32_t> make_columns = NotLinked();
   Function<c2d_status, c2d_solver*, bool> hold_on_demand = NotLinked();
   Function<c2d_status, c2d_solver*> count_held = NotLinked();
+  Function<c2d_status, c2d_solver*> remake_columns = NotLinked();
   Function<c2d_status, const Session&, int, const Real*, Real*> functional_of_motions = NotLinked();
   Function<c2d_status, const Session&, const Real*, Real*, double*> hold_functional = NotLinked();
   Function<c2d_status, const Session&> fit_rigid = NotLinked();

@@ -262,6 +262,20 @@ double largest_in(const Session& session, const Real* x) {
   return static_cast<double>(largest(kPlainEngine, session.model.head->contact, x));
 }
 
+// Of a body that bends much more than it gives way locally columns have lost digits (contact/open_form.hpp): those of the slots
+// that hold motions tell.
+c2d_status judge_columns(const Session& session, const HeldSlots& held) {
+  const Model& m = session.model;
+  for (int32_t k = 0; k < held.count; ++k) {
+    const Real* a = nullptr;
+    const c2d_status status = view_column(session.tape, ContactMatrix::compliance, held_column(m, held.slot[k]), &a);
+    if (status != C2D_OK) return status;
+    const int32_t pair = pair_of_slot(m, held.slot[k]);
+    if (bends_too_much(m, pair, held.slot[k] - m.pair[pair].dof, a, largest_in(session, a))) return C2D_ERR_LIMIT;
+  }
+  return C2D_OK;
+}
+
 // b of a load case from its h, as hold_rate of contact/open_form.cpp.
 c2d_status write_rate(const Session& session, const HeldSlots& held, const Turn& turn, int32_t k) {
   const int32_t contact = session.model.head->contact;
@@ -304,6 +318,7 @@ c2d_status hold_on_demand(c2d_solver* s, bool sliding) {
   const int32_t pairs = list_pairs(m, held.slot, held.count, pair);
   s->sliding = sliding; // (build_judge says so again)
   if (status == C2D_OK) status = make_some(session, pair, pairs, false);
+  if (status == C2D_OK) status = judge_columns(session, held);
   for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) status = write_rate(session, held, turn, k);
   return status;
 }
@@ -319,6 +334,23 @@ c2d_status count_held(c2d_solver* s) {
   for (int32_t i = 0; i < pairs; ++i) session.model.pair[pair[i]].made = -1;
   s->made = 0; // they are the first, and come to the same places
   return make_some(session, pair, pairs, true);
+}
+
+c2d_status remake_columns(c2d_solver* s) {
+  Session session;
+  open_session(s, session);
+  const Model& m = session.model;
+  const int32_t made = s->made;
+  c2d_status status = C2D_OK;
+  s->made = 0;
+  while (s->made < made && status == C2D_OK) {
+    int32_t next = 0;
+    while (next < m.head->pairs && m.pair[next].made != s->made) ++next;
+    if (next == m.head->pairs) return C2D_ERR_INTERNAL; // what a stranger has saved
+    m.pair[next].made = -1;
+    status = make_some(session, &next, 1, false); // and gets the number that it had
+  }
+  return status;
 }
 
 // ---- energies -----------------------------------------------------------------------------------------------------------

@@ -498,10 +498,11 @@ void weigh_pairs(const Model& m) {
 [[gnu::noinline]] c2d_status tell_contact(c2d_solver* s) {
   char what[240];
   Text text = text_in(what);
-  put_all(text, "the contact has ", s->model.contact,
-          " unknowns, more than c2d_limits.touching leaves room for, and cannot be on "
-          "demand: that takes compressed elimination, supports that hold every body, and no zone that is free, tied or on one "
-          "body");
+  put_all(
+      text, "the contact has ", s->model.contact,
+      " unknowns, more than c2d_limits.touching leaves room for, and cannot be on "
+      "demand: that takes compressed elimination, no zone that is free, tied or on one body, and stout bodies that supports "
+      "or the contact hold well");
   return fail(s, C2D_ERR_LIMIT, what);
 }
 

@@ -441,6 +441,7 @@ c2d_status take_up_form(c2d_solver* s, const Slots& slots, Piece& piece, const S
   bool again = false;
   c2d_status status = match_saved(s, &again);
   if (status == C2D_OK && again) status = read_image(s, slots, record, piece, true);
+  if (status == C2D_OK && again && is_on_demand(model_of(s))) status = kCompressedPart.remake_columns(s);
   if (status != C2D_OK) return status;
   s->options = options;
   s->factors = factors;
