@@ -64,13 +64,13 @@ c2d_status wake(Tableau& t, const ContactTape& tape, const Waking& w) {
   Real *const first = t_column(t, used), *const by = t.delayed.numbers; // the list is empty
   Form form;
   c2d_status status = read_form(tape, first, &form);
-  OpenColumns columns{first, 0, {}};
+  OpenColumns columns{tape, form, first, 0, {}};
   for (int32_t k = 0; k < w.count; ++k)
-    for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]); ++slot)
-      columns.dof[columns.count++] = t.pair[w.pair[k]].dof + slot;
-  if (status == C2D_OK) status = read_open_columns(tape, form, columns);
+    for (int slot = 0; slot <= last_slot(t, t.pair[w.pair[k]]) && status == C2D_OK; ++slot)
+      status = columns.take(t.pair[w.pair[k]].dof + slot);
+  if (status == C2D_OK) status = columns.finish();
   if (status != C2D_OK) return status;
-  for (int32_t j = 0; j < columns.count; ++j) take_apart(t, form, t_column(t, used + j), by + static_cast<int64_t>(j) * used);
+  for (int32_t j = 0; j < w.columns; ++j) take_apart(t, form, t_column(t, used + j), by + static_cast<int64_t>(j) * used);
   if (used > 0) gemm_minus(t.engine, t.m, w.columns, used, t.t, t.m, by, used, first, t.m);
   for (int32_t k = 0; k < w.count; ++k) {
     t.column[w.pair[k]] = t.delayed.cols;

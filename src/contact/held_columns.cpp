@@ -90,7 +90,10 @@ bool holds_tangents(const Model& m, const Form& form) {
   return false;
 }
 
-c2d_status read_open_columns(const ContactTape& tape, const Form& form, const OpenColumns& columns) {
+namespace {
+
+c2d_status read_all(const OpenColumns& columns) {
+  const ContactTape& tape = columns.tape;
   const Model& m = *tape.model;
   const bool demand = is_on_demand(m);
   c2d_status status = C2D_OK;
@@ -100,11 +103,20 @@ c2d_status read_open_columns(const ContactTape& tape, const Form& form, const Op
     status = demand ? read_compliance(tape, pair, columns.dof[j] - pair.dof, to)
                     : read_column(tape, ContactMatrix::stiffness, columns.dof[j], to);
   }
-  if (!demand || form.count == 0 || status != C2D_OK) return status;
-  Holding h{tape, form, columns, m.head->contact, {}};
+  if (!demand || columns.form.count == 0 || status != C2D_OK) return status;
+  Holding h{tape, columns.form, columns, m.head->contact, {}};
   status = read_rows_of_g(h);
   if (status == C2D_OK) status = balance(h);
   return status == C2D_OK ? move(h) : status;
+}
+
+} // namespace
+
+c2d_status OpenColumns::finish() {
+  const c2d_status status = read_all(*this);
+  first += static_cast<int64_t>(tape.model->head->contact) * count;
+  count = 0;
+  return status;
 }
 
 } // namespace c2d

@@ -6,13 +6,20 @@
 
 namespace c2d {
 
+// Columns of these slots, one behind the other from `first` on; some are read together. Errors: the block store's.
 struct OpenColumns {
-  Real* first; // [m * count]
+  const ContactTape& tape;
+  const Form& form;
+  Real* first; // of those still to be read, [m] each
   int32_t count;
   int32_t dof[kMostDelayed];
+
+  c2d_status take(int32_t slot) {
+    dof[count++] = slot;
+    return count < kMostDelayed ? c2d_status{C2D_OK} : finish();
+  }
+  c2d_status finish(); // after the last
 };
-// Errors: the block store's.
-c2d_status read_open_columns(const ContactTape& tape, const Form& form, const OpenColumns& columns);
 // Do tangents hold motions?
 bool holds_tangents(const Model& m, const Form& form);
 // The column on the tape, of those made on demand, of a slot that holds a motion.

@@ -318,17 +318,12 @@ c2d_status need_awake(const Tableau& t, const ContactTape& tape) {
 
 // Columns of the pairs that are awake, which stand one after another.
 c2d_status load_open_columns(const Tableau& t, const ContactTape& tape, const Form& form) {
-  OpenColumns columns{t.t, 0, {}};
+  OpenColumns columns{tape, form, t.t, 0, {}};
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < t.pairs; ++i)
-    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && !is_asleep(t, i) && status == C2D_OK; ++slot) {
-      columns.dof[columns.count++] = t.pair[i].dof + slot;
-      if (columns.count < kMostDelayed) continue;
-      status = read_open_columns(tape, form, columns);
-      columns.first += static_cast<int64_t>(t.m) * columns.count;
-      columns.count = 0;
-    }
-  return status == C2D_OK ? read_open_columns(tape, form, columns) : status;
+    for (int slot = 0; slot <= last_slot(t, t.pair[i]) && !is_asleep(t, i) && status == C2D_OK; ++slot)
+      status = columns.take(t.pair[i].dof + slot);
+  return status == C2D_OK ? columns.finish() : status;
 }
 
 c2d_status load_start(Tableau& t, const ContactTape& tape) {
