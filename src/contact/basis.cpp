@@ -49,7 +49,7 @@ double local_compliance(const Model& m, int32_t index, int slot, const Real* col
 
 // Measured on columns up to 200 times as high as wide, pressures lose 4e-16 times this ratio; on layers up to 60 times as long
 // as thick that lie on all their length, 3e-14 to 4e-13 times. It is 4 to 350 for stout bodies, however unequal their elements.
-bool bends_too_much(const Model& m, int32_t pair, int slot, const Real* column, double most) {
+bool loses_digits(const Model& m, int32_t pair, int slot, const Real* column, double most) {
   constexpr double kBendsTooMuch = sizeof(Real) == 8 ? 1e3 : 1e2;
   return !(most <= kBendsTooMuch * local_compliance(m, pair, slot, column));
 }

@@ -34,6 +34,6 @@ inline bool has_open_form(const Model& m) {
 // is taken off: own motion and a line through others may be the same by chance.
 double local_compliance(const Model& m, int32_t pair, int slot, const Real* column);
 // Bends a body, or shifts, so much more than that, by the largest number of the column, that digits are lost?
-bool bends_too_much(const Model& m, int32_t pair, int slot, const Real* column, double most);
+bool loses_digits(const Model& m, int32_t pair, int slot, const Real* column, double most);
 
 } // namespace c2d

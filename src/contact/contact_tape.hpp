@@ -27,9 +27,10 @@ enum class ContactMatrix : int32_t {
               // there is room for, of pairs in the order in which they were made (Pair::made)
   closing,    // h: per load case, of m
   stiffness,  // T: m columns of m, the tableau for what is basic (contact/basis.hpp), most often with every pair sticking; on
-              // demand, where that is A, displacements on side 0 of all pairs, a column for each of A
+              // demand displacements on side 0 of all pairs, a column for each of A, with the motions that make the slots rest
+              // which hold them
   stiffness_load, // b: per load case, of m
-  resultants,     // G and R of all bodies, each orthonormal: a column of m for each motion
+  resultants, // G and R of all bodies, each orthonormal, on demand 1 or 0 in the slots that hold: a column of m for each motion
   motions,
   mix,         // what made G orthonormal: a column for each motion, a number for each motion
   border,      // C, orthonormal: a column of m for each of these motions

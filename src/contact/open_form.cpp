@@ -121,7 +121,7 @@ bool bends_too_much(const Reduction& r) {
       const int32_t dof = r.model.pair[i].dof + slot;
       if (slides(r, dof)) continue;
       const double most = static_cast<double>(largest(r.engine, static_cast<int32_t>(m), r.first + dof * m));
-      if (bends_too_much(r.model, i, slot, r.first + dof * m, most)) return true;
+      if (loses_digits(r.model, i, slot, r.first + dof * m, most)) return true;
     }
   return false;
 }

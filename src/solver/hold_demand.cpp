@@ -16,7 +16,7 @@ C2D_USES(RigidPart);
 namespace {
 
 // R with 1 in the slots that hold may have so much elsewhere, as in contact/open_form.cpp.
-constexpr double kMovesMost = 10, kWeighs = 1e-12;
+constexpr double kMovesMost = 10, kWeighsLeast = 1e-12;
 constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
 
 // A few columns of numbers combined, side by side: kMostHeld to each.
@@ -176,7 +176,7 @@ c2d_status find_turn(const Session& session, BodyMatrix matrix, const int32_t* s
     int32_t column = k;
     for (int32_t j = k; j < count; ++j)
       if (fabs(row[j]) > fabs(row[column])) column = j;
-    if (!(fabs(row[column]) > kWeighs * most)) return C2D_ERR_SINGULAR;
+    if (!(fabs(row[column]) > kWeighsLeast * most)) return C2D_ERR_SINGULAR;
     clear_row(out, k, column, row);
   }
   return C2D_OK;
@@ -271,7 +271,7 @@ c2d_status judge_columns(const Session& session, const HeldSlots& held) {
     const c2d_status status = view_column(session.tape, ContactMatrix::compliance, held_column(m, held.slot[k]), &a);
     if (status != C2D_OK) return status;
     const int32_t pair = pair_of_slot(m, held.slot[k]);
-    if (bends_too_much(m, pair, held.slot[k] - m.pair[pair].dof, a, largest_in(session, a))) return C2D_ERR_LIMIT;
+    if (loses_digits(m, pair, held.slot[k] - m.pair[pair].dof, a, largest_in(session, a))) return C2D_ERR_LIMIT;
   }
   return C2D_OK;
 }

@@ -24,14 +24,14 @@ C2D_USES(EnergyPart);
 
 namespace {
 
-// The work of a traction at an end of an element, component c, on a motion, over the integral of its magnitude.
+// The work of a traction at an end of an element, component c, on a motion, over the traction's integral.
 double work_of_reaction(const Model& m, int b, int32_t end, int c, const double motion[3]) {
   const double unit = m.head->length_unit, *centre = m.body[b].centre;
   EndResultant weight[kElementNodes];
   end_resultants(m, b, end / m.head->function_nodes, Measure::own_length, weight);
   const EndResultant& w = weight[end % m.head->function_nodes];
   const double arm = c == 0 ? -(w.wy - centre[1] / unit * w.w) : w.wx - centre[0] / unit * w.w;
-  return fabs(motion[c] * w.w + motion[2] * arm) / fabs(w.w);
+  return w.w != 0.0 ? fabs((motion[c] * w.w + motion[2] * arm) / w.w) : 0.0; // (between double nodes there is none)
 }
 
 // Does no reaction of an elastic body do work on its free motions? Then what its tractions balance is known (motions_held):

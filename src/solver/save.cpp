@@ -257,7 +257,7 @@ bool are_possible_columns(c2d_solver* s, const Model& m) {
   Session session;
   open_session(s, session);
   const Tableau& t = session.tableau;
-  const bool none_used = s->floating != 0 || is_let_go(t); // none sleeps, and no pair's column is looked at
+  const bool none_used = !kSmallCode && (s->floating != 0 || is_let_go(t)); // none sleeps, and no pair's column is looked at
   int64_t columns = s->awake;
   for (int32_t i = 0; i < t.pairs && delays(t); ++i) {
     const int32_t own = 1 + last_slot(t, m.pair[i]);
