@@ -18,6 +18,7 @@
 namespace c2d {
 
 // The model that a state belongs to is there already, with its parts; its energies may be those of another program.
+C2D_USES(CompressedPart);
 C2D_USES(EnergyPart);
 
 namespace {
