@@ -496,7 +496,7 @@ typedef struct c2d_summary {
   int32_t point_loads, point_sets, curves, run_step; /* the first three: how many the model holds    */
   int32_t compressed_bodies, reserved; /* how many bodies are eliminated compressed                 */
   double compression_residual, compression_error; /* of 32 nodes' equations, over their largest term, where bodies' results were
-                                     asked for; what a step of refinement would change by it, over displacements */
+                                     asked for; what a step of refinement would change by it, of displacements or tractions */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* zeros for what is not known yet */
 

@@ -9,7 +9,7 @@
 
 namespace c2d {
 
-constexpr double kCompressedTolerance = sizeof(Real) == sizeof(double) ? 1e-13 : 1e-6; // of what a cell leaves out
+constexpr double kCompressedTolerance = sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6; // of what a cell leaves out
 constexpr int32_t kProxies = sizeof(Real) == sizeof(double) ? 88 : 44;                 // points on the circle round a cell
 constexpr double kProxyRadius = 2.0;                                                   // over that of the cell
 constexpr int32_t kChunk = 64; // columns, or nodes, that are looked at together

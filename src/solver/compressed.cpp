@@ -4,6 +4,7 @@
 
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
+#include "contact/body_unknowns.hpp"
 #include "memory/hostile.hpp"
 #include "model/validate_finding.hpp"
 #include "solver/far_cells.hpp"
@@ -148,30 +149,94 @@ c2d_status compress(const EliminationPlan& border, const ColumnSystem& system, c
 
 namespace {
 
-// Sum over the displacements among the unknowns x of a body.
-double squares_of_displacements(const Model& m, int b, const Real* x) {
-  double sum = 0.0;
+// visit(kind, value) for what the unknowns x of a body say of its nodes, component by component.
+template <class Visit> void visit_unknowns(const Model& m, int b, const Real* x, Visit visit) {
   for (int32_t node = 0; node < m.body[b].nodes; ++node) {
     Unknown unknown[2];
     unknowns_at(m, b, node, unknown);
-    for (int c = 0; c < 2; ++c) {
-      if (unknown[c].kind != UnknownKind::displacement) continue;
-      const double u = static_cast<double>(x[outer_column(m, b, node, c)]);
-      sum += u * u;
-    }
+    for (int c = 0; c < 2; ++c)
+      if (unknown[c].kind != UnknownKind::contact && unknown[c].kind != UnknownKind::none)
+        visit(unknown[c].kind, static_cast<double>(x[outer_column(m, b, node, c)]));
   }
+}
+
+// Sum over the displacements among them.
+double squares_of_displacements(const Model& m, int b, const Real* x) {
+  double sum = 0.0;
+  visit_unknowns(m, b, x, [&](UnknownKind kind, double u) { sum += kind == UnknownKind::displacement ? u * u : 0.0; });
   return sum;
 }
 
-void warn_of_error(c2d_solver* s, const Model& m, int b) {
+// The largest traction among them, of supports, stress unit.
+double largest_reaction(const Model& m, int b, const Real* x) {
+  double most = 0.0;
+  visit_unknowns(m, b, x, [&](UnknownKind kind, double t) {
+    if (kind != UnknownKind::displacement) most = fmax(most, fabs(t));
+  });
+  return most * 2.0 * shear_modulus(m, b) / m.head->stress_unit;
+}
+
+// The largest that is given, and of the contact.
+double largest_given(const Session& session, int b) {
+  const Model& m = session.model;
+  double most = 0.0;
+  for (int32_t end = 0; end < m.body[b].elements * m.head->function_nodes; ++end)
+    for (int c = 0; c < 2; ++c) {
+      double t = 0.0;
+      for (int32_t k = 0; k < m.head->load_cases; ++k) t += session.follower.load[k] * given_traction(m, b, end, c, k);
+      most = fmax(most, fabs(t));
+    }
+  return most / m.head->stress_unit;
+}
+double largest_in_contact(const Session& session) {
+  double most = 0.0;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    const PairState now = pair_state(*session.follower.t, i, session.follower.y);
+    most = fmax(most, fmax(fabs(now.p), fabs(now.q)));
+  }
+  return most;
+}
+
+// The largest stiffness of a body's pairs against motions that they resist, each by itself while others rest.
+c2d_status stiffest_pair(const Session& session, int b, double* most) {
+  const Model& m = session.model;
+  *most = 0.0;
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
+    const Pair& pair = m.pair[at.pair];
+    const bool tied = is_tied(m, pair);
+    const int slots = tied || pair.status == C2D_STICK ? 1 + pair.tangential : (pair.status == C2D_OPEN ? 0 : 1);
+    for (int slot = 0; slot < slots; ++slot) {
+      Real own = pair.stiffness[slot];
+      if (tied) { // the tableau has no column of it
+        const c2d_status status = read_column(session.tape, ContactMatrix::stiffness, pair.dof + slot, session.area.column);
+        if (status != C2D_OK) return status;
+        own = session.area.column[pair.dof + slot];
+      }
+      *most = fmax(*most, fabs(static_cast<double>(own)));
+    }
+  }
+  return C2D_OK;
+}
+
+// What noise of 1 in a body's equations, in the mean square, makes of its displacements, all together, and of tractions of its
+// supports; of tractions of its contact.
+struct Growth {
+  double displacements, reactions, contact;
+};
+constexpr double kOfMean = 12.0; // (METHOD 7.6)
+
+void warn_of_error(c2d_solver* s, const Model& m, int b, bool tractions) {
   Finding out(C2D_WARN_COMPRESSED, in_body(b));
   put_all(out.text, "body ", body_named(m, b), ": by what is left of its equations the compressed elimination may be wrong by ",
-          s->compression_error, " of the displacements, above ", kErrorLimit, "; the dense one would tell");
+          s->compression_error, tractions ? " of the tractions" : " of the displacements", ", above ", kErrorLimit,
+          "; the dense one would tell");
   report_fault(s, out.entry);
 }
 
+double over(double part, double all) { return all > 0.0 ? part / all : 0.0; }
+
 // How far off is area.outer? One step of refinement would change it by what the inverse makes of the remainder.
-c2d_status note_remainder(Session& session, int b, double growth) {
+c2d_status note_remainder(Session& session, int b, const Growth& growth) {
   c2d_solver* s = session.solver;
   const Model& m = session.model;
   const PathArea& area = session.area;
@@ -183,11 +248,13 @@ c2d_status note_remainder(Session& session, int b, double growth) {
   const c2d_status status = check_compressed(plan_around(m, b, plan_of(s, b)), system, s->tapes, area.coefficient, area.outer,
                                              work + round_up(kAssemblyBytes), &left);
   if (status != C2D_OK) return status;
-  const double size = sqrt(squares_of_displacements(m, b, area.outer));
-  const double error = size > 0.0 ? left.mean * growth / size : 0.0, before = s->compression_error;
+  const double largest = fmax(largest_reaction(m, b, area.outer), fmax(largest_given(session, b), largest_in_contact(session)));
+  const double of_displacements = over(left.mean * growth.displacements, sqrt(squares_of_displacements(m, b, area.outer)));
+  const double of_tractions = over(left.mean * fmax(growth.reactions, kOfMean * growth.contact), largest);
+  const double error = fmax(of_displacements, of_tractions), before = s->compression_error;
   s->compression_residual = fmax(s->compression_residual, left.relative);
   s->compression_error = fmax(before, error);
-  if (before <= kErrorLimit && error > kErrorLimit) warn_of_error(s, m, b);
+  if (before <= kErrorLimit && error > kErrorLimit) warn_of_error(s, m, b, of_tractions > of_displacements);
   return C2D_OK;
 }
 
@@ -204,8 +271,10 @@ c2d_status compression_growth(Session& session, int b, double* growth) {
 c2d_status solve_compressed(Session& session, int b) {
   c2d_solver* s = session.solver;
   const PathArea& area = session.area;
-  double growth = 0.0;
-  c2d_status status = compression_growth(session, b, &growth);
+  Growth growth = {0.0, 0.0, 0.0};
+  c2d_status status = compression_growth(session, b, &growth.displacements);
+  if (status == C2D_OK) growth.reactions = largest_reaction(session.model, b, area.outer);
+  if (status == C2D_OK) status = stiffest_pair(session, b, &growth.contact);
   const CompressedPlan plan = plan_around(session.model, b, plan_of(s, b));
   if (status == C2D_OK && plan.keeps != 0)
     status = solve_on_demand(session, b, plan, area.coefficient);
