@@ -59,7 +59,7 @@ void silence_round_off(Follower& f, const Pair& pair, const PathScales& s) {
 }
 
 Event nearest_event(Follower& f, double rest) {
-  const PathScales s = decision_scales(f);
+  const PathScales s = same_scales(f);
   Event best{rest, -1, 0, 0};
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     silence_round_off(f, f.t->pair[i], s);
@@ -179,6 +179,7 @@ void set_status(Follower& f, int32_t index, int32_t status, int32_t sign) {
   pair.sign = static_cast<int8_t>(sign);
   ++f.stats.changes;
   f.last_pair = index;
+  forget(f.kept);
 }
 
 void keep_pairs(Follower& f) {

@@ -29,6 +29,33 @@ struct Event {
   int32_t pair, status, sign; // the status next to its own; pair -1: none
 };
 
+// Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
+constexpr double kValueTolerance = 1e-11;
+constexpr double kRateTolerance = 1e-9;
+constexpr double kMixedNoise = 1e-12; // of a pair's stiffness times a motion, against forces, and the other way round
+
+// Magnitudes against which round-off is judged; derived from values and rates, never from units.
+struct PathScales {
+  double p, w, dp, dw;
+  double mixed = kMixedNoise; // where no pair has a force, kRateTolerance: rates of forces may be all round-off
+};
+
+// Those of y, dy and the statuses as they are, for whoever asks next; not on a small stack.
+template <bool small> struct KeptScales {
+  PathScales scales;
+  bool valid = false;
+};
+template <> struct KeptScales<true> {};
+inline void keep(KeptScales<true>&, const PathScales&) {}
+inline void keep(KeptScales<false>& kept, const PathScales& scales) { kept = {scales, true}; }
+inline void forget(KeptScales<true>&) {}
+inline void forget(KeptScales<false>& kept) { kept.valid = false; }
+inline bool recall(const KeptScales<true>&, PathScales&) { return false; }
+inline bool recall(const KeptScales<false>& kept, PathScales& scales) {
+  if (kept.valid) scales = kept.scales;
+  return kept.valid;
+}
+
 struct Follower {
   Tableau* t;
   const ContactTape* tape;
@@ -41,8 +68,9 @@ struct Follower {
   double pressure_scale; // largest pressure or friction seen on this path, stress unit
   const Model* model;
   RateArea rate_area;
-  Event bound;           // the event that led here, until statuses are settled
-  bool idle;             // the body that the contact has to hold has no force there (contact/let_go.hpp)
+  Event bound; // the event that led here, until statuses are settled
+  bool idle;   // the body that the contact has to hold has no force there (contact/let_go.hpp)
+  KeptScales<kSmallCode> kept;
   bool goes_on;          // this piece of the path goes on in the direction of the one before
   bool more_solutions;   // there may be more there;
   bool range;            // they are a range of places of the body, which no force tells apart;
@@ -53,17 +81,6 @@ struct Follower {
   PathStats stats;
   int32_t last_pair; // the pair last changed, or that could not be
   int32_t moving;    // the body that moves most where limit analysis found no equilibrium; -1: none
-};
-
-// Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
-constexpr double kValueTolerance = 1e-11;
-constexpr double kRateTolerance = 1e-9;
-constexpr double kMixedNoise = 1e-12; // of a pair's stiffness times a motion, against forces, and the other way round
-
-// Magnitudes against which round-off is judged; derived from values and rates, never from units.
-struct PathScales {
-  double p, w, dp, dw;
-  double mixed = kMixedNoise; // where no pair has a force, kRateTolerance: rates of forces may be all round-off
 };
 
 // Rates of a pair's forces and motions up to these are none: round-off of the largest, and of what the pair's own stiffness
@@ -80,6 +97,8 @@ PathScales path_scales(const Follower& f);
 // The largest on this path so far: kValueTolerance of them is round-off. Where the body is idle (f.idle) all its pressures are:
 // the scale of pressures is then so much larger that none of them counts.
 PathScales decision_scales(Follower& f);
+// The same where nothing but asking has come between.
+PathScales same_scales(Follower& f);
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.
 bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, double at);
 

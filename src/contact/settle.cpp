@@ -207,8 +207,9 @@ NoRate no_rate(const Pair& pair, const PathScales& s) {
           kRateTolerance * s.dw + (pair.stiffness[0] > 0.0 ? kMixedNoise * s.dp / pair.stiffness[0] : 0.0)};
 }
 
-PathScales decision_scales(Follower& f) {
-  PathScales s = path_scales(f);
+namespace {
+
+PathScales judged_by(Follower& f, PathScales s) {
   s.p = f.pressure_scale = larger(s.p, f.pressure_scale);
   s.w = f.gap_scale = larger(s.w, f.gap_scale);
   if (f.idle) { // no pressure counts
@@ -218,7 +219,21 @@ PathScales decision_scales(Follower& f) {
   return s;
 }
 
+} // namespace
+
+PathScales decision_scales(Follower& f) {
+  const PathScales s = path_scales(f);
+  keep(f.kept, s);
+  return judged_by(f, s);
+}
+
+PathScales same_scales(Follower& f) {
+  PathScales s;
+  return recall(f.kept, s) ? judged_by(f, s) : decision_scales(f);
+}
+
 void refresh(Follower& f) {
+  forget(f.kept);
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);
   if (f.t->guided == 0) return;

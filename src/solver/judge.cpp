@@ -541,6 +541,7 @@ c2d_status return_to_good(Session& session) {
   if (status != C2D_ERR_SINGULAR) return status;
   copy(f.y, session.area.good, s->model.contact);
   for (int32_t i = 0; i < s->model.contact; ++i) f.dy[i] = 0;
+  forget(f.kept);
   s->unsound = 1;
   return status;
 }
