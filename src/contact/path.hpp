@@ -59,18 +59,18 @@ inline bool recall(const KeptScales<false>& kept, PathScales& scales) {
 struct Follower {
   Tableau* t;
   const ContactTape* tape;
-  double* load;          // [cases] factors reached
-  double* direction;     // [cases] target - load at the start of this piece
-  double* origin;        // [cases] load at the start of this piece
-  Real* y;               // [m] values at `load`
-  Real* dy;              // [m] rates along `direction`
-  double gap_scale;      // largest initial gap or displacement seen, length unit
-  double pressure_scale; // largest pressure or friction seen on this path, stress unit
+  double* load;                // [cases] factors reached
+  double* direction;           // [cases] target - load at the start of this piece
+  double* origin;              // [cases] load at the start of this piece
+  Real* y;                     // [m] values at `load`
+  Real* dy;                    // [m] rates along `direction`
+  KeptScales<kSmallCode> kept; // (of small code in what pointers leave before the next number)
+  double gap_scale;            // largest initial gap or displacement seen, length unit
+  double pressure_scale;       // largest pressure or friction seen on this path, stress unit
   const Model* model;
   RateArea rate_area;
-  Event bound; // the event that led here, until statuses are settled
-  bool idle;   // the body that the contact has to hold has no force there (contact/let_go.hpp)
-  KeptScales<kSmallCode> kept;
+  Event bound;           // the event that led here, until statuses are settled
+  bool idle;             // the body that the contact has to hold has no force there (contact/let_go.hpp)
   bool goes_on;          // this piece of the path goes on in the direction of the one before
   bool more_solutions;   // there may be more there;
   bool range;            // they are a range of places of the body, which no force tells apart;
