@@ -224,6 +224,35 @@ inline Points rectangle(double x, double y, double w, double h, int along_x, int
   return p;
 }
 
+// A plate of which one or two lines of symmetry cut a half or a quarter off, and a hole that they cut; 117 or 104 elements,
+// each cut in `n`. Pulled where nothing else is said.
+inline ModelData cut_by_symmetry(int lines, int32_t functions, int n, double traction) {
+  ModelData d(functions);
+  d.head.images = 1;
+  // Counter-clockwise: below, right, above, and down the left with a bite in the middle.
+  Points p;
+  line_to(p, lines == 2 ? 0.5 : 0, 0, 3, 0, 30 * n);
+  line_to(p, 3, 0, 3, 2, 20 * n);
+  line_to(p, 3, 2, 0, 2, 30 * n);
+  line_to(p, 0, 2, 0, lines == 2 ? 0.5 : 1.5, 10 * n);
+  if (lines == 1) {
+    arc_to(p, 0, 1, 0.5, 90, -90, 21 * n);
+    line_to(p, 0, 0.5, 0, 0, 6 * n);
+  } else {
+    arc_to(p, 0, 0, 0.5, 90, 0, 14 * n);
+  }
+  d.body(2, {p}, 1000, 0.3);
+  const int end = static_cast<int>(p.size()) / 2;
+  if (lines == 2) d.conditions(1, 1, 1, 30 * n, functions, "0110");
+  d.conditions(1, 80 * n + 1, 1, 90 * n, functions, "1001");
+  if (lines == 1) d.conditions(1, 111 * n + 1, 1, end, functions, "1001");
+  if (lines == 1) d.conditions(1, 40 * n, 1, 44 * n, functions, "0110");
+  const size_t step = static_cast<size_t>(n);
+  for (size_t i = 0; i < d.end_traction[0].size(); i += 2)
+    d.end_traction[0][i] = i / 2 % (50 * step) < 9 * step ? traction : 0.0;
+  return d;
+}
+
 // Hertz's problem of the thesis: cylinder (body 2) on a foundation, half of it, symmetry at x = 0.
 inline ModelData hertz() {
   ModelData d(2);

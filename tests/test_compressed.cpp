@@ -487,28 +487,7 @@ TEST_CASE("compressed: one and two lines of symmetry by images, with a hole that
     for (int32_t functions = 1; functions <= 3; ++functions) {
       CAPTURE(lines);
       CAPTURE(functions);
-      ModelData d(functions);
-      d.head.images = 1;
-      // Counter-clockwise: below, right, above, and down the left with a bite in the middle.
-      Points p;
-      line_to(p, lines == 2 ? 0.5 : 0, 0, 3, 0, 30);
-      line_to(p, 3, 0, 3, 2, 20);
-      line_to(p, 3, 2, 0, 2, 30);
-      line_to(p, 0, 2, 0, lines == 2 ? 0.5 : 1.5, 10);
-      const int arc = lines == 2 ? 14 : 21;
-      if (lines == 1) {
-        arc_to(p, 0, 1, 0.5, 90, -90, arc);
-        line_to(p, 0, 0.5, 0, 0, 6);
-      } else {
-        arc_to(p, 0, 0, 0.5, 90, 0, arc);
-      }
-      d.body(2, {p}, 1000, 0.3);
-      const int end = static_cast<int>(p.size()) / 2;
-      if (lines == 2) d.conditions(1, 1, 1, 30, functions, "0110");
-      d.conditions(1, 81, 1, 90, functions, "1001");
-      if (lines == 1) d.conditions(1, 112, 1, end, functions, "1001");
-      if (lines == 1) d.conditions(1, 40, 1, 44, functions, "0110");
-      for (size_t i = 0; i < d.end_traction[0].size(); i += 2) d.end_traction[0][i] = i / 2 % 50 < 9 ? 0.3 : 0.0;
+      ModelData d = cut_by_symmetry(lines, functions, 1, 0.3);
       check_agreement(d, 140, 8, kNear);
     }
 }

@@ -133,27 +133,7 @@ TEST_CASE("far sums: one and two lines of symmetry by images, with a hole that t
     for (int32_t functions = 1; functions <= 3; ++functions) {
       CAPTURE(lines);
       CAPTURE(functions);
-      ModelData d(functions);
-      d.head.images = 1;
-      Points p;
-      line_to(p, lines == 2 ? 0.5 : 0, 0, 3, 0, 120);
-      line_to(p, 3, 0, 3, 2, 80);
-      line_to(p, 3, 2, 0, 2, 120);
-      line_to(p, 0, 2, 0, lines == 2 ? 0.5 : 1.5, 40);
-      const int arc = lines == 2 ? 54 : 81;
-      if (lines == 1) {
-        arc_to(p, 0, 1, 0.5, 90, -90, arc);
-        line_to(p, 0, 0.5, 0, 0, 24);
-      } else {
-        arc_to(p, 0, 0, 0.5, 90, 0, arc);
-      }
-      d.body(2, {p}, 1000, 0.3);
-      const int end = static_cast<int>(p.size()) / 2;
-      if (lines == 2) d.conditions(1, 1, 1, 120, functions, "0110");
-      d.conditions(1, 321, 1, 360, functions, "1001");
-      if (lines == 1) d.conditions(1, 360 + arc + 1, 1, end, functions, "1001");
-      if (lines == 1) d.conditions(1, 160, 1, 176, functions, "0110");
-      for (size_t i = 0; i < d.end_traction[0].size(); i += 2) d.end_traction[0][i] = i / 2 % 200 < 36 ? 300.0 : 0.0;
+      ModelData d = cut_by_symmetry(lines, functions, 4, 300);
       check(d);
     }
 }

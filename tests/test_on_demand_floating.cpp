@@ -317,49 +317,11 @@ TEST_CASE("on demand: a state without friction is taken up when friction has bee
 }
 
 TEST_CASE("on demand: a store that fails at any operation with a floating block" * doctest::skip(c2d::kSmallCode)) {
-  size_t operations = 0, begun = 0;
-  {
-    Host whole(little());
-    REQUIRE(whole.begin() == C2D_OK);
-    begun = whole.own.done.size();
-    REQUIRE(whole.go(1) == C2D_OK);
-    whole.results();
-    operations = whole.own.done.size();
-  }
-  REQUIRE(operations > begun + 100);
-  for (size_t n = begun / 2; n < operations; n += 1 + (n < begun ? begun / 60 : (operations - begun) / 40)) {
-    CAPTURE(n);
-    Host host(little());
-    host.own.before = [n](const runs::RamStore::Operation&, size_t i) { return i == n ? 5 : 0; };
-    c2d_status status = host.begin();
-    if (status == C2D_OK) status = host.go(1);
-    double one = 0;
-    if (status == C2D_OK) status = c2d_get(host.solver(), C2D_TN, 0, 1, 1, &one, 1);
-    if (host.own.done.size() <= n) continue;
-    CHECK(status >= C2D_ERR_STORE_OPEN);
-    CHECK(status <= C2D_ERR_STORE_SYNC);
-    CHECK(c2d_get_state(host.solver()) == C2D_STATE_BROKEN);
-  }
+  check_failing_store(little(), 30);
 }
 
 TEST_CASE("on demand: cancelled at any chance a floating block goes on to the same bits" * doctest::skip(c2d::kSmallCode)) {
-  Host whole(little());
-  REQUIRE(whole.begin() == C2D_OK);
-  REQUIRE(whole.go(1) == C2D_OK);
-  const std::vector<double> expected = whole.results();
-  int cancelled = 0;
-  for (int64_t chance : {0, 1, 2, 5, 9, 20, 33, 60, 100}) {
-    CAPTURE(chance);
-    Host host(little());
-    host.chances = chance;
-    c2d_status status = host.begin();
-    for (; status == C2D_ERR_CANCELLED; status = host.begin()) ++cancelled;
-    REQUIRE(status == C2D_OK);
-    for (status = host.go(1); status == C2D_ERR_CANCELLED; status = host.go(1)) ++cancelled;
-    REQUIRE(status == C2D_OK);
-    CHECK(host.results() == expected);
-  }
-  CHECK(cancelled > 4);
+  check_cancelled(little());
 }
 
 TEST_CASE("on demand: slender floating blocks as with the whole contact system, and those that bend too much refused" *

@@ -47,6 +47,18 @@ double local_compliance(const Model& m, int32_t index, int slot, const Real* col
   return fabs(moves(place) - (moves(place - 1) + moves(place + 1)) / 2);
 }
 
+int32_t pair_of_slot(const Model& m, int32_t dof) {
+  int32_t first = 0, last = m.head->pairs - 1;
+  while (first < last) {
+    const int32_t middle = last - (last - first) / 2;
+    if (m.pair[middle].dof <= dof)
+      first = middle;
+    else
+      last = middle - 1;
+  }
+  return first;
+}
+
 // Measured on columns up to 200 times as high as wide, pressures lose 4e-16 times this ratio; on layers up to 60 times as long
 // as thick that lie on all their length, 3e-14 to 4e-13 times. It is 4 to 350 for stout bodies, however unequal their elements.
 bool loses_digits(const Model& m, int32_t pair, int slot, const Real* column, double most) {

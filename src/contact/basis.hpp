@@ -33,6 +33,8 @@ inline bool has_open_form(const Model& m) {
 // column of A: what the surface does there, without what shifts, turns or bends it. At the ends of the zone only what shifts it
 // is taken off: own motion and a line through others may be the same by chance.
 double local_compliance(const Model& m, int32_t pair, int slot, const Real* column);
+// The pair of a contact unknown.
+int32_t pair_of_slot(const Model& m, int32_t dof);
 // Bends a body, or shifts, so much more than that, by the largest number of the column, that digits are lost?
 bool loses_digits(const Model& m, int32_t pair, int slot, const Real* column, double most);
 

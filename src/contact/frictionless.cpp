@@ -5,23 +5,6 @@
 
 namespace c2d {
 
-namespace {
-
-// The pair of a contact unknown.
-int32_t pair_of_slot(const Model& m, int32_t dof) {
-  int32_t first = 0, last = m.head->pairs - 1;
-  while (first < last) {
-    const int32_t middle = last - (last - first) / 2;
-    if (m.pair[middle].dof <= dof)
-      first = middle;
-    else
-      last = middle - 1;
-  }
-  return first;
-}
-
-} // namespace
-
 int32_t first_sliding_slot(const Model& m) {
   for (int32_t i = 0; i < m.head->path_pairs; ++i)
     if (m.pair[i].tangential != 0) return m.pair[i].dof + 1;

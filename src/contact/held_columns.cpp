@@ -4,17 +4,7 @@ namespace c2d {
 
 namespace {
 
-const Pair& pair_at(const Model& m, int32_t dof) {
-  int32_t first = 0, last = m.head->pairs - 1;
-  while (first < last) {
-    const int32_t middle = last - (last - first) / 2;
-    if (m.pair[middle].dof <= dof)
-      first = middle;
-    else
-      last = middle - 1;
-  }
-  return m.pair[first];
-}
+const Pair& pair_at(const Model& m, int32_t dof) { return m.pair[pair_of_slot(m, dof)]; }
 
 // Columns of A that become those of T.
 struct Holding {

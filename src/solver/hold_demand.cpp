@@ -215,12 +215,6 @@ c2d_status write_basis(const Session& session, const HeldSlots& held, bool slidi
 
 // ---- their columns and the rates of the loads ---------------------------------------------------------------------------
 
-int32_t pair_of_slot(const Model& m, int32_t slot) {
-  int32_t i = 0;
-  while (slot > m.pair[i].dof + m.pair[i].tangential) ++i;
-  return i;
-}
-
 // The pairs of the slots, each once; how many.
 int32_t list_pairs(const Model& m, const int32_t* slots, int32_t count, int32_t out[kMostHeld]) {
   int32_t listed = 0;
