@@ -1,10 +1,10 @@
 // Sketches whose answers are known, solved by the loop over meshes: true errors beside stated ones.
 #pragma once
 
+#include "callable.hpp"
 #include "program/estimate/loop.hpp"
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,10 +19,10 @@ struct Known {
 
 struct Problem {
   std::string name;
-  std::string text;                                              // the sketch; its parameter `tolerance` is what is asked
-  std::vector<Known> known;                                      // of zone 1
-  std::function<std::array<double, 2>(double x)> tractions = {}; // tx and ty along the top of body 1, y = 0
-  double half_width = 0;                                         // of the contact, where they are not smooth
+  std::string text;                                               // the sketch; its parameter `tolerance` is what is asked
+  std::vector<Known> known;                                       // of zone 1
+  test::Callable<std::array<double, 2>(double x)> tractions = {}; // tx and ty along the top of body 1, y = 0
+  double half_width = 0;                                          // of the contact, where they are not smooth
 };
 
 // A number of the loop, with its true error.

@@ -1,23 +1,25 @@
-# make hostile: the library against the grain (src/memory/hostile.hpp), and the whole test suite in it, with panels of one
-# column and of three (HOSTILE_WIDTHS): one object file tells the width. Tests that cannot hold there are listed, with the reason,
-# in tests/hostile.txt. make hostile-blocks: of the suite those files that cross blocks.
+# make hostile: every test on a library under the worst legal conditions (src/memory/hostile.hpp), with panels of one column and of
+# three (HOSTILE_WIDTHS), which one object file sets. Tests that cannot hold there are listed, with the reason, in
+# tests/hostile.txt. make hostile-blocks: of `make test` those files that cross blocks. Included by the Makefile.
+#: make hostile, hostile-blocks     the tests on a library under the worst legal conditions (HOSTILE_WIDTHS=)
+#: make small                       the tests on small code, as boards have it
 .PHONY: hostile hostile-blocks
 HOSTILE_WIDTHS ?= 1 3
 BLOCK_TESTS := $(patsubst %,*test_%.cpp,elimination direct assembly memory store tapes ahead tasks persist model_sweep store_sweep \
   bodies holes body_force symmetry parts threads interior events)
 empty :=
-# $(1) width, $(2) files of tests, with commas, or nothing: all
+# $(1) width, $(2) test or test-all, $(3) files of tests, with commas, or nothing: all
 hostile_run = echo "hostile: panels of $(1) columns, least workspace, poisoned memory, assertions, failing store, late transfers"; \
   rm -f $(BUILD)/hostile/obj/tests_hostile_hostile_port.o; \
-  C2D_TESTS_NOT="tests/hostile.txt $$C2D_TESTS_NOT" C2D_TESTS_FILES='$(2)' $(MAKE) -s test BUILD=$(BUILD)/hostile TESTS_FROM=$(BUILD) \
+  C2D_TESTS_NOT="tests/hostile.txt $$C2D_TESTS_NOT" C2D_TESTS_FILES='$(3)' $(MAKE) -s $(2) BUILD=$(BUILD)/hostile TESTS_FROM=$(BUILD) \
     HOSTILE_WIDTH=$(1) CPPFLAGS='$(CPPFLAGS) -DC2D_HOSTILE=1'
-hostile: test-objects
-	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width) || exit 1; done
+hostile: all-test-objects
+	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,test-all) || exit 1; done
 hostile-blocks: test-objects
-	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,$(subst $(empty) $(empty),$(comma),$(BLOCK_TESTS))) || exit 1; done
+	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,test,$(subst $(empty) $(empty),$(comma),$(BLOCK_TESTS))) || exit 1; done
 # make small: the whole test suite in small code (src/memory/config.hpp), as firmware has it. tests/small.txt: what
 # cannot hold there.
 .PHONY: small
-small: test-objects
+small: all-test-objects
 	@echo "small: plain loops, no closed forms of integrals, one block at a time"
-	@C2D_TESTS_NOT="tests/small.txt $$C2D_TESTS_NOT" $(MAKE) -s test BUILD=$(BUILD)/small TESTS_FROM=$(BUILD) CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL'
+	@C2D_TESTS_NOT="tests/small.txt $$C2D_TESTS_NOT" $(MAKE) -s test-all BUILD=$(BUILD)/small TESTS_FROM=$(BUILD) CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL'

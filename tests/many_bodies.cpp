@@ -74,7 +74,7 @@ Body open_polygon(const std::vector<Corner>& corners, double youngs_modulus, dou
   return body;
 }
 
-void add_curve(Body& body, int32_t elements, const std::function<void(double, double&, double&)>& curve) {
+void add_curve(Body& body, int32_t elements, const test::Callable<void(double, double&, double&)>& curve) {
   const int32_t first = body.elements() + 1, points = elements * (body.element_nodes - 1);
   for (int32_t i = 0; i < points; ++i) {
     double x, y;
@@ -98,7 +98,7 @@ int32_t Model::add(const Body& body) {
 void Model::set(int32_t number, int32_t of, const End& end) {
   set(number, of, [&](double, double) { return end; });
 }
-void Model::set(int32_t number, int32_t of, const std::function<End(double, double)>& end) {
+void Model::set(int32_t number, int32_t of, const test::Callable<End(double, double)>& end) {
   const Range r = side(number, of);
   for (int32_t e = r.first; e <= r.last; ++e)
     for (int32_t l = 0; l < function_nodes; ++l) {

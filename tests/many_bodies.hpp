@@ -3,10 +3,10 @@
 // another order, sides of a zone swapped, reflected, turned, in other units), and solved through the C interface alone.
 // Bodies, elements, sides of polygons, zones and pairs of a zone are numbered from 1, like those of the calls.
 #include "c2d_memory.h"
+#include "callable.hpp"
 #include "contact2d.h"
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,7 +52,7 @@ Body rectangle(double x0, double y0, double x1, double y1, const std::array<int3
 Body open_polygon(const std::vector<Corner>& corners, double youngs_modulus = 1000, double poisson_ratio = 0.3);
 // One more closed region of these corners, or through the points of a closed curve, s from 0 to 1 (one side).
 void add_polygon(Body& body, const std::vector<Corner>& corners);
-void add_curve(Body& body, int32_t elements, const std::function<void(double s, double& x, double& y)>& curve);
+void add_curve(Body& body, int32_t elements, const test::Callable<void(double s, double& x, double& y)>& curve);
 
 struct Side {
   int32_t body, first, last; // of elements
@@ -99,7 +99,7 @@ struct Model {
   Range side(int32_t number, int32_t side) const { return body(number).sides[static_cast<size_t>(side - 1)]; }
   // The condition of all ends of a side of a body, or of each of them by its place.
   void set(int32_t number, int32_t side, const End& end);
-  void set(int32_t number, int32_t side, const std::function<End(double x, double y)>& end);
+  void set(int32_t number, int32_t side, const test::Callable<End(double x, double y)>& end);
   void set_second(int32_t number, int32_t side, const End& end); // in load case 2
   // A zone between whole sides: the elements of the first from first to last face those of the second from last to first.
   Platen& move(int32_t number, int32_t side); // by a platen
@@ -184,7 +184,7 @@ Model scaled(Model model, double length, double stress);
 // is the number there of zone i, and place maps a's points to b's. Energies and balance are compared as well.
 struct Mapping {
   std::vector<int32_t> zone; // empty: the same
-  std::function<void(double& x, double& y)> place;
+  test::Callable<void(double& x, double& y)> place;
   double tangential = 1, length = 1, stress = 1;
 };
 double difference(const Result& a, const Result& b, const Mapping& map = Mapping());

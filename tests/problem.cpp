@@ -296,7 +296,7 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
   return status;
 }
 
-using Feeder = std::function<c2d_status(c2d_solver*)>;
+using Feeder = test::Callable<c2d_status(c2d_solver*)>;
 
 Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep);
 
@@ -741,7 +741,7 @@ Problem with_geometry(const Problem& p, int32_t element_nodes) {
 }
 
 Problem cut_in_two(const Problem& p,
-                   const std::function<void(int body, const double* from, const double* to, double* middle)>& place) {
+                   const test::Callable<void(int body, const double* from, const double* to, double* middle)>& place) {
   Problem q = with_functions(p, 3); // conditions in the middle
   q.function_nodes = 2;
   for (size_t b = 0; b < p.bodies.size(); ++b) {
@@ -796,7 +796,7 @@ void add_polygon(Body& body, const std::vector<Corner>& corners) {
   add_region(body, elements);
 }
 
-void add_curve(Body& body, int32_t elements, const std::function<void(double, double&, double&)>& curve) {
+void add_curve(Body& body, int32_t elements, const test::Callable<void(double, double&, double&)>& curve) {
   const int32_t points = elements * (body.element_nodes - 1);
   for (int32_t i = 0; i < points; ++i) {
     double x, y;
@@ -845,7 +845,7 @@ double end_eta(int32_t function_nodes, int32_t l) { return function_nodes == 1 ?
 
 } // namespace
 
-void set_ends(Problem& p, int number, const std::function<void(double, double, double, double, End&)>& set) {
+void set_ends(Problem& p, int number, const test::Callable<void(double, double, double, double, End&)>& set) {
   Body& body = p.bodies[index(number - 1)];
   const int32_t f = p.function_nodes;
   body.ends.assign(index(p.elements(number) * f), End());

@@ -2,9 +2,9 @@
 // A model over plain vectors, on the test's side of the interface: read from a deck, made by hand or turned
 // into another one (scaled, rotated, reflected, renumbered, bodies exchanged), and solved through the C
 // interface alone. All numbers in here start at 1, like those of the cards.
+#include "callable.hpp"
 #include "host_structs.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -146,7 +146,7 @@ Problem with_functions(const Problem& p, int32_t function_nodes);
 Problem with_geometry(const Problem& p, int32_t element_nodes);
 // Every element of linear ones cut in two, between points that `place` moves to where they belong.
 Problem cut_in_two(const Problem& p,
-                   const std::function<void(int body, const double* from, const double* to, double* middle)>& place);
+                   const test::Callable<void(int body, const double* from, const double* to, double* middle)>& place);
 
 // ---- bodies by hand
 // ---------------------------------------------------------------------------------------------
@@ -157,9 +157,9 @@ struct Corner { // start of a straight side of `elements` equal elements
 // Add a closed curve to a body.
 void add_polygon(Body& body, const std::vector<Corner>& corners);
 // Add an element sequence through the points of a parametrised closed curve; s runs from 0 to 1.
-void add_curve(Body& body, int32_t elements, const std::function<void(double s, double& x, double& y)>& curve);
+void add_curve(Body& body, int32_t elements, const test::Callable<void(double s, double& x, double& y)>& curve);
 // Visit every end with its place and outward normal (size of `ends` is set).
-void set_ends(Problem& p, int body, const std::function<void(double x, double y, double nx, double ny, End&)>& set);
+void set_ends(Problem& p, int body, const test::Callable<void(double x, double y, double nx, double ny, End&)>& set);
 
 // ---- comparison
 // ------------------------------------------------------------------------------------------------- Largest

@@ -1,5 +1,6 @@
 #pragma once
 // The reduction of a solver that is prepared, called by hand.
+#include "callable.hpp"
 #include "contact/reduction.hpp"
 #include "linalg/kernel.hpp"
 #include "solver/solver.hpp"
@@ -7,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -35,7 +35,7 @@ struct ByHand {
   std::vector<int32_t> pivots;
   int64_t used = 0;
   int32_t step = 0;
-  std::function<c2d_status(int32_t step)> before = [](int32_t) { return c2d_status{C2D_OK}; };
+  test::Callable<c2d_status(int32_t step)> before = [](int32_t) { return c2d_status{C2D_OK}; };
   c2d::Reduction r;
 
   ByHand(c2d_solver* s, bool sliding, int64_t longer = 0)

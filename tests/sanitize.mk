@@ -1,10 +1,12 @@
-# make sanitize: the suite under the address and undefined-behaviour sanitizers, tests and all. make sanitize-library: library,
-# program and those tests alone that see the core's configuration or ask for sanitizers, as `make fuzz` has them, by clang++; the
-# other tests are those of `make test`.
+# make sanitize: every test under the address and undefined-behaviour sanitizers, tests and all. make sanitize-library: the tests of
+# `make test` on library and program as `make fuzz` has them, by clang++; of the tests those alone are compiled again that see the
+# core's configuration or ask for sanitizers. Included by the Makefile.
+#: make sanitize, sanitize-library  the tests under the address and undefined-behaviour sanitizers
+#: make sanitize-threads            what runs side by side under the thread sanitizer (THREADS_NOT=)
 .PHONY: sanitize sanitize-library sanitize-threads
 SANITIZE_FLAGS := -O1 -g1 -fsanitize=address,undefined
 sanitize:
-	+@$(MAKE) -s test BUILD=$(BUILD)/sanitize CXXFLAGS='$(SANITIZE_FLAGS) -fno-sanitize-recover=all' CFLAGS='$(SANITIZE_FLAGS)' \
+	+@$(MAKE) -s test-all BUILD=$(BUILD)/sanitize CXXFLAGS='$(SANITIZE_FLAGS) -fno-sanitize-recover=all' CFLAGS='$(SANITIZE_FLAGS)' \
 	  LDFLAGS='-fsanitize=address,undefined'
 sanitize-library: test-objects
 	+@$(FUZZ_MAKE) test TESTS_FROM=$(BUILD)

@@ -2,13 +2,13 @@
 // with, a solver in a workspace of its own, and every number it gives, to be compared bit by bit.
 #pragma once
 
+#include "callable.hpp"
 #include "contact2d.h"
 #include "host_structs.hpp"
 #include "paths.hpp"
 
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -64,9 +64,9 @@ struct RamStore {
   uint64_t blocks[C2D_TAPES] = {}, writes[C2D_TAPES] = {}, reads[C2D_TAPES] = {};
   uint64_t bytes_written[C2D_TAPES] = {}, bytes_read[C2D_TAPES] = {};
   std::vector<Operation> done;
-  std::function<int32_t(const Operation&, size_t n)> before;
-  std::function<void(const Operation&, size_t n, unsigned char* data)> after_read;
-  std::function<uint64_t(const Operation&, size_t n)> keep;
+  test::Callable<int32_t(const Operation&, size_t n)> before;
+  test::Callable<void(const Operation&, size_t n, unsigned char* data)> after_read;
+  test::Callable<uint64_t(const Operation&, size_t n)> keep;
 
   int32_t begin(const Operation& operation) {
     done.push_back(operation);

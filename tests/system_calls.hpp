@@ -1,9 +1,11 @@
 // Calls of the system that fail: what stands between, the linker puts there (Makefile).
 #pragma once
 
+#include "callable.hpp"
+
 #include <cstdint>
 #include <cstring>
-#include <functional>
+#include <utility>
 
 namespace test {
 
@@ -14,7 +16,7 @@ struct SystemCall {
 };
 // What becomes of a call: errno of one that fails (0: it fails and does not say why; of bytes it moves none), or one of these.
 enum { kDone = -1, kHalf = -2, kPretended = -3 }; // half of the bytes; all of them, and no memory is looked at
-using SystemJudge = std::function<int(const SystemCall&)>;
+using SystemJudge = test::Callable<int(const SystemCall&)>;
 
 // While it lives, each call of any thread is judged. One at a time.
 class SystemCalls {
@@ -30,7 +32,7 @@ bool can_judge_calls(); // can it be done here at all?
 constexpr int kNothing = 0;
 class System {
 public:
-  System(const char* name, std::function<int()> fate)
+  System(const char* name, test::Callable<int()> fate)
       : name_(name), fate_(std::move(fate)), all_([this](const SystemCall& call) {
           if (std::strcmp(call.name, name_) != 0) return static_cast<int>(kDone);
           ++calls_;
@@ -43,7 +45,7 @@ public:
 
 private:
   const char* name_;
-  std::function<int()> fate_;
+  test::Callable<int()> fate_;
   int calls_ = 0;
   SystemCalls all_;
 };

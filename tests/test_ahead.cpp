@@ -32,7 +32,7 @@ struct LateStore {
   RamStore ram;
   std::deque<Pending> pending;
   size_t starts = 0, waits = 0, most = 0, spoilt = 0, unknown = 0, refuse_at = SIZE_MAX;
-  std::function<void()> inside;
+  test::Callable<void()> inside;
 
   static LateStore& self(void* context) { return *static_cast<LateStore*>(context); }
   int32_t start(bool writes, int32_t tape, uint64_t block, unsigned char* data, uint64_t bytes, int32_t* ticket) {

@@ -19,7 +19,7 @@ constexpr double kPi = 3.14159265358979323846;
 struct State {
   double ux, uy, sxx, syy, sxy;
 };
-using Field = std::function<State(double x, double y)>;
+using Field = test::Callable<State(double x, double y)>;
 
 struct Elastic { // plane constants: exx = (sxx - nu syy)/e
   double e, nu;
@@ -48,7 +48,7 @@ Problem one_body(int32_t element_nodes, int32_t function_nodes, int32_t plane, d
 }
 
 // Conditions with the values of a field: `fixed` says which displacements are given.
-using Choice = std::function<bool(double nx, double ny, int component)>;
+using Choice = test::Callable<bool(double nx, double ny, int component)>;
 void give(Problem& p, const Field& field, const Choice& fixed) {
   set_ends(p, 1, [&](double x, double y, double nx, double ny, End& end) {
     const State s = field(x, y);

@@ -1,12 +1,12 @@
 // Calls with arguments at the ends of their ranges, and in the states at the ends of a solver's life: what is refused is told
 // by its name, what is legal has its effect. Two squares, one upon the other, made by calls.
+#include "callable.hpp"
 #include "interface/entry.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 
@@ -24,7 +24,7 @@ struct Squares {
   std::unique_ptr<Machine> machine;
   c2d_solver* s = nullptr;
 
-  explicit Squares(const std::function<void(host::Limits&)>& change = nullptr, bool stored = true) {
+  explicit Squares(const test::Callable<void(host::Limits&)>& change = nullptr, bool stored = true) {
     limits.function_nodes = 2;
     limits.zones = 2, limits.pairs = 4, limits.contact_elements = 2, limits.point_loads = 1;
     limits.coefficients = 2, limits.paths = 2, limits.load_cases = 1;

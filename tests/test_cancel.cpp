@@ -186,7 +186,7 @@ namespace {
 struct Named {
   const char* name;
   bool stops;
-  std::function<c2d_status(c2d_solver*)> make;
+  test::Callable<c2d_status(c2d_solver*)> make;
 };
 
 // Every call of a solver that follows its load, in an order that is legal from state prepared on.

@@ -1,6 +1,7 @@
 // Compressed elimination through the C interface and the program: the answers of the dense one, in known memory and on known
 // tapes, saved, moved, failing and cut off like those.
 #include "contact2d_memory.h"
+#include "effort.hpp"
 #include "many_bodies.hpp"
 #include "memory/config.hpp"
 #include "program/families/family.hpp"
@@ -661,7 +662,9 @@ TEST_CASE("compressed solver: whichever operation of the store fails, that is to
   const size_t operations = clean.store.done.size();
   REQUIRE(operations > 100);
   // The last ones are those of back substitution, and of what is left of the equations.
-  for (size_t n = 0; n < operations; n += n + 24 < operations ? std::min(1 + operations / 60, operations - 24 - n) : 1) {
+  const size_t sparse = test::effort<size_t>(6, 1);
+  for (size_t n = 0; n < operations;
+       n += n + 24 < operations ? std::min(sparse * (1 + operations / 60), operations - 24 - n) : sparse) {
     CAPTURE(n);
     Own own(limits, enough_for(limits));
     own.store.before = [n](const RamStore::Operation&, size_t i) { return i == n ? 7 : 0; };

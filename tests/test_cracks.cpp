@@ -43,7 +43,7 @@ Numbers joined(Numbers a, const Numbers& b) {
 }
 
 // One more side of a body, through the points of a curve at the elements' ends t.
-void add_side(Body& body, const Numbers& t, const std::function<std::array<double, 2>(double)>& curve) {
+void add_side(Body& body, const Numbers& t, const test::Callable<std::array<double, 2>(double)>& curve) {
   const int32_t first = body.sides.empty() ? 1 : body.sides.back().last + 1;
   for (size_t i = 0; i + 1 < t.size(); ++i)
     for (int k = 0; k + 1 < body.element_nodes; ++k) {
@@ -62,7 +62,7 @@ Part tied(const Numbers& x) { return {x, false, false, false}; }
 Part crack(const Numbers& x, bool tip_left = true, bool tip_right = true) { return {x, true, tip_left, tip_right}; }
 
 // What is outside the cut, from its right end to its left one above (sign 1) or from left to right below (-1).
-using Outside = std::function<void(Body& body, double sign)>;
+using Outside = test::Callable<void(Body& body, double sign)>;
 
 // Body 1 below the cut, body 2 above it; the outside is the first side of body 1 and the last of body 2.
 Model halves(const std::vector<Part>& cut, const Outside& outside, int32_t function_nodes, int32_t ties = C2D_ZONE_MATCHING) {
@@ -100,7 +100,7 @@ void hold(Model& m, int32_t element, const char* codes) {
 struct Stress {
   double xx, yy, xy;
 };
-using Field = std::function<Stress(double x, double y)>;
+using Field = test::Callable<Stress(double x, double y)>;
 End traction(const Stress& s, double nx, double ny) { return end_of(kPulled, s.xx * nx + s.xy * ny, s.xy * nx + s.yy * ny); }
 
 // The rectangle |x| < W, |y| < W under a field's tractions.
@@ -439,7 +439,7 @@ TEST_CASE("cracks: results do not depend on how the problem is told") {
   REQUIRE(std::fabs(s.at(1).K2) > 0.1);
   REQUIRE(s.at(-1).K1 == 0);
   REQUIRE(std::fabs(s.at(-1).K2) > 0.01);
-  const auto same = [&](const Model& other, double K1, double K2, const std::function<std::array<double, 2>(double)>& place) {
+  const auto same = [&](const Model& other, double K1, double K2, const test::Callable<std::array<double, 2>(double)>& place) {
     const Solved o = solved(other);
     REQUIRE(o.tips.size() == 2);
     for (const double x : {-1.0, 1.0}) {

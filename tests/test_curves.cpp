@@ -1,5 +1,6 @@
 // The surfaces that elements stand for (model/surface.hpp): closed forms, corners, kinks, jumps of curvature, convexity,
 // and what must not matter.
+#include "callable.hpp"
 #include "model/surface.hpp"
 #include "model_fixture.hpp"
 #include "problem.hpp"
@@ -7,7 +8,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <functional>
 #include <random>
 #include <stdexcept>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kOnce = 1; // load factor
 
-using Curve = std::function<void(double t, double& x, double& y)>;
+using Curve = test::Callable<void(double t, double& x, double& y)>;
 constexpr double kPi = 3.14159265358979323846;
 
 // A ring of points on a closed curve, unequally spaced, t from 0 to 1.
@@ -42,8 +42,8 @@ ModelData body_of_points(const Points& p, int element_nodes = 2) {
 struct Errors {
   double off = 0, turned = 0;
 };
-Errors errors_of(ModelData& d, int32_t first, int32_t last, const std::function<double(double, double)>& off,
-                 const std::function<void(double, double, double*)>& normal) {
+Errors errors_of(ModelData& d, int32_t first, int32_t last, const test::Callable<double(double, double)>& off,
+                 const test::Callable<void(double, double, double*)>& normal) {
   Errors worst;
   for (int32_t e = first; e <= last; ++e)
     for (int k = 0; k <= 20; ++k) {
@@ -88,7 +88,7 @@ TEST_CASE("curves: points on a circle give the circle, out of it and as a hole")
 
 TEST_CASE("curves: an ellipse and a parabola to the fourth order, normals to the third") {
   // At least this order from each mesh to the next, asymptotically: the rate over two halvings.
-  const auto check_orders = [](const char* name, const std::function<Errors(int)>& of) {
+  const auto check_orders = [](const char* name, const test::Callable<Errors(int)>& of) {
     Errors e[3];
     for (int i = 0; i < 3; ++i) e[i] = of(60 << i);
     CAPTURE(name);
@@ -510,7 +510,7 @@ TEST_CASE("curves: calls refuse what cannot be, and give back what they were tol
     REQUIRE(c2d_last_error(s, &last) == C2D_OK);
     CHECK_MESSAGE(std::strstr(last.text, part) != nullptr, last.text);
   };
-  const auto with = [&](const std::function<void(c2d_curve&)>& change) {
+  const auto with = [&](const test::Callable<void(c2d_curve&)>& change) {
     c2d_curve c = good;
     change(c);
     return c;

@@ -50,10 +50,10 @@ constexpr Board kBoards[] = {{"m3", "lm3s6965evb", "1e-9"}, {"m4f", "mps2-an386"
 
 const std::string kFolder = paths::build() + "/embedded/";
 
-// Images are built by C2D_ALL_HOSTS=1 make test (and make embedded); older ones tell nothing.
+// Images are built by C2D_ALL_HOSTS=1 make test-all (and make embedded); older ones tell nothing.
 bool skipped() {
   if (std::getenv("C2D_ALL_HOSTS") != nullptr) return false;
-  MESSAGE("skipped: Cortex-M boards (C2D_ALL_HOSTS=1 make test; needs arm-none-eabi-g++ and qemu-system-arm)");
+  MESSAGE("skipped: Cortex-M boards (C2D_ALL_HOSTS=1 make test-all; needs arm-none-eabi-g++ and qemu-system-arm)");
   return true;
 }
 

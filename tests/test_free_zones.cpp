@@ -582,7 +582,7 @@ TEST_CASE("free zones: elements of very different length, and surfaces that wobb
 }
 
 TEST_CASE("free zones: bad input") {
-  const auto fault = [](const std::function<void(Problem&)>& spoil) {
+  const auto fault = [](const test::Callable<void(Problem&)>& spoil) {
     Problem p = pressed_blocks(Blocks{});
     spoil(p);
     const Result r = solve(p);

@@ -1,6 +1,7 @@
 // Holes at any Poisson's ratio up to 0.5: Lame's ring, exact states with several holes of odd shapes, and incompressible
 // bodies whose pressure nothing determines.
 #include "bie/holes.hpp"
+#include "callable.hpp"
 #include "model_fixture.hpp"
 #include "problem.hpp"
 
@@ -11,7 +12,6 @@
 #include <cfenv>
 #include <cmath>
 #include <complex>
-#include <functional>
 #include <vector>
 
 using namespace problem;
@@ -23,7 +23,7 @@ constexpr double kPi = 3.14159265358979323846;
 struct State { // displacements and stresses at a point
   double ux, uy, sxx, syy, sxy;
 };
-using Field = std::function<State(double x, double y)>;
+using Field = test::Callable<State(double x, double y)>;
 struct Elastic {
   double g, nu; // shear modulus and Poisson's ratio, plane strain
 };
@@ -57,7 +57,7 @@ Field two_sources(const Elastic& m, C a, C b) {
 }
 
 enum class Given { traction, displacement };
-using Choice = std::function<Given(double x, double y, double nx, double ny)>;
+using Choice = test::Callable<Given(double x, double y, double nx, double ny)>;
 
 double error(Problem p, const Field& exact, const Choice& choose, const Setup& setup = Setup()) {
   std::vector<State> wanted;
@@ -302,7 +302,7 @@ double difference(const Problem& p, const Problem& q) {
 
 TEST_CASE("holes: bodies turned, mirrored, numbered otherwise give the same but for round-off") {
   // Square, circle, L, U (its centroid lies outside, two circles are as good), a crooked channel, a thin slit.
-  const std::vector<std::function<void(Body&, double, double)>> shapes = {
+  const std::vector<test::Callable<void(Body&, double, double)>> shapes = {
       [](Body& b, double x, double y) {
         add_polygon(b, {{x, y, 2}, {x, y + 0.8, 2}, {x + 0.8, y + 0.8, 2}, {x + 0.8, y, 2}});
       },

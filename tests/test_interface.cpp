@@ -36,8 +36,8 @@ static_assert(sizeof(void*) != 8 || (offsetof(c2d_limits, panel_columns) == 48 &
 
 struct Host : RamStore {
   c2d_port port = C2D_INIT(c2d_port);
-  std::function<void(const char*)> inside; // called from every callback with its name
-  std::vector<c2d_error> faults;           // told by log
+  test::Callable<void(const char*)> inside; // called from every callback with its name
+  std::vector<c2d_error> faults;            // told by log
   static void call(void* context, const char* name) {
     Host& h = static_cast<Host&>(self(context));
     if (h.inside) h.inside(name);
@@ -118,7 +118,7 @@ constexpr uint32_t kEmpty = bit(C2D_STATE_EMPTY), kBuilding = bit(C2D_STATE_BUIL
 struct Call {
   const char* name;
   uint32_t legal;
-  std::function<c2d_status(c2d_solver*)> make; // with arguments that are right in the states where it is legal
+  test::Callable<c2d_status(c2d_solver*)> make; // with arguments that are right in the states where it is legal
 };
 
 double g_numbers[4];
@@ -130,7 +130,7 @@ const std::vector<Call>& calls() {
     const host::Limits limits = small_deck().limits();
     const uint32_t model_calls = kEmpty | kBuilding, complete = kModel | kPrepared | kRunning;
     std::vector<Call> out;
-    const auto add = [&](const char* name, uint32_t legal, std::function<c2d_status(c2d_solver*)> make) {
+    const auto add = [&](const char* name, uint32_t legal, test::Callable<c2d_status(c2d_solver*)> make) {
       out.push_back({name, legal, std::move(make)});
     };
     add("set_problem", model_calls, [](c2d_solver* s) {
@@ -396,7 +396,7 @@ TEST_CASE("interface: structs of other versions") {
   struct Out {
     const char* name;
     size_t size;
-    std::function<c2d_status(c2d_solver*, void*)> get;
+    test::Callable<c2d_status(c2d_solver*, void*)> get;
   };
   const Out outs[] = {
       {"summary", sizeof(c2d_summary), [](c2d_solver* s, void* p) { return c2d_get_summary(s, static_cast<c2d_summary*>(p)); }},
@@ -579,7 +579,7 @@ namespace {
 struct Wrong {
   const char* name;
   int32_t state;
-  std::function<c2d_status(c2d_solver*)> make;
+  test::Callable<c2d_status(c2d_solver*)> make;
 };
 
 std::vector<Wrong> wrong_calls() {
@@ -587,7 +587,7 @@ std::vector<Wrong> wrong_calls() {
   static const host::Limits limits = small_deck().limits();
   std::vector<Wrong> out;
   for (int32_t state : {C2D_STATE_EMPTY, C2D_STATE_BUILDING}) {
-    const auto add = [&](const char* name, std::function<c2d_status(c2d_solver*)> make) {
+    const auto add = [&](const char* name, test::Callable<c2d_status(c2d_solver*)> make) {
       out.push_back({name, state, std::move(make)});
     };
     add("problem null", [](c2d_solver* s) { return c2d_set_problem(s, nullptr); });
@@ -671,7 +671,7 @@ std::vector<Wrong> wrong_calls() {
     for (double load : {inf, nan}) add("path load", [load](c2d_solver* s) { return add_load(s, 1, load); });
   }
   out.push_back({"deck null", C2D_STATE_EMPTY, [](c2d_solver* s) { return c2d_read_deck(s, nullptr, nullptr); }});
-  const auto add = [&](int32_t state, const char* name, std::function<c2d_status(c2d_solver*)> make) {
+  const auto add = [&](int32_t state, const char* name, test::Callable<c2d_status(c2d_solver*)> make) {
     out.push_back({name, state, std::move(make)});
   };
   for (int32_t state : {C2D_STATE_PREPARED, C2D_STATE_RUNNING}) {
@@ -1018,7 +1018,7 @@ std::string not_busy(c2d_solver* s, const c2d_limits& limits, bool in_step) {
 
 struct ReadInside {
   Deck deck;
-  std::function<void()> inside;
+  test::Callable<void()> inside;
   static int32_t read(void* context, char* text, int32_t size) {
     ReadInside& self = *static_cast<ReadInside*>(context);
     self.inside();
@@ -1051,10 +1051,10 @@ TEST_CASE("interface: inside a callback every call is refused as busy") {
     CHECK(c2d_read_deck(s, ReadInside::read, &reading) == C2D_OK);
     CHECK(c2d_prepare(s) == C2D_OK);
     const c2d_step_fn step = [](void* context, const c2d_step*) {
-      (*static_cast<std::function<void(const char*)>*>(context))("step");
+      (*static_cast<test::Callable<void(const char*)>*>(context))("step");
       return 0;
     };
-    std::function<void(const char*)> from_step = inside;
+    test::Callable<void(const char*)> from_step = inside;
     CHECK(c2d_run(s, step, &from_step) == C2D_OK);
     Numbers numbers;
     CHECK(get_boundary(s, numbers) == C2D_OK);
@@ -1253,8 +1253,8 @@ TEST_CASE("interface: structs that go in may be of version 1, longer, or none") 
   struct In {
     const char* name;
     size_t size, first; // ours; that of version 1
-    std::function<c2d_status(c2d_solver*, const void*)> give;
-    std::function<void(void*)> fill;
+    test::Callable<c2d_status(c2d_solver*, const void*)> give;
+    test::Callable<void(void*)> fill;
   };
   const auto set = [](const auto& from) { return [from](void* to) { std::memcpy(to, &from, sizeof from); }; };
   const In ins[] = {

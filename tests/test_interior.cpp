@@ -1,7 +1,9 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/interior_detail.hpp"
 #include "c2d_memory.h"
+#include "callable.hpp"
 #include "contact2d.h"
+#include "effort.hpp"
 #include "host_structs.hpp"
 #include "model/shape.hpp"
 #include "paths.hpp"
@@ -13,7 +15,6 @@
 #include <complex>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -56,7 +57,7 @@ Long kernel_s(const Long r[2], const Long n[2], int i, int j, int k, Long nu) {
 }
 
 // Stress at P, in 2G, of a displacement field given per 2G by its values around P.
-void stress_by_differences(const std::function<Long(Long, Long, int)>& u, Long nu, Long out[3]) {
+void stress_by_differences(const test::Callable<Long(Long, Long, int)>& u, Long nu, Long out[3]) {
   const Long h = 1e-5L;
   Long grad[2][2];
   for (int i = 0; i < 2; ++i) {
@@ -263,7 +264,7 @@ struct Condition {
   int32_t codes[4];
   double values[4];
 };
-using Conditions = std::function<Condition(double x, double y, double nx, double ny)>;
+using Conditions = test::Callable<Condition(double x, double y, double nx, double ny)>;
 
 struct Answer {
   double v[C2D_POINT_FIELDS];
@@ -496,6 +497,7 @@ TEST_CASE("interior: a uniform state between close boundaries") {
   };
   for (int functions = 2; functions <= 4; ++functions)
     for (double width : {0.1, 0.01, 1e-3, 1e-4, 1e-6}) {
+      if (!test::in_full() && (width == 0.01 || width == 1e-4 || functions == 4)) continue;
       CAPTURE(functions);
       CAPTURE(width);
       OneBody holes, strip;

@@ -1,5 +1,6 @@
 // Nothing is shown that is not within its limits: tableaus that were spoilt on purpose, on the way and from outside, decks
 // on which small pivots spoil them, and what is left of a path that cannot be followed within the limits.
+#include "callable.hpp"
 #include "many_bodies.hpp"
 #include "problem.hpp"
 #include "solver/judge.hpp"
@@ -8,18 +9,17 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 using namespace runs;
 
 namespace {
 
-using Interference = std::function<void(c2d_solver*, int32_t step)>;
+using Interference = test::Callable<void(c2d_solver*, int32_t step)>;
 
 // What else a run does: before and after it, and whenever the path asks whether to go on.
 struct Hooks {
-  std::function<void(c2d_solver*)> before, after, asked;
+  test::Callable<void(c2d_solver*)> before, after, asked;
 };
 
 // Runs the deck; after every recorded row `interfere` may spoil the workspace.

@@ -3,6 +3,7 @@
 #include "model_fixture.hpp"
 #include "solved_bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace many;

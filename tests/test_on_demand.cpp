@@ -307,7 +307,8 @@ TEST_CASE("on demand: numbers of columns that a stranger wrote into a state are 
     Host second(little(), &copy);
     return c2d_restore(second.solver());
   };
-  for (int32_t forged : {-2, 160, 1 << 30}) {
+  for (int32_t forged : {160, -2, 1 << 30}) {
+    if (forged != 160 && !test::in_full()) break;
     CAPTURE(forged);
     CHECK(saved_with(pairs[awake].made, forged) == C2D_ERR_STORE_FORMAT);
     CHECK(saved_with(s->made, forged == 160 ? 161 : forged) == C2D_ERR_STORE_FORMAT);

@@ -1,10 +1,10 @@
 // What sums up a contact, told in other units, mirrored and swapped; round closed sides, in self-contact, of constant
 // functions.
+#include "callable.hpp"
 #include "quantity_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 using namespace quantities_test;
@@ -61,7 +61,7 @@ Expected values_of(const Run& run, Measure what) {
 const Measure kWithPlace[] = {Measure::kPeakPressure, Measure::kContactEdge, Measure::kStickBorder, Measure::kEdgePressure};
 
 // All quantities with a place, in the order of the line or against it: values by `scale`, lengths along the side by `length`.
-void compare(const Run& a, const Run& b, double scale, const std::function<void(double&, double&)>& place, double length) {
+void compare(const Run& a, const Run& b, double scale, const test::Callable<void(double&, double&)>& place, double length) {
   double first_x = values_of(a, Measure::kContactEdge).x.at(0), first_y = 0;
   place(first_x, first_y);
   const bool backwards = std::fabs(values_of(b, Measure::kContactEdge).x.at(0) - first_x) > 1e-3 * length;

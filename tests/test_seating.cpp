@@ -152,7 +152,7 @@ namespace {
 
 // ---- a roller between platens
 
-std::function<void(double, double&, double&)> circle(double radius, double x0, double y0, double turn) {
+test::Callable<void(double, double&, double&)> circle(double radius, double x0, double y0, double turn) {
   return [=](double s, double& x, double& y) {
     const double angle = 2 * M_PI * s + turn;
     x = x0 + radius * std::cos(angle);

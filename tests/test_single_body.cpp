@@ -1,12 +1,12 @@
 // One body against exact solutions of elasticity: patch states, a ring, a beam, a point force; and its
 // invariances.
+#include "callable.hpp"
 #include "problem.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +19,9 @@ constexpr double kPi = 3.14159265358979323846;
 struct State { // displacements and stresses at a point
   double ux, uy, sxx, syy, sxy;
 };
-using Field = std::function<State(double x, double y)>;
+using Field = test::Callable<State(double x, double y)>;
 enum class Given { traction, displacement, roller_x, roller_y }; // roller_x: ux and ty are known
-using Choice = std::function<Given(double x, double y, double nx, double ny)>;
+using Choice = test::Callable<Given(double x, double y, double nx, double ny)>;
 
 struct Elastic { // plane constants: exx = (sxx - nu syy)/e, gxy = 2 (1 + nu) sxy / e
   double e, nu;

@@ -1,6 +1,7 @@
 #include "c2d_memory.h"
 #include "c2d_posix.h"
 #include "c2d_stdio.h"
+#include "callable.hpp"
 #include "memory/config.hpp"
 #include "store/tapes.hpp"
 #include <cerrno>
@@ -8,7 +9,6 @@
 #include <doctest/doctest.h>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <string>
@@ -151,7 +151,7 @@ struct Folder {
 };
 
 // Run the same checks against each of the ready ports.
-void with_every_port(const std::function<void(c2d_port&, const std::string&)>& check) {
+void with_every_port(const test::Callable<void(c2d_port&, const std::string&)>& check) {
   Bytes region(100000);
   c2d_memory_store memory;
   c2d_port port = C2D_INIT(c2d_port);

@@ -166,7 +166,7 @@ TEST_CASE("interface: results asked for inside a run's step are those of the sam
     out.insert(out.end(), row, row + C2D_POINT_FIELDS);
   };
   struct Asked {
-    std::function<void(std::vector<double>&)> ask;
+    test::Callable<void(std::vector<double>&)> ask;
     std::vector<double> loads;
     std::vector<std::vector<double>> answers;
     int busy = 0;

@@ -14,7 +14,7 @@ using namespace problem;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-using Curve = std::function<void(double s, double& x, double& y)>;
+using Curve = test::Callable<void(double s, double& x, double& y)>;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
@@ -73,7 +73,7 @@ std::vector<double> element_points(const Body& body, int32_t element) {
 
 // Sets every end's condition from its place and outward normal; places on curved elements by Lagrange
 // interpolation.
-using Setter = std::function<void(double x, double y, double nx, double ny, End& end)>;
+using Setter = test::Callable<void(double x, double y, double nx, double ny, End& end)>;
 void set_all(Problem& p, int number, const Setter& set) {
   Body& body = p.bodies[at(number - 1)];
   const int32_t f = p.function_nodes, nodes = body.element_nodes;

@@ -1,4 +1,5 @@
 // Assembly, elimination and interior points by several tasks at once: every number is that of one task, bit by bit.
+#include "callable.hpp"
 #include "many_bodies.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <functional>
 #include <map>
 #include <memory>
 #include <random>
@@ -24,7 +24,7 @@ struct Tasks {
   RamStore store;
   int32_t threads = 1;
   int64_t calls = 0;
-  std::function<void()> before_tasks;
+  test::Callable<void()> before_tasks;
 
   static int32_t open(void* c, int32_t t, uint64_t n, uint64_t bytes) { return RamStore::open(&self(c).store, t, n, bytes); }
   static int32_t read(void* c, int32_t t, uint64_t k, void* d, uint64_t n) {

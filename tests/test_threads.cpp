@@ -1,5 +1,6 @@
 // The pool of threads, and that no bit of a result depends on how many there are.
 #include "c2d_threads.h"
+#include "effort.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/lu.hpp"
 #include "memory/workers.hpp"
@@ -144,7 +145,7 @@ namespace {
 // Calls of every kind on one solver, one after another; what each returns is seen.
 class Worker {
 public:
-  Worker(const std::function<bool()>& pending, const std::function<void(c2d_status, bool can_be_cancelled)>& seen)
+  Worker(const test::Callable<bool()>& pending, const test::Callable<void(c2d_status, bool can_be_cancelled)>& seen)
       : deck_(runs::deck_named("hertz_lin_l")), limits_(deck_.limits()), pending_(pending), seen_(seen),
         memory_(enough(limits_)) {
     c2d_port port = C2D_INIT(c2d_port);
@@ -191,8 +192,8 @@ private:
   }
   runs::Deck deck_;
   host::Limits limits_;
-  std::function<bool()> pending_; // a cancel has come that no call told yet
-  std::function<void(c2d_status, bool)> seen_;
+  test::Callable<bool()> pending_; // a cancel has come that no call told yet
+  test::Callable<void(c2d_status, bool)> seen_;
   runs::RamStore store_;
   runs::Bytes memory_;
 };
@@ -200,7 +201,7 @@ private:
 } // namespace
 
 TEST_CASE("threads: a cancel at any moment is told by one call, at once or by the next that can be cancelled") {
-  constexpr int kCancels = 3000;
+  const int kCancels = test::effort(300, 3000);
   std::atomic<int> told{0}, asked{0};
   std::atomic<bool> over{false};
   int late = 0, wrong = 0, rounds = 0;

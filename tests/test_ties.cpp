@@ -18,7 +18,7 @@ int32_t tied(int32_t kind) { return kind + C2D_ZONE_TIED; }
 struct Field {
   double ux, uy, sxx, syy, sxy;
 };
-using FieldAt = std::function<Field(double x, double y)>;
+using FieldAt = test::Callable<Field(double x, double y)>;
 
 // Bodies whose sides carry the field's tractions; those on x = 0 its displacements. Sides that are tied carry what the tie
 // does.

@@ -67,7 +67,7 @@ struct Hertz {
 };
 
 // What tangential tractions q on |x| < a do to a half plane y < 0 at (x, -depth): xx, yy, xy, by Flamant's solution.
-std::array<double, 3> pushed(const std::function<double(double)>& q, double a, double x, double depth) {
+std::array<double, 3> pushed(const test::Callable<double(double)>& q, double a, double x, double depth) {
   std::array<double, 3> out{};
   constexpr int kSteps = 20000;
   for (int i = 0; i < kSteps; ++i) {

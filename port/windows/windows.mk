@@ -1,5 +1,6 @@
 # make windows: the program for Windows, build/windows/contact2d.exe: one file that needs no libraries but the system's. The
 # rules of the Makefile once more, by MinGW (Debian: g++-mingw-w64-x86-64-posix). Included by the Makefile.
+#: make windows                     the program for Windows, build/windows/contact2d.exe
 .PHONY: windows
 WINDOWS_TOOLS ?= x86_64-w64-mingw32-
 WINDOWS_CXX   ?= $(WINDOWS_TOOLS)g++-posix

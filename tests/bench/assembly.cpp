@@ -2,13 +2,13 @@
 #include "bench.hpp"
 #include "model.hpp"
 
+#include "../callable.hpp"
 #include "bie/batch.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <functional>
 #include <memory>
 
 namespace bench {
@@ -193,7 +193,7 @@ void write_boundary_matrix(const std::string& file, int nodes) {
     give_up("cannot write " + file);
 }
 
-std::function<void()> assembly_job(c2d::Instructions set, int nodes) {
+test::Callable<void()> assembly_job(c2d::Instructions set, int nodes) {
   const auto p = std::make_shared<Polygon>(static_cast<size_t>(nodes));
   const c2d::BatchKernel* kernel = c2d::batch_for(set);
   if (!kernel) return {};

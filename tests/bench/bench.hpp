@@ -1,9 +1,9 @@
 // What the benchmarks share: time by medians, a table that can be saved and compared.
 #pragma once
 
+#include "../callable.hpp"
 #include "linalg/kernel.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,9 +52,9 @@ struct Options {
 void write_boundary_matrix(const std::string& file, int nodes);
 
 // Fixed amounts of work, whose instructions are counted: guard.cpp.
-std::function<void()> assembly_job(c2d::Instructions set, int nodes); // empty: this build has no such set
-std::function<void()> interior_job(int32_t elements, int32_t points); // points x points
-std::function<void()> contact_job(int32_t pairs, int sweeps);
+test::Callable<void()> assembly_job(c2d::Instructions set, int nodes); // empty: this build has no such set
+test::Callable<void()> interior_job(int32_t elements, int32_t points); // points x points
+test::Callable<void()> contact_job(int32_t pairs, int sweeps);
 // run_bench --guard JOB; --guard list tells their names.
 int guard(const std::string& job);
 

@@ -1,15 +1,17 @@
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept, LARGE=1 adds the sizes
 # that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,bodies,compressed,program takes parts of it.
 # Rivals are processes of their own, compiled if what they need is here; the library itself needs none of them.
+#: make bench                       speed as a table (SAVE=, BASE=, LARGE=1, ONLY=)
+#: make guard, guard-save           instructions of fixed tasks against the numbers kept
 BENCH := $(BUILD)/bench
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BENCH)/%.o,$(wildcard tests/bench/*.cpp)) $(BENCH)/many_bodies.o
 BENCH_PEAK_peak_avx2 := $(KERNEL_kernel_avx2)
 BENCH_PEAK_peak_avx512 := $(KERNEL_kernel_avx512)
-$(BENCH)/%.o: tests/bench/%.cpp $(BUILD)/flags Makefile tests/bench/bench.mk
+$(BENCH)/%.o: tests/bench/%.cpp $(BUILD)/flags tests/bench/bench.mk
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(if $(filter peak_%,$*),-ffp-contract=fast $(BENCH_PEAK_$*)) \
 	  $(DEPS) -c $< -o $@
-$(BENCH)/many_bodies.o: tests/many_bodies.cpp $(BUILD)/flags Makefile tests/bench/bench.mk
+$(BENCH)/many_bodies.o: tests/many_bodies.cpp $(BUILD)/flags tests/bench/bench.mk
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BENCH)/run_bench: $(BENCH_OBJECTS) $(LIBRARY)

@@ -5,6 +5,7 @@
 #include "bench.hpp"
 #include "children.hpp"
 
+#include "../callable.hpp"
 #include "c2d_memory.h"
 #include "c2d_posix.h"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <string>
 #include <sys/mman.h>
@@ -200,7 +200,7 @@ many::Model pressed(int32_t nodes) {
   const auto round = [&](double x) { return 0.02 * half_width * (x / half_width) * (x / half_width) / 2; };
   many::Model m;
   for (int upper = 0; upper < 2; ++upper) {
-    const std::function<double(double)> gap = upper == 1 ? std::function<double(double)>(round) : flat;
+    const test::Callable<double(double)> gap = upper == 1 ? test::Callable<double(double)>(round) : flat;
     const double far = upper == 1 ? 1 : -1;
     std::vector<double> xy;
     const auto side = [&](double x0, double y0, double x1, double y1, int32_t count, bool contact) {

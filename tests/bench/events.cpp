@@ -1,10 +1,10 @@
 // Work per contact event against the number of pairs: loading and unloading the cylinder again and again.
+#include "../callable.hpp"
 #include "bench.hpp"
 #include "linalg/exchange.hpp"
 #include "model.hpp"
 
 #include <cstdio>
-#include <functional>
 #include <memory>
 
 namespace bench {
@@ -110,7 +110,7 @@ void large_tableau() {
 
 } // namespace
 
-std::function<void()> contact_job(int32_t pairs, int sweeps) {
+test::Callable<void()> contact_job(int32_t pairs, int sweeps) {
   const auto family = std::make_shared<Family>(pairs);
   return [family, sweeps] {
     for (int i = 0; i < sweeps; ++i) family->sweep(0);

@@ -10,7 +10,7 @@
 namespace bench {
 namespace {
 
-std::function<void()> elimination_job(c2d::Instructions set, int32_t n) {
+test::Callable<void()> elimination_job(c2d::Instructions set, int32_t n) {
   if (!c2d::kernel_for(set)) return {};
   struct Data {
     rival::Matrix m;
@@ -33,7 +33,7 @@ using c2d::Instructions;
 bool chosen(Instructions set) { return c2d::best_instructions() == set; }
 const struct Job {
   const char* name;
-  std::function<void()> (*make)();
+  test::Callable<void()> (*make)();
 } jobs[] = {
     {"lu.100.baseline", [] { return elimination_job(Instructions::baseline, 100); }},
     {"lu.320.baseline", [] { return elimination_job(Instructions::baseline, 320); }},
@@ -48,7 +48,7 @@ const struct Job {
 } // namespace
 
 // What is counted begins and ends with this function.
-extern "C" __attribute__((noinline)) void guarded_work(const std::function<void()>& work) {
+extern "C" __attribute__((noinline)) void guarded_work(const test::Callable<void()>& work) {
   work();
   asm volatile("" ::: "memory"); // no jump instead of a call
 }
@@ -57,7 +57,7 @@ int guard(const std::string& name) {
   for (const Job& job : jobs) {
     if (name == "list") std::printf("%s\n", job.name);
     if (name != job.name) continue;
-    const std::function<void()> work = job.make();
+    const test::Callable<void()> work = job.make();
     if (!work) return 2;
     guarded_work(work);
     return 0;

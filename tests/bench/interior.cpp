@@ -1,8 +1,8 @@
 // Displacements and stresses at many points inside.
+#include "../callable.hpp"
 #include "bench.hpp"
 #include "model.hpp"
 
-#include <functional>
 #include <memory>
 
 namespace bench {
@@ -34,7 +34,7 @@ struct Grid {
 
 } // namespace
 
-std::function<void()> interior_job(int32_t elements, int32_t points) {
+test::Callable<void()> interior_job(int32_t elements, int32_t points) {
   const auto grid = std::make_shared<Grid>(elements, points);
   return [grid] { grid->evaluate(); };
 }

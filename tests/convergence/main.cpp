@@ -1,9 +1,9 @@
 // make convergence: for every family, the error against the number of elements and the observed order.
+#include "../callable.hpp"
 #include "body_figures.hpp"
 #include "sketches.hpp"
 
 #include <cstdio>
-#include <functional>
 
 using namespace families_test;
 
@@ -11,7 +11,7 @@ namespace {
 
 struct Quantity {
   const char* name;
-  std::function<double(const Solution&)> error;
+  test::Callable<double(const Solution&)> error;
 };
 
 // A row per mesh; the order is that between a row and the one before.

@@ -2,6 +2,7 @@
 # source: what a compiler adds, as edges of exceptions, is no branch), tests being those of make test; then those tests that cross
 # what is otherwise in small code, on a library of that. Prints the branches that no test takes, and a table; fails below the
 # percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
+#: make coverage                    branches that no test takes (COVERAGE_LEAST=)
 .PHONY: coverage coverage-table
 COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
@@ -11,14 +12,14 @@ SMALL_TESTS := $(patsubst %,*test_%.cpp,reference linalg integrals interior indi
   corners invariance search inner_edges)
 # $(1) folder, $(2) lists of tests left out, $(3) files of tests or nothing: all, $(4) more variables
 coverage_run = C2D_TESTS_NOT='$(2)' C2D_TESTS_FILES='$(3)' LLVM_PROFILE_FILE='$(abspath $(1))/profile/%m.profraw' \
-  $(MAKE) -s test BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
+  $(MAKE) -s test-all BUILD=$(1) TESTS_FROM=$(BUILD) CXX=clang++-14 CC=clang-14 CXXFLAGS='$(COVERAGE_FLAGS)' CFLAGS='$(COVERAGE_FLAGS)' \
   LDFLAGS=-fprofile-instr-generate HARDENING= PROGRAM_FLAGS=-O0 \
   TEST_CXX='clang++-14 $(COVERAGE_FLAGS)' TEST_CC='clang-14 $(COVERAGE_FLAGS)' $(4)
 coverage_show = llvm-profdata-14 merge -o $(1)/all.profdata $(1)/profile/*.profraw && \
-  llvm-cov-14 show -show-branches=count -instr-profile $(1)/all.profdata $(1)/tests/run_tests -object $(1)/contact2d \
+  llvm-cov-14 show -show-branches=count -instr-profile $(1)/all.profdata $(1)/tests/run_tests -object $(1)/tests/run_proof -object $(1)/contact2d \
   $$(for program in $(1)/counted/*; do [ ! -f $$program ] || echo -object $$program; done) \
   -ignore-filename-regex=/tests/ > $(1)/branches.txt
-coverage: test-objects
+coverage: all-test-objects
 	@command -v llvm-cov-14 clang++-14 >/dev/null || { echo 'needs clang-14 and llvm-14'; exit 1; }
 	@mkdir -p $(COVERAGE)/profile $(COVERAGE_SMALL)/profile
 	@rm -f $(COVERAGE)/profile/* $(COVERAGE_SMALL)/profile/*

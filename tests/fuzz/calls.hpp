@@ -3,11 +3,11 @@
 // held against the header: the status is one that it lists, what fails writes nothing and changes nothing but what it says, the
 // state goes where section 9 says. tests/test_contract.cpp compares the lists below with the header's own words.
 #include "../../src/solver/solver.hpp"
+#include "../callable.hpp"
 #include "small_model.hpp"
 
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <string>
 
@@ -69,8 +69,8 @@ public:
     c2d_status status;
     int32_t before;
   };
-  std::function<void(const Seen&)> seen; // every call that was made
-  std::string violation;                 // empty: the header holds
+  test::Callable<void(const Seen&)> seen; // every call that was made
+  std::string violation;                  // empty: the header holds
 
   Driver(const uint8_t* data, size_t size) : in_{data, size}, variant_(in_.byte() % kVariants), limits_(variant_) {
     store_.driver = this;

@@ -2,6 +2,7 @@
 # each for FUZZ_SECONDS (an hour for all). FUZZ='deck sketch' selects. What is new in the corpus, and what fails, is left in build/fuzz/corpus and
 # build/fuzz/failed. A file tests/fuzz/NAME.cpp defines LLVMFuzzerTestOneInput and nothing else that is visible; beside it
 # NAME.dict holds words, seeds/NAME and found/NAME inputs. FUZZ_MORE_NAME are files of the tree that are seeds too.
+#: make fuzz                        the fuzzers (FUZZ=, FUZZ_SECONDS=)
 .PHONY: fuzz fuzz-build
 FUZZ_TARGETS := $(basename $(notdir $(wildcard tests/fuzz/*.cpp)))
 FUZZ ?= $(FUZZ_TARGETS)
@@ -22,12 +23,12 @@ FUZZ_MORE_drawing = tests/data/drawings
 
 # In the tests: the same functions under names of their own.
 FUZZ_OBJECTS := $(FUZZ_TARGETS:%=$(BUILD)/tests/fuzz_%.o)
-$(BUILD)/tests/fuzz_%.o: tests/fuzz/%.cpp $(BUILD)/flags Makefile
+$(BUILD)/tests/fuzz_%.o: tests/fuzz/%.cpp $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) $(COMMON) -DLLVMFuzzerTestOneInput=fuzz_$* $(CXXFLAGS) -O0 $(EXACT) $(DEPS) -c $< -o $@
 
 # The program without its main.
 FUZZ_PROGRAM := $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-$(BUILD)/run_%: tests/fuzz/%.cpp $(FUZZ_PROGRAM) $(BUILD)/flags Makefile
+$(BUILD)/run_%: tests/fuzz/%.cpp $(FUZZ_PROGRAM) $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) -MMD -MP -MF $@.d -fsanitize=fuzzer $< $(FUZZ_PROGRAM) $(LDFLAGS) -o $@ -lm -pthread
 -include $(wildcard $(BUILD)/run_*.d)
 

@@ -1,5 +1,6 @@
 # make msan: the core under clang's memory sanitizer (tests/msan/main.cpp). The library as one file and a driver that takes nothing
 # of the C++ library but templates, as that would have to be instrumented, too. MSAN_DECKS selects.
+#: make msan                        decks and forged states under the memory sanitizer (MSAN_DECKS=, MSAN_STRANGERS=)
 .PHONY: msan
 MSAN_CXX ?= clang++
 MSAN_FLAGS := -std=c++17 -O1 -g1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer -fno-sanitize-recover=all

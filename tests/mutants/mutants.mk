@@ -1,6 +1,7 @@
 # make mutants: changes in kernels, exchange, events, elimination, block format and deck reader, each of which a test must catch
 # (tests/mutants/make.cpp, run.cpp). MUTANTS_ONLY= a part or a file, MUTANTS_SEED= another choice, MUTANTS_SHARE=50 half as many,
 # MUTANTS_SECONDS= of tests for each, MUTANTS_TESTS=all or parts of the names of their files (tests/mutants/tests.txt).
+#: make mutants                     changes of the core that a test must catch (MUTANTS_ONLY=, _SHARE=, _SEED=, _SECONDS=, _TESTS=)
 .PHONY: mutants mutants-objects
 MUTANTS := $(BUILD)/mutants
 MUTANTS_SEED ?= 1
@@ -10,7 +11,7 @@ MUTANTS_MOST := 1000000
 MUTANTS_HERE := $(wildcard tests/mutants/*.hpp) tests/mutants/mutants.mk
 mutant_object = $(MUTANTS)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
 MUTANT_OBJECTS := $(foreach s,$(CORE_SOURCES),$(call mutant_object,$(s)))
-MUTANT_TESTS := $(filter-out %/main.o %/paths.o,$(TEST_OBJECTS)) $(RANDOM_JUDGE) $(FAULTS_JUDGE) $(FUZZ_OBJECTS) $(STUDY_OBJECT) \
+MUTANT_TESTS := $(filter-out %/main.o %/paths.o,$(sort $(TEST_OBJECTS) $(PROOF_OBJECTS))) $(STUDY_OBJECT) \
   $(filter-out $(LIBRARY),$(FUZZ_PROGRAM))
 MUTANT_LIBRARY := $(MUTANTS)/libcontact2d.a
 quoted = '"$(abspath $(1))"'

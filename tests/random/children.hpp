@@ -1,9 +1,10 @@
 // Work by seeds in processes that may crash or hang without ending the others.
 #pragma once
 
+#include "../callable.hpp"
+
 #include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <string>
 
 namespace random_work {
@@ -12,9 +13,9 @@ namespace random_work {
 void say(FILE* out, const char* word, std::string rest);
 
 struct Work {
-  std::function<void(uint64_t seed, FILE* out)> judge;                         // in a process of its own
-  std::function<void(const std::string& word, const std::string& rest)> heard; // of what it says, but "tell": that is printed
-  std::function<void(uint64_t seed, int signal)> died;                         // by that signal, 0: it ended otherwise
+  test::Callable<void(uint64_t seed, FILE* out)> judge;                         // in a process of its own
+  test::Callable<void(const std::string& word, const std::string& rest)> heard; // of what it says, but "tell": that is printed
+  test::Callable<void(uint64_t seed, int signal)> died;                         // by that signal, 0: it ended otherwise
 };
 // Seeds from the first one up to before `end`, in one process after another: the next one begins behind the seed at which the
 // last one died.

@@ -3,6 +3,8 @@
 # symmetric bodies. KIND=three: three bodies. KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
 # build/estimate. ELEMENTS and SECONDS are the limits of each.
+#: make random                      random decks, judged (N=, SEED=, KIND=)
+#: make estimate                    random sketches against finer meshes (N=, SEED=, ELEMENTS=, SECONDS=)
 .PHONY: random estimate
 N ?= 1000
 SEED ?= 1
@@ -13,7 +15,7 @@ RANDOM_SOURCES := $(wildcard tests/random/*.cpp)
 RANDOM_OBJECTS := $(patsubst tests/random/%.cpp,$(BUILD)/tests/random_%.o,$(RANDOM_SOURCES))
 RANDOM_JUDGE := $(filter-out %/random_main.o %/random_main_sketches.o,$(RANDOM_OBJECTS))
 SKETCH_JUDGE := $(filter %/random_children.o %/random_sketches.o %/random_sketch_pen.o %/random_sketch_judge.o,$(RANDOM_OBJECTS))
-$(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags Makefile
+$(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BUILD)/tests/run_random: $(RANDOM_JUDGE) $(BUILD)/tests/random_main.o $(BUILD)/tests/problem.o $(BUILD)/tests/many_bodies.o \
     $(BUILD)/tests/paths.o $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)

@@ -1,0 +1,31 @@
+# TESTS_FROM=FOLDER: the tests on a library with other flags (sanitizers, -DC2D_SMALL, panels of one column, counters). What such flags
+# do not reach is linked from the build in FOLDER, by a compiler whose objects go with this one's: report and program
+# (PROGRAM_FROM), which see the headers of the interface alone, unless this build watches them too; and tests, but for those that
+# see the core's configuration, or ask for sanitizers. Included by the Makefile.
+TESTS_FROM ?= $(BUILD)
+SANITIZED := $(findstring -fsanitize,$(CXXFLAGS))
+COUNTED := $(findstring -fprofile,$(CXXFLAGS))
+# Threads lose counts, and a difference of two of them may come out below zero: here none is lost. (Everywhere that takes too long.)
+COUNTED_EACH := $(if $(COUNTED),src/deck/% src/model/% src/results/% src/report/% src/program/% src/bie/transfer.cpp)
+PROGRAM_FROM ?= $(if $(SANITIZED)$(COUNTED),$(BUILD),$(TESTS_FROM))
+ifneq ($(PROGRAM_FROM),$(BUILD))
+from_there = $(1:$(BUILD)/%=$(PROGRAM_FROM)/%)
+REPORT_OBJECTS   := $(call from_there,$(REPORT_OBJECTS))
+PROGRAM_OBJECTS  := $(call from_there,$(PROGRAM_OBJECTS))
+FAMILY_OBJECTS   := $(call from_there,$(FAMILY_OBJECTS))
+CHAPTER9_OBJECTS := $(call from_there,$(CHAPTER9_OBJECTS))
+STUDY_OBJECT     := $(call from_there,$(STUDY_OBJECT))
+endif
+# Files of tests that are compiled again for it: for sanitizers, and where the core's configuration is another.
+SANITIZER_TESTS := $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/test_*.cpp)
+CORE_TESTS      := $(filter-out $(SANITIZER_TESTS),$(shell grep -l -E '^\#include "((bie|contact|deck|elimination|interface|linalg|memory|model|quadrature|results|solver|store)/[a-z0-9_]*|fuzz/calls|deck_recorder|gauss_points|hand_tableau|model_fixture)\.hpp' tests/test_*.cpp))
+# $(call borrowed,OBJECTS): those of another build in the place of this one's, where they are the same. (Counters change nothing
+# that tests see.)
+ifneq ($(TESTS_FROM),$(BUILD))
+TESTS_OWN = paths $(notdir $(basename \
+  $(if $(if $(COUNTED),$(findstring -DC2D_,$(CPPFLAGS)),any),$(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d)) \
+  $(if $(SANITIZED),$(call test_objects,$(SANITIZER_BATCHES)) $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
+borrowed = $(foreach o,$(1),$(if $(filter $(notdir $(basename $(o))),$(TESTS_OWN)),$(o),$(o:$(BUILD)/%=$(TESTS_FROM)/%)))
+else
+borrowed = $(1)
+endif
