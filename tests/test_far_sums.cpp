@@ -1,6 +1,7 @@
 // Right-hand sides and diagonals of large bodies by cells of elements, against the sums over all elements.
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
+#include "effort.hpp"
 #include "elimination/far_sums.hpp"
 #include "model_fixture.hpp"
 #include "solver_runs.hpp"
@@ -79,6 +80,7 @@ void prescribe(ModelData& d, int32_t functions) {
 TEST_CASE("far sums: of a ring with a hole beside its middle, elements and functions of every order") {
   for (int32_t functions = 1; functions <= 4; ++functions)
     for (int32_t element_nodes = 2; element_nodes <= 4; ++element_nodes) {
+      if ((functions + element_nodes) % 2 != 0 && !test::in_full()) continue;
       CAPTURE(functions);
       CAPTURE(element_nodes);
       ModelData d(functions);

@@ -1,4 +1,5 @@
 // `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
+#include "effort.hpp"
 #include "paths.hpp"
 #include "program/estimate/kept.hpp"
 #include "program/job.hpp"
@@ -82,7 +83,7 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
   const auto expected = whole.files();
   REQUIRE(expected.size() == 5);
   int kills = 0, resumed = 0, finished = 0, early = 0;
-  for (int n = 0; n < 14; ++n) {
+  for (int n = 0; n < 14; n += test::effort(3, 1)) {
     CAPTURE(n);
     Outputs outputs;
     const std::string folder = tapes / std::to_string(n);

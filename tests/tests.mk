@@ -88,5 +88,5 @@ test-all: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROOFS) $(TESTED)
 test-times:
 	@rm -rf '$(BUILD)/times' && mkdir -p '$(BUILD)/times'
 	+@C2D_TEST_TIMES='$(abspath $(BUILD))/times/tests' C2D_COMPILE_TIMES='$(abspath $(BUILD))/times/sources' \
-	  $(MAKE) -s BUILD='$(BUILD)/times/build' CXX='sh tests/timed.sh $(CXX)' demo test
+	  $(MAKE) -s BUILD='$(BUILD)/times/build' CXX='sh tests/timed.sh $(CXX)' TEST_CXX='$(CXX)' demo test
 	@sh tests/times.sh '$(BUILD)/times'

@@ -9,7 +9,7 @@ FAULTS_OBJECTS := $(patsubst tests/faults/%.cpp,$(BUILD)/tests/faults_%.o,$(FAUL
 FAULTS_JUDGE := $(filter-out %/faults_main.o,$(FAULTS_OBJECTS))
 FAULTS_PRELOAD := $(BUILD)/tests/faults.so
 $(BUILD)/tests/faults_%.o: tests/faults/%.cpp $(BUILD)/flags
-	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(PROGRAM_FLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(FAULTS_PRELOAD): $(wildcard tests/faults/preload/*.[ch]) $(BUILD)/flags
 	$(CC) -std=gnu11 -Wall -Wextra -Wconversion -Wshadow -O2 -fPIC -shared -o $@ $(filter %.c,$^) -ldl -pthread
 $(BUILD)/tests/run_faults: $(FAULTS_OBJECTS)

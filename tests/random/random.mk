@@ -16,7 +16,7 @@ RANDOM_OBJECTS := $(patsubst tests/random/%.cpp,$(BUILD)/tests/random_%.o,$(RAND
 RANDOM_JUDGE := $(filter-out %/random_main.o %/random_main_sketches.o,$(RANDOM_OBJECTS))
 SKETCH_JUDGE := $(filter %/random_children.o %/random_sketches.o %/random_sketch_pen.o %/random_sketch_judge.o,$(RANDOM_OBJECTS))
 $(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags
-	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(PROGRAM_FLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BUILD)/tests/run_random: $(RANDOM_JUDGE) $(BUILD)/tests/random_main.o $(BUILD)/tests/problem.o $(BUILD)/tests/many_bodies.o \
     $(BUILD)/tests/paths.o $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
