@@ -214,6 +214,28 @@ TEST_CASE("loop: limits of elements, time and memory end it, with the error that
   CHECK_FALSE(a.loop.stated.empty());
 }
 
+TEST_CASE("loop: where the second mesh has no memory the results of the first stand, and nothing is met") {
+  int first_alone = 0;
+  for (uint64_t memory = 3000000; memory > 30000; memory -= memory / 4) {
+    CAPTURE(memory);
+    estimate::Demand small;
+    small.memory = memory;
+    const estimate::Adapted a = estimate::adapt(roller("tolerance 0.01 %\n"), small, [](const app::MeshRound&) {});
+    if (a.status != C2D_OK) { // not even the first: nothing is written
+      CHECK(a.loop.rounds.empty());
+      break;
+    }
+    CHECK_FALSE(a.deck.empty());
+    CHECK(a.loop.missed());
+    CHECK_FALSE(a.loop.stopped.empty());
+    CHECK(a.loop.taken < a.loop.rounds.size());
+    if (a.loop.rounds.size() > 1) continue;
+    ++first_alone;
+    CHECK(a.loop.stated.empty());
+  }
+  CHECK(first_alone > 0);
+}
+
 TEST_CASE("loop: a history that ends early is told, and nothing is met") {
   Sketch s = roller();
   for (Drive& d : s.drives) d.load[0] = 100; // more than friction can carry

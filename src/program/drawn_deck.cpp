@@ -52,10 +52,9 @@ bool find_text(const std::vector<NamedText>& files, const std::string& name, std
 }
 
 // The numbers whose tolerances were not met.
-void tell_misses(const DeckFile& deck, const MeshLoop& loop, bool quiet) {
+void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
   if (loop.stopped.empty()) return;
-  Messages messages(deck);
-  messages.quiet = quiet;
+  const Messages messages(deck);
   if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
   for (const Stated& s : loop.stated) {
     if (s.is_met()) continue;
@@ -99,7 +98,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
     return kExitFiles;
   }
   deck.replace_by_deck(adapted.deck);
-  tell_misses(deck, adapted.loop, drawing.quiet);
+  tell_misses(deck, adapted.loop);
   loop = std::move(adapted.loop);
   return 0;
 }
@@ -193,7 +192,7 @@ int write_mesh(const Options& options) {
       status != 0)
     return status;
   std::string error;
-  if (write_output(options.output, deck.text(), error)) return kExitSolved;
+  if (write_output(options.output, deck.text(), error)) return loop.missed() ? kExitInaccurate : kExitSolved;
   messages.fail(error);
   return kExitFiles;
 }

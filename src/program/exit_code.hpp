@@ -11,6 +11,7 @@ enum ExitCode {
   kExitInput = 2,
   kExitFiles = 3,
   kExitMemory = 4,
+  kExitInaccurate = 5, // results are written, a wanted tolerance is not met
   kExitUsage = 64,
   kExitBusy = 75, // another process is at the store, or at the sweep
   kExitCancelled = 130,
@@ -31,5 +32,8 @@ inline int exit_code(c2d_status status) {
   default: return kExitFiles;
   }
 }
+
+// Are there results, all that were asked for?
+inline bool has_results(int exit) { return exit == kExitSolved || exit == kExitInaccurate; }
 
 } // namespace app

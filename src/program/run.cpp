@@ -301,7 +301,7 @@ int Run::library_failed(c2d_status status) {
 
 // A sketch that is to be solved on mesh after mesh is kept, and what it reads, before that begins.
 int Run::read_deck() {
-  Drawing drawing{options_.settings, true, options_.memory, line_.active(), options_.quiet};
+  Drawing drawing{options_.settings, true, options_.memory, line_.active()};
   drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
   if (options_.store.compare(0, 5, "file:") == 0) {
     drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };
@@ -676,7 +676,7 @@ int Run::publish() {
   if (options_.keep && !store_.folder().empty() && !options_.quiet)
     std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());
   const CoefficientRecord* stopped = record_.incomplete();
-  if (stopped == nullptr) return kExitSolved;
+  if (stopped == nullptr) return record_.meshes.missed() ? kExitInaccurate : kExitSolved;
   if (!stopped->singular) {
     std::string text = "incomplete: mu ";
     append_number(text, stopped->mu);

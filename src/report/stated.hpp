@@ -51,6 +51,12 @@ struct MeshLoop {
   std::vector<Stated> stated;
   std::string stopped; // why it ended before all tolerances were met; empty: they are
   bool ran() const { return !rounds.empty(); }
+  // Was a tolerance asked for that is not met? (Rounds of a deck's own meshes are not adapted, and ask for none.)
+  bool missed() const {
+    for (const Stated& s : stated)
+      if (!s.is_met()) return true;
+    return stated.empty() && ran() && rounds.front().adapted;
+  }
   // In a sentence; empty if nothing was asked for.
   std::string ending() const {
     if (!stopped.empty()) return "It ended here: " + stopped;

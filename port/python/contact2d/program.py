@@ -181,7 +181,7 @@ def solve(source, points=None, pictures=True, stresses=False, options=None, set=
             words += ["--report", folder / "report.html", "--figures", folder / "figures"]
         for name, value in (options or {}).items():
             words += ["--" + name.replace("_", "-")] + ([] if value is True else [str(value)])
-        _, told, status = run_program(*words, text=text, legal=(0, 1))
+        _, told, status = run_program(*words, text=text, legal=(0, 1, 5))
         if status == 1 and not (folder / "summary.json").exists():
             raise Error(messages_of(told) or [Message("error", "the program ended with status 1")], 1)
         result = Result(folder, told, status)

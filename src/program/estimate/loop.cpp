@@ -289,6 +289,7 @@ void Loop::search() {
     coarse.trial = Trial();
     if (!solve_level(coarse, true)) return;
     told_(out_.loop.rounds.back());
+    if (round == 0) take(coarse, "");            // what is kept where no later mesh can be made or solved
     if (is_cut_off(coarse.trial, coarse.mesh)) { // contact has grown up to what was taken to be far
       coarse.mesh = without_far(coarse.mesh);
       continue;
@@ -296,7 +297,6 @@ void Loop::search() {
     if (round == 0) mark_far(s_, coarse.trial, coarse.mesh);
     Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
     if (!is_within_limits(fine.mesh) || !solve_level(fine, false)) {
-      if (out_.deck.empty()) take(coarse, "");
       return;
     }
     if (fine.trial.zones.size() != coarse.trial.zones.size()) continue; // what is far parts one
@@ -321,8 +321,13 @@ void Loop::search() {
 }
 
 Adapted Loop::run() {
-  search();
   std::string& stopped = out_.loop.stopped;
+  try {
+    search();
+  } catch (const sketch::Fault& fault) { // of a later mesh: the results of the last one stand
+    if (out_.deck.empty()) throw;
+    stopped = fault.text;
+  }
   if (!history_.empty()) stopped = "the history ended early: " + history_ + (stopped.empty() ? "" : "; " + stopped);
   return std::move(out_);
 }

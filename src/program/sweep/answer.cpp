@@ -1,5 +1,6 @@
 #include "program/sweep/answer.hpp"
 
+#include "program/exit_code.hpp"
 #include "program/output_file.hpp"
 #include "program/sweep/parameters.hpp"
 #include "program/system_file.hpp"
@@ -51,14 +52,15 @@ bool append_row(const std::string& name, const std::string& heading, const std::
 }
 
 std::string outcome_of(const Answer& answer) {
-  if (answer.exit == 0) return "ok";
+  if (answer.exit == kExitSolved) return "ok";
+  if (answer.exit == kExitInaccurate) return "a wanted tolerance is not met";
   std::string text = failure_text(answer.reason);
   text.pop_back();
   return text;
 }
 
 bool write_answer(const Options& options, const Answer& answer, std::string& error) {
-  const bool solved = answer.exit == 0;
+  const bool solved = has_results(answer.exit);
   const std::string results = solved ? results_text(options.responses, answer.values) : failure_text(answer.reason);
   if (!options.results.empty() && !write_output(options.results, results, error)) return false;
   if (options.row.empty()) return true;

@@ -113,7 +113,7 @@ std::string Sweep::row_text(size_t row, const Answer& answer) const {
   std::string out = std::to_string(row + 1);
   for (const std::string& value : table_.rows[row]) out += "," + csv_field(value);
   for (size_t i = 0; i < options_.responses.size(); ++i)
-    out += "," + (answer.exit == 0 ? csv_number(answer.values[i]) : std::string());
+    out += "," + (has_results(answer.exit) ? csv_number(answer.values[i]) : std::string());
   return out + "," + csv_field(outcome_of(answer));
 }
 
@@ -130,7 +130,7 @@ void Sweep::take(size_t row, const Answer& answer) {
   const std::lock_guard<std::mutex> lock(mutex_);
   rows_[row] = row_text(row, answer);
   ++done_;
-  if (answer.exit != 0) ++failed_;
+  if (!has_results(answer.exit)) ++failed_;
   if (keeps_ && error_.empty()) journal_.add(row, rows_[row], error_);
   const bool terminal = options_.progress == Progress::kAutomatic && !options_.quiet && ::isatty(2) == 1;
   if (options_.progress == Progress::kAlways || terminal) show();
