@@ -562,7 +562,7 @@ TEST_CASE("corners: those of ties and contacts are found, whichever side they ar
 
 TEST_CASE("corners: the outputs tell them, and nothing where there are none") {
   const test::Folder folder;
-  const std::string program = paths::program(), json = folder / "out.json";
+  const std::string program = "'" + paths::program() + "'", json = folder / "out.json";
   const auto listing_of = [&](const std::string& family) {
     const std::string deck = folder / "deck.dat";
     REQUIRE(test::run_shell(program + " make " + family + " > " + deck).status == 0);

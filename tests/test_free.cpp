@@ -378,13 +378,13 @@ TEST_CASE("convert: a run of the converted deck writes the same bytes") {
     const std::string deck = paths::data() + "/decks/" + name;
     const std::string free = folder / "free", fixed = folder / "fixed";
     const std::string program = "'" + paths::program() + "' ";
-    CHECK(test::run_shell(program + "convert " + deck + " -o " + free).status == 0);
+    CHECK(test::run_shell(program + "convert '" + deck + "' -o " + free).status == 0);
     CHECK(test::run_shell(program + "convert " + free + " -o " + fixed).status == 0);
     std::string first_rows, first_listing;
     for (const std::string& path : {deck, free, fixed}) {
       const std::string csv = folder / "rows.csv", boundary = folder / "boundary.csv";
-      const test::Result r = test::run_shell(program + "run " + path + " --listing " + (folder / "listing") + " --csv " + csv +
-                                             " --boundary " + boundary);
+      const test::Result r = test::run_shell(program + "run '" + path + "' --listing " + (folder / "listing") + " --csv " +
+                                             csv + " --boundary " + boundary);
       CHECK(r.status == 0);
       const std::string rows = test::read_file(csv) + test::read_file(boundary);
       const std::string listing = test::read_file(folder / "listing").substr(0, 500); // headings and title
