@@ -50,6 +50,14 @@ TEST_CASE("python: the package's own tests, with numpy") {
     MESSAGE("skipped: no Python has numpy");
 }
 
+TEST_CASE("python: hostile arguments, orders of calls, callbacks and forks, drawn") {
+  if (!can_host("python3")) return;
+  const Result run =
+      run_shell(environment() + "C2D_WITHOUT_NUMPY=1 python3 '" + kRoot + "/tests/python/draw_calls.py' --cases 12");
+  CHECK_MESSAGE(run.status == 0, run.err);
+  CHECK_MESSAGE(contains(run.out, "12 cases, 0 failed"), run.out);
+}
+
 TEST_CASE("python: pip builds a wheel without network, and it works where it is installed") {
   if (!can_host("python3")) return;
   std::string python;

@@ -6,6 +6,7 @@ CONTACT2D_LIBRARY and CONTACT2D_PROGRAM name what is tested.
 import csv
 import os
 import pathlib
+import pickle
 import signal
 import subprocess
 import sys
@@ -327,6 +328,163 @@ class Faults(unittest.TestCase):
             solver.get("tm")
         with self.assertRaisesRegex(TypeError, "rows"):
             solver.interior([1.0, 2.0, 3.0])
+
+
+    def test_numbers_that_c_cannot_take_are_refused_by_name(self):
+        solver = contact2d.Solver.of_deck(HERTZ)
+        for call, kind, why in (
+                (lambda: contact2d.Solver.of_deck(HERTZ, memory=-5), ValueError, "memory is -5"),
+                (lambda: contact2d.Solver.of_deck(HERTZ, memory=2**64), ValueError, "memory is 18446744073709551616"),
+                (lambda: contact2d.Solver.of_deck(HERTZ, memory=1.5), TypeError, "memory is 1.5"),
+                (lambda: contact2d.Solver.of_deck(HERTZ, threads=-1), ValueError, "threads is -1"),
+                (lambda: contact2d.Solver.of_deck(HERTZ, progress=3), TypeError, "progress is 3"),
+                (lambda: contact2d.Solver(bodies=[(8, 8)]), TypeError, "body 1 is"),
+                (lambda: contact2d.Solver(bodies=[(2**40, 8, 1)]), ValueError, "body 1 is 1099511627776"),
+                (lambda: contact2d.Solver(zones=2**32, bodies=[(8, 8, 1)]), ValueError, "c2d_limits.zones is 4294967296"),
+                (lambda: contact2d.Solver(header.c2d_limits(bodies=5)), TypeError, "limits is"),
+                (lambda: solver.begin(float("nan")), ValueError, "'mu' is nan"),
+                (lambda: solver.advance("1.0"), TypeError, "'load' is '1.0'"),
+                (lambda: solver.advance([[1.0]]), TypeError, "'load' is"),
+                (lambda: solver.get("tn", count=-1), ValueError, "'count' is -1"),
+                (lambda: solver.get("tn", count=10**9), ValueError, "'count' is 1000000000, expected at most 15"),
+                (lambda: solver.get("tn", first=2**33), ValueError, "'first' is 8589934592"),
+                (lambda: solver.get("ok"), ValueError, "no field 'ok'"),
+                (lambda: solver.get_zone(2**32 + 1), ValueError, "'i' is 4294967297"),
+                (lambda: solver.get_zone(1.5), TypeError, "'i' is 1.5"),
+                (lambda: solver.set_units("m\0", "N"), ValueError, "'length' has a character that is zero"),
+                (lambda: solver.set_units(3, "N"), TypeError, "'length' is 3"),
+                (lambda: solver.add_zone(dict(side1=3)), TypeError, "side1 is 3"),
+                (lambda: solver.set_condition(1, 1, 1, 1, [0, 0, 2**40, 0], [0] * 4), ValueError, "'codes' is 1099511627776"),
+                (lambda: solver.interior([[1, 2, 3], [4, 5, 6]]), TypeError, "expected rows"),
+                (lambda: solver.interior([(1, float("nan"))]), ValueError, "'xy' is nan"),
+                (lambda: solver.run(3), TypeError, "'step' is 3"),
+                (lambda: contact2d.Model(title="x" * 80), ValueError, "title has 80 bytes"),
+                (lambda: contact2d.solve(HERTZ, points=[(1, 2, 3, 4)]), TypeError, "points"),
+                (lambda: contact2d.solve(HERTZ, mu=float("nan")), ValueError, "parameter 'mu' is nan")):
+            with self.subTest(why):
+                with self.assertRaisesRegex(kind, why):
+                    call()
+        if arrays.numpy is not None:
+            with self.assertRaisesRegex(TypeError, r"shape \(2, 3\)"):
+                solver.interior(arrays.numpy.zeros((2, 3)))
+            with self.assertRaisesRegex(ValueError, "has a nan"):
+                solver.interior(arrays.numpy.array([[1.0, float("nan")]]))
+        gap = contact2d.Model()
+        gap.set_body(3, element_nodes=2, elements=8, regions=1, youngs_modulus=1000, poisson_ratio=0.3)
+        with self.assertRaisesRegex(ValueError, "numbered from 1 on"):
+            gap.build()
+
+    def test_a_name_that_begins_with_a_dash_is_a_name(self):
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                for name in ("-q", "-", "--csv=x"):
+                    pathlib.Path(name).write_text(HERTZ.read_text())
+                    self.assertTrue(contact2d.solve(name, pictures=False).complete)
+                    self.assertIn("pairs", contact2d.check(name))
+                with self.assertRaisesRegex(contact2d.UsageError, "expected the name of a parameter"):
+                    contact2d.solve("-q", pictures=False, set={"--json": "x"})
+            finally:
+                os.chdir(before)
+
+
+class Processes(unittest.TestCase):
+    def test_results_tables_and_exceptions_go_from_one_to_another(self):
+        result = contact2d.solve(HERTZ, pictures=False)
+        again = pickle.loads(pickle.dumps(result))
+        self.assertEqual(list(again["contact"]["tn"]), list(result["contact"]["tn"]))
+        self.assertEqual((again.summary, again.outcome), (result.summary, result.outcome))
+        kinds = [kind for kind in vars(contact2d).values() if isinstance(kind, type) and issubclass(kind, contact2d.Error)]
+        self.assertGreater(len(kinds), 6)
+        for kind in kinds:
+            error = kind([contact2d.Message("error", "text", 3, 4)], 5)
+            error.more = 6
+            copy = pickle.loads(pickle.dumps(error))
+            self.assertEqual((type(copy), str(copy), copy.line, copy.column, copy.status, copy.more),
+                             (kind, str(error), 3, 4, 5, 6))
+        with self.assertRaisesRegex(TypeError, "belongs to its process"):
+            pickle.dumps(contact2d.Solver.of_deck(HERTZ))
+
+    def test_a_solver_is_of_no_use_in_a_child(self):
+        with tempfile.TemporaryDirectory() as folder:
+            solver = contact2d.Solver.of_deck(HERTZ, store=folder)
+            solver.prepare()
+            solver.begin(0.3)
+            child = os.fork()
+            if child == 0:
+                status = 1
+                try:
+                    refused = 0
+                    for call in (solver.prepare, lambda: solver.begin(0.1), lambda: solver.state, solver.close, solver.cancel):
+                        try:
+                            call()
+                        except contact2d.UsageError as why:
+                            refused += "is a child of it" in str(why)
+                    del solver, call
+                    status = 0 if refused == 5 else 2
+                finally:
+                    os._exit(status)
+            self.assertEqual(os.waitpid(child, 0)[1], 0)
+            with self.assertRaisesRegex(contact2d.StoreError, "in use"):
+                contact2d.Solver.of_deck(HERTZ, store=folder)  # the child has given nothing back
+            self.assertEqual(solver.advance(1.0), contact2d.Outcome.REACHED)
+
+    def test_what_a_handler_of_a_signal_raises_comes_when_the_call_has_ended(self):
+        class Late(Exception):
+            pass
+
+        def late(*_):
+            raise Late()
+
+        def at_once(*_):
+            if not hits:
+                hits.append(1)
+                os.kill(os.getpid(), signal.SIGALRM)
+
+        hits, before = [], signal.signal(signal.SIGALRM, late)
+        try:
+            solver = contact2d.Solver.of_deck(HERTZ, progress=at_once)
+            with self.assertRaises(Late):
+                solver.prepare()
+            self.assertEqual(solver.state, "model")
+            solver.prepare()
+            solver.close()
+        finally:
+            signal.signal(signal.SIGALRM, before)
+
+    def test_a_handler_may_cancel_and_nothing_else(self):
+        told, heard = [], threading.Event()
+
+        def handler(*_):
+            for call in (solver.close, lambda: solver.state, lambda: solver.begin(0)):
+                try:
+                    call()
+                except contact2d.UsageError as why:
+                    told.append(str(why))
+            heard.set()
+
+        def prepare(*values):
+            os.kill(os.getpid(), signal.SIGALRM)
+            heard.wait()
+            return original(*values)
+
+        before = signal.signal(signal.SIGALRM, handler)
+        solver, original = contact2d.Solver.of_deck(HERTZ), contact2d.lib.c2d_prepare
+        contact2d.lib.c2d_prepare = prepare
+        try:
+            solver.prepare()
+        finally:
+            contact2d.lib.c2d_prepare = original
+            signal.signal(signal.SIGALRM, before)
+        self.assertEqual(["cancel() alone is legal" in each for each in told], [True] * 3)
+
+    def test_close_is_refused_in_a_callback(self):
+        solver = contact2d.Solver.of_deck(HERTZ)
+        solver.prepare()
+        with self.assertRaisesRegex(contact2d.UsageError, "one of its callbacks"):
+            solver.run(lambda step: solver.close())
+        self.assertTrue(solver.run())
 
 
 class Stepping(unittest.TestCase):

@@ -10,20 +10,52 @@ from .library import lib
 COUNTS = ("cases", "zones")  # of the list before them
 
 
+def text(where, value):
+    """Text as bytes that end at their first zero byte, which is the one that C adds."""
+    value = value.encode("utf-8") if isinstance(value, str) else value
+    if not isinstance(value, bytes):
+        raise TypeError("%s is %r, expected text" % (where, value))
+    if b"\0" in value:
+        raise ValueError("%s has a character that is zero" % where)
+    return value
+
+
+def member(where, kind, value):
+    """What a member of a struct is set to."""
+    if issubclass(kind, header.Struct):
+        if isinstance(value, Mapping):
+            return fill(kind(), value)
+        if not isinstance(value, kind):
+            raise TypeError("%s is %r, expected a mapping or a %s" % (where, value, kind.__name__))
+        return value
+    if issubclass(kind, ctypes.Array):
+        if kind._type_ is ctypes.c_char:
+            value = text(where, value)
+        elif not arrays.is_list(value):
+            raise TypeError("%s is %r, expected %d numbers" % (where, value, kind._length_))
+        else:
+            value = list(value)
+        if kind._type_ is ctypes.c_char and len(value) >= kind._length_:
+            raise ValueError("%s has %d bytes, expected at most %d" % (where, len(value), kind._length_ - 1))
+        if kind._type_ is ctypes.c_char:
+            return value
+        if len(value) != kind._length_:
+            raise TypeError("%s has %d numbers, expected %d" % (where, len(value), kind._length_))
+        return kind(*[member(where, kind._type_, each) for each in value])
+    if kind is ctypes.c_double:
+        return arrays.real(where, value)
+    if issubclass(kind, ctypes._SimpleCData) and kind not in (ctypes.c_void_p, ctypes.c_char_p):
+        return arrays.integer(where, value, kind)
+    raise TypeError("%s cannot be set" % where)  # a pointer
+
+
 def fill(struct, members):
     """Sets members of a struct from a mapping: lists for arrays, text for characters, mappings for structs in it."""
     kinds = dict(struct._fields_)
     for name, value in members.items():
         if name not in kinds:
             raise TypeError("%s has no member %r; it has %s" % (type(struct).__name__, name, ", ".join(kinds)))
-        kind = kinds[name]
-        if isinstance(value, str):
-            value = value.encode("utf-8")
-        if issubclass(kind, header.Struct) and isinstance(value, Mapping):
-            value = fill(kind(), value)
-        elif issubclass(kind, ctypes.Array) and not isinstance(value, bytes):
-            value = kind(*value)
-        setattr(struct, name, value)
+        setattr(struct, name, member("%s.%s" % (type(struct).__name__, name), kinds[name], value))
     return struct
 
 
@@ -59,7 +91,7 @@ class Arguments:
         for name, kind, is_const, length in self.expected[1:]:
             if name in COUNTS:
                 self.values.append(self.length)
-            elif kind in (ctypes.c_void_p, ctypes.c_char_p) or not hasattr(kind, "contents"):
+            elif kind is ctypes.c_char_p or not hasattr(kind, "contents"):
                 self.scalar(name, kind)
             elif is_const:
                 self.input(name, kind._type_, length)
@@ -70,26 +102,37 @@ class Arguments:
             raise TypeError("%s: not expected: %s" % (self.function, ", ".join(unknown)))
         return self
 
+    def where(self, name):
+        return "%s: '%s'" % (self.function, name)
+
     def scalar(self, name, kind):
         value = self.take(name)
-        self.values.append(value.encode("utf-8") if isinstance(value, str) else value)
+        if kind is ctypes.c_char_p:
+            value = None if value is None else text(self.where(name), value)
+        elif kind is ctypes.c_double:
+            value = arrays.real(self.where(name), value)
+        else:
+            value = arrays.integer(self.where(name), value, kind)
+        self.values.append(value)
 
     def input(self, name, kind, length):
         if issubclass(kind, header.Struct):
             self.struct(name, kind)
             return
         value = self.take(name) if self.given or name in self.named or length is None else None
-        if value is None:
+        if value is None and length is not None:
             self.values.append(None)
             return
         if kind is ctypes.c_int32:
-            numbers = [int(number) for number in value]
+            if not arrays.is_list(value):
+                raise TypeError("%s is %r, expected a list of whole numbers" % (self.where(name), value))
+            numbers = [arrays.integer(self.where(name), number) for number in value]
             pointer, self.length = (ctypes.c_int32 * len(numbers))(*numbers), len(numbers)
         else:
-            pointer, self.length, kept = arrays.doubles(value)
+            pointer, self.length, kept = arrays.doubles(self.where(name), value)
             self.kept.append(kept)
         if length is not None and self.length != length:
-            raise TypeError("%s: '%s' has %d numbers, expected %d" % (self.function, name, self.length, length))
+            raise TypeError("%s has %d numbers, expected %d" % (self.where(name), self.length, length))
         self.values.append(pointer)
 
     def struct(self, name, kind):
@@ -98,8 +141,8 @@ class Arguments:
         if value is None:
             mine = {member: self.named.pop(member) for member, *_ in kind._fields_ if member in self.named}
             value = fill(kind(), mine)
-        elif isinstance(value, Mapping):
-            value = fill(kind(), value)
+        else:
+            value = member(self.where(name), kind, value)
         self.kept.append(value)
         self.values.append(ctypes.byref(value))
 
@@ -115,15 +158,16 @@ class Arguments:
 
 
 def read_line(lines):
-    """A c2d_read_line for lines of bytes, from the first one on."""
+    """A c2d_read_line for lines of bytes, from the first one on. (It is called in a worker's thread: no signal's handler can
+    raise in it.)"""
     rest = iter(lines)
 
-    def next_line(_, text, size):
+    def next_line(_, to, size):
         line = next(rest, None)
         if line is None:
             return -1
         kept = line[: size - 1] + b"\0"
-        ctypes.memmove(text, kept, len(kept))
+        ctypes.memmove(to, kept, len(kept))
         return len(line)
 
     return header.c2d_read_line(next_line)

@@ -39,6 +39,10 @@ class Error(Exception):
         self.text, self.line, self.column = first.text, first.line, first.column
         super().__init__("\n".join(str(message) for message in self.messages))
 
+    def __reduce__(self):
+        """From one process to another, and copies."""
+        return type(self), (self.messages, self.status), self.__dict__
+
 
 class InputError(Error, ValueError):
     """The deck, the sketch or the model is wrong."""

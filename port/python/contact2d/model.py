@@ -120,5 +120,7 @@ class Sizes:
         self.count["free_pairs"] += pairs if free else 0
 
     def sizes(self):
-        bodies = [self.bodies.get(body, (1, 1, 1)) for body in range(1, max(self.bodies, default=1) + 1)]
+        if self.bodies and not 1 <= min(self.bodies) <= max(self.bodies) <= len(self.bodies):
+            raise ValueError("set_body: bodies are numbered from 1 on, not %s" % sorted(self.bodies))
+        bodies = [self.bodies[body] for body in sorted(self.bodies)] or [(1, 1, 1)]
         return dict(self.count, bodies=bodies, function_nodes=self.nodes, load_cases=self.load_cases)

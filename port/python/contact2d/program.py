@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 import warnings
 
-from . import library
+from . import arrays, library
 from .errors import Cancelled, Error, IncompleteWarning, InputError, Message, StoreError, UsageError, WorkspaceError
 from .pictures import Picture, is_as_written
 from .tables import Table
@@ -40,13 +40,16 @@ def messages_of(text):
 
 
 def end(process):
-    """Ends a run in order: a signal that it answers to, and the end if it does not."""
-    process.send_signal(signal.SIGINT)
+    """Ends a run in order: a signal that it answers to, and the end if it does not, or if something is raised here."""
     try:
+        process.send_signal(signal.SIGINT)
         process.communicate(timeout=PATIENCE)
     except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
+        pass
+    finally:
+        if process.returncode is None:
+            process.kill()
+            process.communicate()
 
 
 def run_program(*words, text=None, legal=(0,)):
@@ -70,13 +73,21 @@ def run_program(*words, text=None, legal=(0,)):
 
 
 def named(source):
-    """(word for the command line, standard input) of a file's name, or of the text of a deck or sketch itself."""
+    """(word for the command line, standard input) of a file's name, or of the text of a deck or sketch itself. Words stand
+    behind `--`, where a dash begins a name; `-` alone is a file of that name, too."""
     if isinstance(source, str) and "\n" in source:
         return "-", source
-    return os.fspath(source), None
+    name = os.fsdecode(source)
+    return os.path.join(os.curdir, name) if name == "-" else name, None
 
 
 def settings(parameters):
+    """Words NAME=VALUE."""
+    for name, value in parameters.items():
+        if not isinstance(name, str) or "=" in name:
+            raise ValueError("%r is no name of a parameter" % (name,))
+        if not isinstance(value, str):
+            arrays.real("parameter '%s'" % name, value)
     return ["%s=%s" % (name, repr(float(value)) if isinstance(value, float) else value)
             for name, value in parameters.items()]
 
@@ -167,8 +178,7 @@ def solve(source, points=None, pictures=True, stresses=False, options=None, set=
     word, text = named(source)
     with room() as place:
         folder = pathlib.Path(place)
-        words = ["run", word] + settings(dict(parameters, **(set or {})))
-        words += ["--listing", folder / "listing.txt", "--json", folder / "summary.json"]
+        words = ["run", "--listing", folder / "listing.txt", "--json", folder / "summary.json"]
         wanted = [name for name in TABLES if name not in ("interior", "stresses", "ranges")]
         wanted += ["stresses", "ranges"] if stresses else []
         if points is not None:
@@ -180,7 +190,8 @@ def solve(source, points=None, pictures=True, stresses=False, options=None, set=
         if pictures:
             words += ["--report", folder / "report.html", "--figures", folder / "figures"]
         for name, value in (options or {}).items():
-            words += ["--" + name.replace("_", "-")] + ([] if value is True else [str(value)])
+            words += ["--" + name.replace("_", "-") + ("" if value is True else "=%s" % value)]
+        words += ["--", word] + settings(dict(parameters, **(set or {})))
         _, told, status = run_program(*words, text=text, legal=(0, 1, 5))
         if status == 1 and not (folder / "summary.json").exists():
             raise Error(messages_of(told) or [Message("error", "the program ended with status 1")], 1)
@@ -202,22 +213,25 @@ def has_points(word, text):
 
 def points_text(points):
     rows = []
-    for point in points:
+    for point in points if arrays.is_list(points) else [points]:
+        if not arrays.is_list(point) or len(point) not in (2, 3):
+            raise TypeError("points: %r, expected (x, y) or (x, y, body)" % (point,))
         x, y, *body = point
-        rows.append("%d,%r,%r\n" % (int(body[0]) if body else 1, float(x), float(y)))
+        rows.append("%d,%r,%r\n" % (arrays.integer("points: 'body'", body[0], least=1) if body else 1,
+                                    arrays.real("points: 'x'", x), arrays.real("points: 'y'", y)))
     return "body,x,y\n" + "".join(rows)
 
 
 def check(source, **parameters):
     """What `contact2d check` says of a deck or sketch: its sizes and the memory that it needs. Faults are exceptions."""
     word, text = named(source)
-    return run_program("check", word, *settings(parameters), text=text)[0]
+    return run_program("check", "--", word, *settings(parameters), text=text)[0]
 
 
 def mesh(source, **parameters):
     """The deck that is made of a sketch."""
     word, text = named(source)
-    return run_program("mesh", word, *settings(parameters), text=text)[0]
+    return run_program("mesh", "--", word, *settings(parameters), text=text)[0]
 
 
 def make(family, **values):

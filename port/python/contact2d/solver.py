@@ -8,15 +8,16 @@ import enum
 import mmap
 import os
 import pathlib
-import queue
-import signal
+import sys
 import threading
+from collections.abc import Mapping
 from ctypes import byref
 
 from . import arrays, calls, header
-from .errors import Message, StoreError, WorkspaceError, kind_of
+from .errors import Message, StoreError, UsageError, WorkspaceError, kind_of
 from .library import lib
 from .tables import Table
+from .worker import Worker
 
 
 class Outcome(enum.IntEnum):
@@ -84,7 +85,7 @@ class Memory:
             if status != header.C2D_OK:
                 raise kind_of(status)([Message("error", calls.message(status))], status)
             need += blocks.value * (size.value + 64) + 4096
-        self.region = mmap.mmap(-1, need)
+        self.region = memory_of(need)
         lib.c2d_memory_store_init(byref(self.store), address(self.region), need)
 
     def done(self):
@@ -96,7 +97,7 @@ class Files:
 
     def __init__(self, port, folder):
         self.store = header.c2d_posix_store()
-        code = lib.c2d_posix_store_init(byref(self.store), os.fspath(folder).encode())
+        code = lib.c2d_posix_store_init(byref(self.store), calls.text("store", os.fsencode(folder)))
         if code != 0:
             why = {header.C2D_POSIX_STORE_LOCKED: "in use by another store", header.C2D_POSIX_STORE_FOREIGN:
                    "what stands there is not ours"}.get(code) or os.strerror(code)
@@ -110,6 +111,14 @@ class Files:
 
     def done(self):
         lib.c2d_posix_store_done(byref(self.store))
+
+
+def memory_of(size):
+    """Memory of this process alone: a child has a copy, as of everything else."""
+    try:
+        return mmap.mmap(-1, max(1, size), flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    except (OSError, OverflowError):
+        raise WorkspaceError([Message("error", "%d bytes cannot be had" % size)], header.C2D_ERR_MEMORY) from None
 
 
 def address(region):
@@ -131,41 +140,49 @@ class Solver:
     threads   of assembly, elimination and interior points; no digit of a result depends on it
     progress  a function of (phase, body, done, total, load, target), called at least once per column and event
 
-    Methods raise contact2d.Error; faults, warnings and notes are kept in `messages`. Ctrl-C cancels a call: it raises
-    KeyboardInterrupt, and the solver goes on from where it is. Solvers may be used in different threads at once, one solver
-    in one thread at a time. close(), or a `with` statement, gives everything back.
+    Arguments that C could not take are ValueError or TypeError and name the argument; what a call of the library finds wrong
+    is contact2d.Error. Faults, warnings and notes are kept in `messages`.
+
+    A call is waited for in any case. What a handler of a signal raises meanwhile (Ctrl-C: KeyboardInterrupt) cancels it and is
+    raised afterwards, and the solver goes on from where it is; what progress or the step of run() raises ends it likewise.
+    Within those two get_zone_state and what else section 3 of contact2d.h lists is legal, close() is not. A solver may be used
+    from any thread; one call is made after the other. In a child of its process (os.fork, multiprocessing) every method
+    raises: the child makes a solver of its own. close(), or a `with` statement, gives everything back.
     """
 
     def __init__(self, limits=None, memory=None, store=None, threads=1, progress=None, **sizes):
-        self._solver, self._pool, self._store = None, None, None
-        self.messages, self._heard = [], []
-        self._limits = limits if limits is not None else limits_of(sizes)
-        self._port = port = header.c2d_port()
+        self._solver = self._pool = self._store = self._workspace = None
+        self._process, self._gate, self._worker = os.getpid(), threading.RLock(), None
+        self.messages, self._heard, self._port, self._cancelled_by = [], [], header.c2d_port(), None
+        if limits is not None and sizes:
+            raise TypeError("limits are given, and by name: %s" % ", ".join(sorted(sizes)))
+        self._limits = limits if isinstance(limits, Limits) else limits_of(sizes if limits is None else limits)
+        memory = None if memory is None else arrays.integer("memory", memory, ctypes.c_int64, 1)
+        threads = arrays.integer("threads", threads, least=1)
+        store = None if store is None else os.fspath(store)
+        if progress is not None and not callable(progress):
+            raise TypeError("progress is %r, expected a function" % (progress,))
+        self._worker = Worker()
         try:
-            self._store = Memory(port) if store is None else Files(port, store)
-            self._set_callbacks(progress)
-            if threads > 1:
-                self._start_threads(threads)
-            self._create(memory)
+            _, raised = self._run(lambda: self._build(memory, store, threads, progress))
+            if raised:
+                raise raised[0]
         except BaseException:
-            self._let_go()
+            self.close()
             raise
+
+    def _build(self, memory, store, threads, progress):
+        self._store = Memory(self._port) if store is None else Files(self._port, store)
+        self._worker.kept.append(self._store)
+        self._set_callbacks(progress)
+        if threads > 1:
+            self._start_threads(threads)
+        self._create(memory)
 
     @classmethod
     def of_deck(cls, source, **options):
         """With the model of a deck: the name of its file, or its text. (Of a sketch: Solver.of_deck(contact2d.mesh(...)).)"""
-        lines = lines_of(source)
-        bodies = (header.c2d_body_limits * max(2, len(lines)))()
-        limits, found = header.c2d_limits(bodies=len(bodies), body=bodies), []
-
-        def report(_, entry):
-            found.append(Message.of(entry.contents))
-
-        status = lib.c2d_check_deck(calls.read_line(lines), None, byref(limits), header.c2d_report(report), None)
-        if status != header.C2D_OK:
-            faults = [message for message in found if message.severity == "error"]
-            raise kind_of(status)(faults or [Message("error", calls.message(status))], status)
-        solver = cls(limits, **options)
+        solver = cls(limits_of_deck(source), **options)
         try:
             solver.read_deck(source)
         except BaseException:
@@ -175,25 +192,19 @@ class Solver:
 
     # ---- what it is made of
     def _set_callbacks(self, progress):
-        heard = self._heard  # (not the solver itself, which would keep itself alive)
+        heard, worker = self._heard, self._worker  # (not the solver itself, which would keep itself alive)
 
         def log(_, entry):
             heard.append(Message.of(entry.contents))
 
         def show(_, now):
             now = now.contents
-            try:
-                progress(now.phase, now.body, now.done, now.total, now.load, now.target)
-            except BaseException as why:  # must not leave the callback: it is raised when the call has returned
-                heard.append(why)
-
-        def cancelled(_):
-            return 1 if any(isinstance(each, BaseException) for each in heard) else 0
+            worker.ask(lambda: progress(now.phase, now.body, now.done, now.total, now.load, now.target), None)
 
         self._port.log = dict(self._port._fields_)["log"](log)
         if progress is not None:
             self._port.progress = dict(self._port._fields_)["progress"](show)
-            self._port.cancel = dict(self._port._fields_)["cancel"](cancelled)
+            self._port.cancel = dict(self._port._fields_)["cancel"](lambda _: 1 if worker.has_raised() else 0)
 
     def _start_threads(self, threads):
         pool = header.c2d_threads()
@@ -201,35 +212,47 @@ class Solver:
         if code != 0:
             raise WorkspaceError([Message("error", "%d threads: %s" % (threads, os.strerror(code)))], code)
         self._pool = pool
+        self._worker.kept.append(pool)
         lib.c2d_threads_port(byref(pool), byref(self._port))
 
     def _create(self, memory):
         least, in_core, why = ctypes.c_uint64(), ctypes.c_uint64(), header.c2d_error()
         self._check(lib.c2d_memory_need(byref(self._limits), byref(least), byref(in_core), byref(why)), why)
         self.bytes = memory if memory is not None else max(least.value, min(in_core.value, physical_memory() // 2))
-        self._workspace = mmap.mmap(-1, max(1, self.bytes))
+        self._workspace = memory_of(self.bytes)
         solver = ctypes.c_void_p()
         self._check(lib.c2d_create(byref(solver), address(self._workspace), self.bytes, byref(self._limits),
                                    byref(self._port), byref(why)), why)
         self._solver = solver
         self._store.make_room(self._limits, self.bytes)
 
-    def _let_go(self):
+    def _give_back(self):
+        with self._gate:
+            solver, self._solver = self._solver, None
+        status = header.C2D_OK if solver is None else lib.c2d_close(solver)
         if self._pool is not None:
             lib.c2d_threads_stop(byref(self._pool))
         if self._store is not None:
             self._store.done()
+        self._worker.kept.clear()
         self._pool = self._store = self._workspace = None
+        return status
 
     def close(self):
-        """Closes the store and gives the memory back. More than once does no harm."""
-        solver, self._solver = self._solver, None
-        if solver is not None:
-            status = lib.c2d_close(solver)
-            self._let_go()
-            self._check(status, header.c2d_error())
+        """Closes the store and gives the memory back. More than once does no harm; within a callback it is refused."""
+        self._check_process()
+        if self._worker is None:
+            return
+        if self._worker.is_inside():
+            raise UsageError([Message("error", "close: the solver is at work, this is one of its callbacks")],
+                             header.C2D_ERR_BUSY)
+        status, raised = self._run(self._give_back)
+        self._worker.stop()
+        self._worker = None
+        self._check(status, header.c2d_error(), raised)
 
     def __enter__(self):
+        self._check_process()
         return self
 
     def __exit__(self, *_):
@@ -237,16 +260,73 @@ class Solver:
 
     def __del__(self):
         try:
-            self.close()
-        except Exception:
+            if self._process == os.getpid():
+                self.close()
+        except BaseException:
             pass  # nobody is there to hear it
 
+    def __reduce__(self):
+        raise TypeError("a Solver belongs to its process: neither pickled nor copied")
+
     # ---- calls
-    def _check(self, status, why):
+    def _check_process(self):
+        if self._process != os.getpid():
+            raise UsageError([Message("error", "the solver belongs to process %d, this is a child of it: make another one here" %
+                                      self._process)], header.C2D_ERR_STATE)
+
+    def _run(self, work):
+        """(what work() returns, what was raised meanwhile); work() runs where no handler of a signal does."""
+        self._check_process()
+        if self._worker is None:
+            raise ValueError("the solver is closed")
+        if self._worker.is_inside() or sys.is_finalizing():
+            return work(), []
+        return self._worker.run(work, self._stop)
+
+    def _stop(self):
+        """Cancels the call at work because something was raised."""
+        with self._gate:
+            if self._solver is not None:
+                lib.c2d_cancel(self._solver)
+                self._cancelled_by = self._cancelled_by or "us"
+
+    def cancel(self):
+        """From another thread, or a callback: the call at work raises Cancelled."""
+        self._check_process()
+        with self._gate:
+            lib.c2d_cancel(self._pointer())
+            self._cancelled_by = "user"
+
+    def _pointer(self):
+        if self._solver is None:
+            raise ValueError("the solver is closed")
+        return self._solver
+
+    def _call(self, function, *values):
+        """A call of the library on this solver."""
+        def work():
+            status = getattr(lib, function)(self._pointer(), *values)
+            why = header.c2d_error()
+            if status != header.C2D_OK:
+                lib.c2d_last_error(self._pointer(), byref(why))
+            return status, why
+
+        def checked():
+            earlier, self._cancelled_by = self._cancelled_by, None
+            status, why = work()
+            is_of_this = self._cancelled_by or self._worker.has_raised()
+            if status == header.C2D_ERR_CANCELLED and earlier == "us" and not is_of_this:
+                status, why = work()  # our cancel had come when the call before had ended
+            if status != header.C2D_ERR_CANCELLED:
+                self._cancelled_by = self._cancelled_by or earlier  # no cancel is lost
+            return status, why
+
+        (status, why), raised = self._run(checked)
+        self._check(status, why, raised)
+
+    def _check(self, status, why, raised=()):
         """Takes over what was logged; raises what failed."""
-        heard, self._heard[:] = list(self._heard), []
-        raised = [each for each in heard if isinstance(each, BaseException)]
-        messages = [each for each in heard if not isinstance(each, BaseException)]
+        messages, self._heard[:] = list(self._heard), []
         self.messages += messages
         if raised:
             raise raised[0]
@@ -262,87 +342,6 @@ class Solver:
             error.host_code = why.host_code
         raise error
 
-    def _pointer(self):
-        if self._solver is None:
-            raise ValueError("the solver is closed")
-        return self._solver
-
-    def _call(self, function, *values):
-        """A call that may take long: Ctrl-C cancels it."""
-        pointer = self._pointer()
-        call = getattr(lib, function)
-        if threading.current_thread() is threading.main_thread():
-            status = self._beside(call, pointer, values)
-        else:
-            status = call(pointer, *values)
-        self._finish(status)
-
-    def _finish(self, status):
-        why = header.c2d_error()
-        if status != header.C2D_OK:
-            lib.c2d_last_error(self._solver, byref(why))
-        self._check(status, why)
-
-    def _beside(self, call, pointer, values):
-        """Runs the call in a thread of its own, since Python hears Ctrl-C only while no foreign code runs in its main thread.
-        What the call asks back (`_ask`) is answered here."""
-        hits = []
-
-        def interrupted(number, frame):
-            hits.append((number, frame))
-            lib.c2d_cancel(pointer)
-
-        before = signal.getsignal(signal.SIGINT)
-        if callable(before):
-            signal.signal(signal.SIGINT, interrupted)
-        try:
-            status = self._wait(call, pointer, values)
-            if status == header.C2D_ERR_CANCELLED and self._late and not hits:
-                status = self._wait(call, pointer, values)  # a Ctrl-C that came when the call before had ended
-        finally:
-            if callable(before):
-                signal.signal(signal.SIGINT, before)
-        self._late = bool(hits) and status != header.C2D_ERR_CANCELLED
-        if hits:
-            try:
-                before(*hits[0])
-            except BaseException as why:
-                self._heard.append(why)
-        return status
-
-    def _wait(self, call, pointer, values):
-        self._inbox = inbox = queue.SimpleQueue()
-        worker = threading.Thread(target=lambda: inbox.put(call(pointer, *values)), daemon=True)
-        worker.start()
-        content = inbox.get()
-        while callable(content):
-            content()
-            content = inbox.get()
-        worker.join()
-        self._inbox = None
-        return content
-
-    _late = False
-    _inbox = None
-
-    def _ask(self, function):
-        """The answer of a user's function, in the thread that called the solver; None and an exception kept if it raised."""
-        def answer():
-            try:
-                answers.append(function())
-            except BaseException as why:
-                self._heard.append(why)
-                answers.append(None)
-            done.release()
-
-        answers, done = [], threading.Semaphore(0)
-        if self._inbox is None:
-            answer()
-        else:
-            self._inbox.put(answer)
-        done.acquire()
-        return answers[0]
-
     @property
     def state(self):
         """"empty", "building", "model", "prepared", "running" or "broken" (contact2d.h, section 9)."""
@@ -352,26 +351,21 @@ class Solver:
     def warnings(self):
         return [message for message in self.messages if message.severity == "warning"]
 
-    def cancel(self):
-        """From another thread: the call at work raises Cancelled."""
-        lib.c2d_cancel(self._pointer())
-
     # ---- calls whose arguments are not as in C
     def read_deck(self, source):
         """The model of a deck: the name of its file, or its text."""
-        self._finish(lib.c2d_read_deck(self._pointer(), calls.read_line(lines_of(source)), None))
+        self._call("c2d_read_deck", calls.read_line(lines_of(source)), None)
 
     def set_nodes(self, body, first, xy):
         """Boundary points from number `first` on: rows (x, y)."""
-        pointer, count, kept = arrays.doubles(xy)
-        if count % 2:
-            raise TypeError("set_nodes: expected rows (x, y), not %d numbers" % count)
-        self._finish(lib.c2d_set_nodes(self._pointer(), body, first, count // 2, pointer, 2))
+        body, first = arrays.integer("set_nodes: 'body'", body), arrays.integer("set_nodes: 'first'", first)
+        pointer, count, kept = arrays.doubles("set_nodes: 'xy'", xy, 2)
+        self._call("c2d_set_nodes", body, first, count // 2, pointer, 2)
         del kept
 
     def advance(self, load):
         """Follows the load from the factors reached to these, one per load case; the Outcome says how it ended."""
-        pointer, count, kept = arrays.doubles(load)
+        pointer, count, kept = arrays.doubles("advance: 'load'", load)
         outcome = ctypes.c_int32()
         self._call("c2d_advance", pointer, count, byref(outcome))
         del kept
@@ -380,13 +374,14 @@ class Solver:
     def run(self, step=None):
         """The model's own load cards for each of its coefficients of friction. `step` is called with a Step at the end of
         every increment, and where a path stops; if it returns something true the run ends. True: it came to its end."""
+        if step is not None and not callable(step):
+            raise TypeError("run: 'step' is %r, expected a function" % (step,))
         stopped = []
 
         def seen(_, now):
-            now = Step(now.contents)
-            if self._ask(lambda: step(now)):
-                stopped.append(now)
-            return 1 if stopped or any(isinstance(each, BaseException) for each in self._heard) else 0
+            if self._worker.ask(lambda: step(Step(now.contents)), True):
+                stopped.append(True)
+            return 1 if stopped else 0
 
         callback = header.c2d_step_fn(seen) if step is not None else header.c2d_step_fn()
         try:
@@ -398,24 +393,29 @@ class Solver:
 
     def get_path(self, i):
         """(increments, load factors) of a piece of the load path."""
+        i = arrays.integer("get_path: 'i'", i)
         increments, loads = ctypes.c_int32(), (ctypes.c_double * max(1, self.get_summary().load_cases))()
-        self._finish(lib.c2d_get_path(self._pointer(), i, byref(increments), loads, len(loads)))
+        self._call("c2d_get_path", i, byref(increments), loads, len(loads))
         return increments.value, list(loads)
 
     def get_name(self, kind, i):
+        kind, i = arrays.integer("get_name: 'kind'", kind), arrays.integer("get_name: 'i'", i)
         out = ctypes.create_string_buffer(32)
-        self._finish(lib.c2d_get_name(self._pointer(), kind, i, out))
+        self._call("c2d_get_name", kind, i, out)
         return out.value.decode("utf-8", "replace")
 
     def last_error(self):
         """Why the last call failed, as a Message."""
         why = header.c2d_error()
-        lib.c2d_last_error(self._pointer(), byref(why))
+        self._call("c2d_last_error", byref(why))
         return Message.of(why)
 
     def get_state(self):
         """C2D_STATE_...; `state` has it in words."""
-        return lib.c2d_get_state(self._pointer())
+        state, raised = self._run(lambda: lib.c2d_get_state(self._pointer()))
+        if raised:
+            raise raised[0]
+        return state
 
     # ---- results
     def count(self, field, body=0):
@@ -432,9 +432,10 @@ class Solver:
 
     def get(self, field, body=0, first=1, count=None):
         """A field of contact2d_codes.h, as "tn" or "end_hoop": of pairs, or of a body's element ends, nodes or elements."""
-        count = self.count(field, body) - first + 1 if count is None else count
+        number, body = field_number(field), arrays.integer("get: 'body'", body)
+        first, count = entries("get", first, count, self.count(number, body))
         out = (ctypes.c_double * max(1, count))()
-        self._call("c2d_get", field_number(field), body, first, count, out, 1)
+        self._call("c2d_get", number, body, first, count, out, 1)
         return arrays.shaped(out[:count])
 
     def contact(self):
@@ -447,9 +448,8 @@ class Solver:
 
     def interior(self, xy, body=0):
         """A table with displacements and stresses at points, rows (x, y); body 0: whichever each lies in."""
-        pointer, count, kept = arrays.doubles(xy)
-        if count % 2:
-            raise TypeError("interior: expected rows (x, y), not %d numbers" % count)
+        body = arrays.integer("interior: 'body'", body)
+        pointer, count, kept = arrays.doubles("interior: 'xy'", xy, 2)
         out = (ctypes.c_double * max(1, count // 2 * header.C2D_POINT_FIELDS))()
         self._call("c2d_interior", body, count // 2, pointer, 2, out, header.C2D_POINT_FIELDS)
         places = arrays.shaped(pointer[:count], 2)
@@ -459,23 +459,18 @@ class Solver:
 
     def indicators(self, body, first=1, count=None):
         """A table with what the mesh leaves open, a row per element (C2D_OFF_...)."""
-        count = self.get_body_result(body).elements - first + 1 if count is None else count
+        body = arrays.integer("indicators: 'body'", body)
+        first, count = entries("indicators", first, count, self.get_body_result(body).elements)
         out = (ctypes.c_double * max(1, count * header.C2D_OFF_FIELDS))()
         self._call("c2d_indicators", body, first, count, out, header.C2D_OFF_FIELDS)
         return table_of(arrays.shaped(out[: count * header.C2D_OFF_FIELDS], header.C2D_OFF_FIELDS), OFF_FIELDS)
-
-
-LONG = {"c2d_prepare", "c2d_begin", "c2d_next_event", "c2d_save", "c2d_restore"}
 
 
 def method_of(function):
     """A method that calls a function of the interface: arguments by place or by name, outputs returned."""
     def method(self, *given, **named):
         bound = calls.Arguments(function, given, named).bind()
-        if function in LONG:
-            self._call(function, *bound.values)
-        else:
-            self._finish(getattr(lib, function)(self._pointer(), *bound.values))
+        self._call(function, *bound.values)
         return bound.results()
 
     method.__name__ = method.__qualname__ = function[4:]
@@ -492,20 +487,73 @@ def add_methods():
 add_methods()
 
 
+FIELDS = {name: getattr(header, "C2D_" + name.upper()) for name in PAIR_FIELDS + END_FIELDS + [
+    "node_x", "node_y", "pair_element1", "pair_eta1", "surface_x", "surface_y"]}
+
+
 def field_number(field):
-    number = getattr(header, "C2D_" + field.upper(), None) if isinstance(field, str) else field
-    if not isinstance(number, int):
-        raise ValueError("there is no field %r; see contact2d_codes.h" % (field,))
-    return number
+    """Of a name, or of a number that is one already."""
+    if isinstance(field, str):
+        if field.lower() not in FIELDS:
+            raise ValueError("there is no field %r; see contact2d_codes.h" % (field,))
+        return FIELDS[field.lower()]
+    return arrays.integer("field", field)
+
+
+def entries(function, first, count, there):
+    """(first, count) of a range among so many entries."""
+    first = arrays.integer("%s: 'first'" % function, first, least=1)
+    rest = max(there - first + 1, 0)
+    count = rest if count is None else arrays.integer("%s: 'count'" % function, count, least=0)
+    if count > rest:
+        raise ValueError("%s: 'count' is %d, expected at most %d: there are %d entries" % (function, count, rest, there))
+    return first, count
+
+
+class Limits(header.c2d_limits):
+    """A c2d_limits whose list was made here."""
+
+
+Limits.__name__ = header.c2d_limits.__name__  # as messages call it
 
 
 def limits_of(sizes):
-    """A c2d_limits from its members by name; `bodies`: a (points, elements, regions) for each."""
+    """Limits from members by name; `bodies`: a (points, elements, regions) for each."""
+    if not isinstance(sizes, Mapping):
+        raise TypeError("limits is %r, expected members of c2d_limits by name" % (sizes,))
     sizes = dict(sizes)
-    bodies = [tuple(body) for body in sizes.pop("bodies", [])]
-    listed = (header.c2d_body_limits * max(1, len(bodies)))(*[header.c2d_body_limits(*body) for body in bodies])
-    limits = calls.fill(header.c2d_limits(), sizes)
-    limits.bodies, limits.body = len(bodies), listed
+    bodies = sizes.pop("bodies", [])
+    if not arrays.is_list(bodies):
+        raise TypeError("bodies is %r, expected a list of (points, elements, regions)" % (bodies,))
+    listed = []
+    for i, body in enumerate(bodies, 1):
+        where = "bodies: body %d" % i
+        if not arrays.is_list(body) or len(body) != 3:
+            raise TypeError("%s is %r, expected (points, elements, regions)" % (where, body))
+        listed.append(header.c2d_body_limits(*[arrays.integer(where, number, least=0) for number in body]))
+    limits = calls.fill(Limits(), sizes)
+    limits.body = (header.c2d_body_limits * max(1, len(listed)))(*listed)
+    limits.bodies = len(listed)
+    return limits
+
+
+def limits_of_deck(source):
+    """Limits of a deck; its faults are raised."""
+    lines, found, limits = lines_of(source), [], Limits()
+    limits.bodies = max(2, len(lines))
+    limits.body = (header.c2d_body_limits * limits.bodies)()
+    report = header.c2d_report(lambda _, entry: found.append(Message.of(entry.contents)))
+    worker = Worker()
+    try:
+        status, raised = worker.run(lambda: lib.c2d_check_deck(calls.read_line(lines), None, byref(limits), report, None),
+                                    lambda: None)
+    finally:
+        worker.stop()
+    if raised:
+        raise raised[0]
+    if status != header.C2D_OK:
+        faults = [message for message in found if message.severity == "error"]
+        raise kind_of(status)(faults or [Message("error", calls.message(status))], status)
     return limits
 
 
@@ -518,10 +566,15 @@ def lines_of(source):
 
 def expand_points(points, **members):
     """The points of a set (a c2d_points, a mapping, or members by name) as rows (x, y)."""
-    points = calls.fill(header.c2d_points(), dict(points, **members)) if not isinstance(points, header.c2d_points) else points
+    if isinstance(points, Mapping):
+        points = calls.fill(header.c2d_points(), dict(points, **members))
+    elif not isinstance(points, header.c2d_points) or members:
+        raise TypeError("points is %r, expected a c2d_points, a mapping, or members by name" % (points,))
     total = ctypes.c_int32()
     for count in (0, None):
         count = total.value if count is None else count
+        if 16 * count > physical_memory():
+            raise MemoryError("%d points" % count)
         xy = (ctypes.c_double * max(2, 2 * count))()
         status = lib.c2d_expand_points(byref(points), 1, count, xy, 2, byref(total))
         if status != header.C2D_OK:
