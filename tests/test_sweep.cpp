@@ -255,14 +255,12 @@ TEST_CASE("sweep: a row for each row, the same bytes with any threads, and rows 
   }
   CHECK(std::stod(value(4)) > std::stod(value(1)));
   CHECK(contains(contact2d(sweep + "--threads 2 --progress").err, "5 of 5 rows, 1 failed"));
-  // A row that waits for a file tells how long the others may take, and at the end nothing.
-  write_file(folder / "wait.c2s", "parameter E 1\nbody b E E nu 0.3\nfrom 0 0\nline s to 1 0\nline e to 1 1\n"
-                                  "spline n file points\nline w close\nfix b.s\ntraction b.e x 1\ntolerance off\n");
-  write_file(folder / "E", "E\n1\n");
+  // A row that takes its time (the program stands still for a while) tells how long the others may take, and at the end
+  // nothing.
+  write_file(folder / "P", "P\n50\n");
   const Result waited =
-      run_shell("cd '" + folder.path() +
-                "' && mkfifo points && { (sleep 1.2; printf '1 1\\n0.5 1.1\\n0 1\\n' > points) > /dev/null 2>&1 & }; '" +
-                paths::program() + "' sweep E wait.c2s --response load --progress");
+      run_shell("{ '" + paths::program() + "' sweep '" + (folder / "P") + "' " + kRoller +
+                "--response load --progress & }; sleep 0.1; kill -STOP $!; sleep 1.1; kill -CONT $!; wait $!");
   CHECK_MESSAGE(waited.status == 0, waited.err);
   CHECK_MESSAGE(contains(waited.err, "1 of 1 rows\n"), waited.err);
   // of a sketch

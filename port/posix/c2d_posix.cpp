@@ -208,8 +208,8 @@ int32_t lock_file(int file) {
   return errno == EWOULDBLOCK || errno == EACCES ? C2D_POSIX_STORE_LOCKED : errno;
 }
 
-// 0: nothing is in it; C2D_POSIX_STORE_FOREIGN or errno.
-int32_t check_empty(int folder) {
+// 0: nothing is in it, or the lock alone; C2D_POSIX_STORE_FOREIGN or errno.
+int32_t check_lone(int folder) {
   const int copy = open_at(folder, ".", O_RDONLY | O_DIRECTORY); // fdopendir takes it over
   DIR* list = copy < 0 ? nullptr : fdopendir(copy);
   if (!list) {
@@ -217,11 +217,11 @@ int32_t check_empty(int folder) {
     if (copy >= 0) close(copy);
     return code;
   }
-  bool empty = true;
+  bool lone = true;
   while (const dirent* entry = readdir(list))
-    empty = empty && (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0);
+    lone = lone && (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0 || strcmp(entry->d_name, kLock) == 0);
   closedir(list);
-  return empty ? 0 : C2D_POSIX_STORE_FOREIGN;
+  return lone ? 0 : C2D_POSIX_STORE_FOREIGN;
 }
 
 // The lock's file is new: the mark, and then the names, last.
@@ -238,7 +238,8 @@ int32_t write_mark(c2d_posix_store* s) {
   return 0;
 }
 
-// Under the lock: is the mark in its file? One that was killed while it wrote the mark has left the beginning of it.
+// Under the lock: is the mark in its file? A store that was cut off before the mark was safe has left its beginning, with zeros
+// for what the disk had not got yet, and nothing else: it was never begun.
 int32_t check_mark(c2d_posix_store* s) {
   char found[kMarkBytes + 1];
   ssize_t got;
@@ -246,9 +247,15 @@ int32_t check_mark(c2d_posix_store* s) {
     got = pread(s->lock, found, sizeof found, 0);
   } while (got < 0 && errno == EINTR);
   if (got < 0) return errno;
-  if (static_cast<uint64_t>(got) > kMarkBytes || memcmp(found, kMark, static_cast<size_t>(got)) != 0)
-    return C2D_POSIX_STORE_FOREIGN;
-  return static_cast<uint64_t>(got) == kMarkBytes ? 0 : write_mark(s);
+  const uint64_t bytes = static_cast<uint64_t>(got);
+  if (bytes > kMarkBytes) return C2D_POSIX_STORE_FOREIGN;
+  uint64_t same = 0, zeros = 0;
+  while (same < bytes && found[same] == kMark[same]) ++same;
+  while (same + zeros < bytes && found[same + zeros] == '\0') ++zeros;
+  if (same == kMarkBytes) return 0;
+  if (same + zeros < bytes) return C2D_POSIX_STORE_FOREIGN;
+  const int32_t code = check_lone(s->folder);
+  return code == 0 ? write_mark(s) : code;
 }
 
 // The folder of our own in `parent`, and its lock's file, which a folder that is not empty must have. ENOENT: its holder has
@@ -260,7 +267,7 @@ int32_t open_own(c2d_posix_store* s) {
   s->lock = open_at(s->folder, kLock, O_RDWR);
   if (s->lock >= 0) return check_own(s->lock);
   if (errno != ENOENT) return open_code(errno);
-  const int32_t code = check_empty(s->folder);
+  const int32_t code = check_lone(s->folder);
   if (code != 0) return code;
   s->lock = open_at(s->folder, kLock, O_RDWR | O_CREAT);
   return s->lock < 0 ? open_code(errno) : check_own(s->lock);

@@ -1,10 +1,11 @@
 /* A block store in files for POSIX systems: transfers at given offsets that go on after interruptions, fsync, and a lock that
    keeps a second solver, in this or another process, out. In the folder that it is given the store makes one of its own,
    contact2d.store, with the files `lock`, which bears its mark, and tape0.c2d ... tape3.c2d; it opens, writes and removes
-   nothing else, follows no links, and takes no folder of that name without the mark. Room for a tape is reserved when it is
-   opened, where the file system can; of a tape most of which will not be written, what c2d_posix_store_expect says.
-   Blocks are read ahead and written behind by a thread of the store's, from the first such transfer on until the last
-   tape is closed; it blocks all signals. (Before glibc 2.34 programs then link with -pthread.)
+   nothing else, follows no links, and takes no folder of that name without the mark (a lock that was cut off, its rest
+   missing or zeros, beside nothing else, gets it). Room for a tape is reserved when it is opened, where the file system can;
+   of a tape most of which will not be written, what c2d_posix_store_expect says. Blocks are read ahead and written behind by
+   a thread of the store's, from the first such transfer on until the last tape is closed; it blocks all signals. (Before
+   glibc 2.34 programs then link with -pthread.)
 
      c2d_posix_store store;
      c2d_port port = C2D_INIT(c2d_port);

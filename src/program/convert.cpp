@@ -5,9 +5,11 @@
 #include "program/messages.hpp"
 #include "program/output_file.hpp"
 #include "program/real_in_columns.hpp"
+#include "report/text.hpp"
 
 #include <contact2d_cards.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace app {
@@ -24,6 +26,16 @@ void keep(void* context, const c2d_card* card) {
   std::vector<Item>& items = *static_cast<std::vector<Item>*>(context);
   items.push_back({card->kind, card->line, card->column, card->width,
                    std::string(card->text, static_cast<size_t>(card->length)), card->value});
+}
+
+// A comment may hold any byte. Those that a terminal would obey become question marks; other alphabets stay.
+std::string without_controls(std::string text) {
+  for (size_t i = 0; i < text.size(); i += std::max<size_t>(character_at(text, i), 1)) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const bool is_control = (c < 0x20 && c != '\t') || (c >= 0x7f && c < 0xa0);
+    if (is_control && character_at(text, i) == 0) text[i] = '?';
+  }
+  return text;
 }
 
 bool is_field(const Item& item) {
@@ -56,7 +68,7 @@ private:
   }
   void put_line(std::string line) {
     line.erase(line.find_last_not_of(" \t") + 1);
-    out_ += line + '\n';
+    out_ += without_controls(line) + '\n';
   }
   std::string comment(const Item& item) const;
   bool add_field(const Item& item, std::string& error);

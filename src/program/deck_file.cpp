@@ -95,6 +95,19 @@ bool DeckFile::read(const std::string& name, c2d_error& fault) {
     set_fault(fault, C2D_ERR_READ, std::string("cannot be read: ") + system_text(code));
     return false;
   }
+  return is_text(fault);
+}
+
+bool DeckFile::read_named(const std::string& name, c2d_error& fault) {
+  quoted_ = false;
+  if (name == "-") return read(name, fault);
+  name_ = name;
+  const std::string why = app::read_named(name, text_);
+  if (!why.empty()) set_fault(fault, C2D_ERR_READ, why);
+  return why.empty() && is_text(fault);
+}
+
+bool DeckFile::is_text(c2d_error& fault) {
   find_cards();
   const size_t zero = text_.find('\0');
   if (zero == std::string::npos) return true;
@@ -161,7 +174,7 @@ std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
 size_t most_bodies(const DeckFile& deck) { return std::min<size_t>(deck.cards() / kLeastCards + 1, INT32_MAX); }
 
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {
-  std::string out = "contact2d: " + deck.name() + ":";
+  std::string out = "contact2d: " + shown(deck.name()) + ":";
   const bool has_line = entry.line > 0 && !deck.is_made();
   if (has_line) {
     append_integer(out, entry.line);
@@ -172,9 +185,9 @@ std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word
   out += ' ';
   out += coloured(entry.severity == C2D_WARNING ? Colour::kWarning : Colour::kError, std::string(word) + ":");
   out += ' ';
-  out += entry.text;
+  out += shown(entry.text);
   out += '\n';
-  if (!has_line || static_cast<size_t>(entry.line) > deck.cards()) return out;
+  if (!has_line || !deck.is_quoted() || static_cast<size_t>(entry.line) > deck.cards()) return out;
 
   const std::string_view card = deck.card(static_cast<size_t>(entry.line)).substr(0, 200);
   std::string caret;

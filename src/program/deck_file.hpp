@@ -17,6 +17,8 @@ public:
   // Reads the whole file ("-": standard input). On failure `fault` says why, and where: a zero byte is a
   // failure.
   bool read(const std::string& name, c2d_error& fault);
+  // The same of a file that an option names: "-", or a regular one that is not too large. Messages do not quote its lines.
+  bool read_named(const std::string& name, c2d_error& fault);
 
   const std::string& name() const { return name_; }
   void call(const std::string& name) { name_ = name; }
@@ -24,6 +26,7 @@ public:
   // By the deck of the sketch that this was: its cards are not the user's, and messages do not quote them.
   void replace_by_deck(const std::string& text);
   bool is_made() const { return made_; }
+  bool is_quoted() const { return quoted_; }
   const std::string& text() const { return text_; }
   size_t cards() const { return cards_; }
   // Card `line` (from 1) without its line end; empty if there is no such card.
@@ -36,6 +39,7 @@ public:
   static int32_t read_line(void* context, char* text, int32_t size);
 
 private:
+  bool is_text(c2d_error& fault); // finds the cards
   void find_cards();
   size_t behind_line(size_t at) const; // where the line ends that begins there, its end included
   size_t start_of(size_t line) const;
@@ -45,7 +49,7 @@ private:
   size_t cards_ = 0;
   mutable size_t seen_ = 0, seen_at_ = 0; // the card that was looked at last, from 1; 0: none. They are mostly read in turn
   size_t next_ = 1;
-  bool made_ = false;
+  bool made_ = false, quoted_ = true;
 };
 
 // A list for all bodies of a deck: not too short for any that is whole.
@@ -54,7 +58,7 @@ std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck);
 size_t most_bodies(const DeckFile& deck);
 
 // `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known
-// and the deck is the user's.
+// and the deck is the user's, and no file that is only named in it or by an option.
 // `word` is error or warning.
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);
 

@@ -146,7 +146,9 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   std::vector<NamedText> files;
   const auto file = [&](const std::string& name, std::string& text) {
     read.push_back(beside(deck.name(), name));
-    if (drawing.files == nullptr && read_file(read.back(), text) != 0) return false;
+    if (drawing.files == nullptr) {
+      if (const std::string why = read_named(read.back(), text); !why.empty()) return text = why, false;
+    }
     if (drawing.files != nullptr && !find_text(*drawing.files, read.back(), text)) return false;
     files.push_back({read.back(), text});
     return true;

@@ -8,7 +8,10 @@
 #include "program/output_file.hpp"
 #include "program/sketch/read.hpp"
 #include "program/system_file.hpp"
+#include "program/voice.hpp"
+#include "report/text.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace app {
@@ -18,8 +21,7 @@ int print(const DeckFile& file, const drawing::Fault& fault) {
   c2d_error entry = C2D_INIT(c2d_error);
   entry.line = fault.line;
   std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-  const std::string text = quote(file, entry, "error");
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  say(quote(file, entry, "error"));
   return kExitInput;
 }
 
@@ -50,9 +52,24 @@ void warn(const DeckFile& drawing, const std::string& text, const std::string& o
     c2d_error entry = C2D_INIT(c2d_error);
     entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
     std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-    const std::string shown = quote(sketch, entry, "warning");
-    std::fwrite(shown.data(), 1, shown.size(), stderr);
+    say(quote(sketch, entry, "warning"));
   }
+}
+
+// Its lines become lines of the sketch: control characters in them are refused.
+bool is_plain(const DeckFile& file, c2d_error& fault) {
+  for (size_t line = 1; line <= file.cards(); ++line) {
+    const std::string card(file.card(line));
+    for (size_t i = 0; i < card.size(); i += std::max<size_t>(character_at(card, i), 1)) {
+      if (card[i] == '\t' || character_at(card, i) > 0) continue;
+      std::snprintf(fault.text, sizeof fault.text, "column %zu holds the byte %d, expected text", i + 1,
+                    static_cast<unsigned char>(card[i]));
+      fault.status = C2D_ERR_INPUT, fault.severity = C2D_FAULT;
+      fault.line = static_cast<int32_t>(line), fault.column = fault.column_end = static_cast<int32_t>(i) + 1;
+      return false;
+    }
+  }
+  return true;
 }
 
 std::string last_part(const std::string& path) { return path.substr(begin_of_name(path)); }
@@ -66,7 +83,7 @@ int sketch_drawing(const Options& options) {
   drawing::Conditions conditions;
   if (!options.conditions.empty()) {
     c2d_error fault = C2D_INIT(c2d_error);
-    if (!statements.read(options.conditions, fault)) {
+    if (!statements.read_named(options.conditions, fault) || !is_plain(statements, fault)) {
       Messages(statements).fault(fault);
       return kExitInput;
     }

@@ -46,7 +46,7 @@ c2d_points mirrored_set(const Summary& s, c2d_points set, int32_t image) {
 bool InteriorPoints::load(const std::string& name) {
   c2d_error fault = C2D_INIT(c2d_error);
   from_file_ = true;
-  loaded_ = loaded_ || file_.read(name, fault);
+  loaded_ = loaded_ || file_.read_named(name, fault);
   if (!loaded_) file_messages_.fault(fault);
   return loaded_;
 }

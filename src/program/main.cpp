@@ -16,6 +16,7 @@
 #include "program/sweep/sweep.hpp"
 #include "program/system_file.hpp"
 #include "program/voice.hpp"
+#include "report/text.hpp"
 
 #include <contact2d.h>
 
@@ -37,7 +38,7 @@ int resume(app::Options options) {
   const int exit = app::find_job(options, error);
   options.quiet = options.quiet || quiet;
   if (exit == 0) return app::run_deck(options);
-  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  app::say("contact2d: " + app::shown(error) + "\n");
   return exit;
 }
 
@@ -63,9 +64,8 @@ bool take_parameters(app::Options& options, std::string& error) {
   if (options.params.empty()) return true;
   std::string text;
   std::vector<std::string> words;
-  const int code = app::read_file(options.params == "-" ? "/dev/stdin" : options.params, text);
-  if (code != 0) error = app::system_text(code);
-  if (code == 0) app::read_parameters(text, words, error);
+  error = options.params == "-" ? app::read_text(0, text) : app::read_named(options.params, text);
+  if (error.empty()) app::read_parameters(text, words, error);
   if (!error.empty()) error = options.params + ": " + error;
   options.settings.insert(options.settings.begin(), words.begin(), words.end());
   return error.empty();
@@ -85,16 +85,17 @@ int refuse(const app::Options& options, const std::string& error, int exit) {
 } // namespace
 
 int main(int argc, char** argv) {
+  app::open_standard_files();
   app::catch_interrupts();
   try {
     app::Options options;
     std::string error;
     if (!app::read_options(argc, argv, options, error)) {
-      app::say("contact2d: " + error + "\ncontact2d: --help lists commands and options\n");
+      app::say("contact2d: " + app::shown(error) + "\ncontact2d: --help lists commands and options\n");
       return refuse(options, error, app::kExitUsage);
     }
     if (!take_parameters(options, error)) {
-      app::say("contact2d: " + app::coloured(app::Colour::kError, "error:") + " " + error + "\n");
+      app::say("contact2d: " + app::coloured(app::Colour::kError, "error:") + " " + app::shown(error) + "\n");
       return refuse(options, error, app::kExitInput);
     }
     return run_command(options);

@@ -3,8 +3,8 @@
 #include "program/exit_code.hpp"
 #include "program/families/family.hpp"
 #include "program/output_file.hpp"
-
-#include <cstdio>
+#include "program/voice.hpp"
+#include "report/text.hpp"
 
 namespace app {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 int print(const std::string& text) {
   std::string error;
   if (write_output("-", text, error)) return kExitSolved;
-  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  say("contact2d: " + shown(error) + "\n");
   return kExitFiles;
 }
 
@@ -27,7 +27,7 @@ int make_deck(const Options& options) {
     return print(families::describe(*family));
   std::string deck, error;
   if (families::make_deck(name, settings, deck, error)) return print(deck);
-  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  say("contact2d: " + shown(error) + "\n");
   return kExitUsage;
 }
 

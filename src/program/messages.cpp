@@ -1,6 +1,7 @@
 #include "program/messages.hpp"
 
 #include "program/voice.hpp"
+#include "report/text.hpp"
 
 #include <cstdio>
 
@@ -54,11 +55,11 @@ void Messages::fault(const c2d_error& error) {
 }
 
 void Messages::fail(const std::string& text) const {
-  say("contact2d: " + deck_.name() + ": " + coloured(Colour::kError, "error:") + " " + text + '\n');
+  say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(text) + '\n');
 }
 
 void Messages::note(const std::string& text) const {
-  if (!quiet) say("contact2d: " + deck_.name() + ": " + coloured(Colour::kNote, "note:") + " " + text + '\n');
+  if (!quiet) say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kNote, "note:") + " " + shown(text) + '\n');
 }
 
 } // namespace app

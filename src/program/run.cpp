@@ -674,7 +674,7 @@ int Run::publish() {
   if (!options_.keep && !kept.empty() && !(remove_job(kept, error_) && remove_way(kept, error_))) return file_failed();
   if (!options_.keep && !store_.remove_tapes(error_)) return file_failed();
   if (options_.keep && !store_.folder().empty() && !options_.quiet)
-    std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());
+    say("contact2d: tapes are kept in " + shown(store_.folder()) + "\n");
   const CoefficientRecord* stopped = record_.incomplete();
   if (stopped == nullptr) return record_.meshes.missed() ? kExitInaccurate : kExitSolved;
   if (!stopped->singular) {
@@ -733,12 +733,12 @@ int run_with(const Options& options, std::vector<double>& values, StoreChoice* s
 int run_whole(const Options& options, std::vector<double>& values) {
   const std::string clash = find_clash(options);
   if (!clash.empty()) {
-    say("contact2d: " + coloured(Colour::kError, "error:") + " " + clash + "\n");
+    say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(clash) + "\n");
     return kExitUsage;
   }
   if (options.job != nullptr && !options.quiet)
-    std::fprintf(stderr, "contact2d: %s: goes on with %s, begun %s\n", options.folder.c_str(), options.job->deck_name.c_str(),
-                 options.job->begun.c_str());
+    say("contact2d: " + shown(options.folder) + ": goes on with " + shown(options.job->deck_name) + ", begun " +
+        shown(options.job->begun) + "\n");
   return run_with(options, values, nullptr);
 }
 
@@ -752,7 +752,7 @@ int run_deck(const Options& options) {
   if (!asked || !find_clash(options).empty()) return exit; // not over a file that something else is in
   std::string error;
   if (write_answer(options, {exit, values, reason_told()}, error)) return exit;
-  say("contact2d: " + coloured(Colour::kError, "error:") + " " + error + "\n");
+  say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(error) + "\n");
   return exit != 0 ? exit : static_cast<int>(kExitFiles);
 }
 

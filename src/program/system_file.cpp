@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace app {
@@ -21,6 +22,13 @@ constexpr const char* kSeparators = kWindows ? "/\\" : "/";
 size_t begin_without_drive(const std::string& path) { return kWindows && path.size() > 1 && path[1] == ':' ? 2 : 0; }
 
 } // namespace
+
+void open_standard_files() {
+  int file;
+  do file = ::open("/dev/null", O_RDONLY);
+  while (file >= 0 && file <= 2); // the lowest that is free
+  if (file > 2) ::close(file);
+}
 
 int open_file(const std::string& path, int flags) {
   int file;
@@ -88,6 +96,27 @@ int read_file(const std::string& path, std::string& text) {
   const int code = read_all(file, text);
   ::close(file);
   return code;
+}
+
+std::string read_text(int file, std::string& text) {
+  const int code = file < 0 ? errno : read_all(file, text);
+  return code == 0 ? "" : "cannot be read: " + system_text(code);
+}
+
+std::string read_named(const std::string& path, std::string& text) {
+  constexpr off_t kMostBytes = off_t{64} << 20;
+  struct stat about;
+  // before it is opened, which may wait for a writer or move a tape, and afterwards, as another may have taken its name
+  if (::stat(path.c_str(), &about) == 0 && !S_ISREG(about.st_mode)) return "is no regular file";
+  const int file = open_file(path, O_RDONLY);
+  std::string why;
+  if (file >= 0 && ::fstat(file, &about) == 0) {
+    if (!S_ISREG(about.st_mode)) why = "is no regular file";
+    if (about.st_size > kMostBytes) why = "has more than 64 MiB";
+  }
+  if (why.empty()) why = read_text(file, text);
+  if (file >= 0) ::close(file);
+  return why;
 }
 
 // (The iterators of <filesystem> end the process where there is no memory.)

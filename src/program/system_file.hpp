@@ -8,6 +8,10 @@
 
 namespace app {
 
+// Descriptors 0 to 2 that nobody has opened lead to nothing, before an output gets one of them: what is read there is empty,
+// and what is written fails.
+void open_standard_files();
+
 // A descriptor that is closed on exec; below 0 with errno. Only a signal that stops the program ends the waiting.
 int open_file(const std::string& path, int flags);
 
@@ -20,6 +24,10 @@ int close_file(int file); // interrupted or not, it is closed
 // The names in a folder. What cannot sync folders has no need of it: no failure.
 int sync_folder(const std::string& folder);
 int read_file(const std::string& path, std::string& text);
+// A file that an option or a sketch names, whoever wrote it: a regular one of at most 64 MiB. Empty, or why it was not read.
+std::string read_named(const std::string& path, std::string& text);
+std::string read_text(int file, std::string& text); // what there is; empty, or why not
+
 int list_folder(const std::string& folder, std::vector<std::string>& names); // but . and ..
 
 // What the system says of a failure, by errno; of memory that cannot be had it is told as everywhere: std::bad_alloc.

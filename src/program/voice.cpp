@@ -1,14 +1,27 @@
 #include "program/voice.hpp"
 
+#include "report/text.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <unistd.h>
 
 namespace app {
 namespace {
 thread_local bool muted = false;
 thread_local std::string reason;
+
+constexpr const char* kColours[] = {"\033[1;31m", "\033[1;35m", "\033[1;36m", "\033[1;32m"}; // in the order of Colour
+constexpr const char* kPlain = "\033[0m";
+
+// Of what the program itself sends to a terminal: a colour, the end of a line, a tab; 0: nothing of it begins there.
+size_t own_code_at(const std::string& text, size_t i) {
+  for (const char* code : {kColours[0], kColours[1], kColours[2], kColours[3], kPlain, kClearLine, "\n", "\t"})
+    if (text.compare(i, std::strlen(code), code) == 0) return std::strlen(code);
+  return 0;
+}
 } // namespace
 
 void say(const std::string& text) {
@@ -18,7 +31,14 @@ void say(const std::string& text) {
     const size_t begin = at + error.size();
     reason = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
   }
-  if (!muted) std::fwrite(text.data(), 1, text.size(), stderr);
+  if (muted) return;
+  std::string out;
+  for (size_t i = 0, next = 0; i < text.size(); i = next) {
+    next = i + std::max(own_code_at(text, i), std::max<size_t>(character_at(text, i), 1));
+    const bool stays = own_code_at(text, i) > 0 || character_at(text, i) > 0;
+    out += stays ? text.substr(i, next - i) : "?";
+  }
+  std::fwrite(out.data(), 1, out.size(), stderr);
 }
 
 std::string reason_told() { return reason; }
@@ -31,8 +51,7 @@ std::string coloured(Colour colour, const std::string& text) {
   const char *no = std::getenv("NO_COLOR"), *terminal = std::getenv("TERM");
   const bool plain = (no != nullptr && *no != '\0') || terminal == nullptr || std::string(terminal) == "dumb";
   if (plain || muted || ::isatty(2) != 1) return text;
-  static const char* const kCodes[] = {"1;31", "1;35", "1;36", "1;32"}; // in the order of Colour
-  return std::string("\033[") + kCodes[static_cast<size_t>(colour)] + "m" + text + "\033[0m";
+  return kColours[static_cast<size_t>(colour)] + text + kPlain;
 }
 
 } // namespace app

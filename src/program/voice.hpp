@@ -5,8 +5,10 @@
 
 namespace app {
 
-// As it stands, with its line ends.
+// As it stands, with its line ends; of control characters only those of the program itself. All that goes to standard error
+// goes this way; what comes from an input has been through shown() (report/text.hpp), so that it has no colours either.
 void say(const std::string& text);
+constexpr const char* kClearLine = "\r\033[K";
 
 // What the first error that this thread told says, without its place; empty: none was told since it was forgotten.
 std::string reason_told();

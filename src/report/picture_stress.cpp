@@ -10,6 +10,7 @@ namespace {
 
 constexpr size_t kNodesAcross = 64; // of a grid, along its longer side
 constexpr size_t kBands = 10;       // about
+constexpr double kLeastZoom = 1e-9; // of the bodies' size: the contact is a point, but for round-off
 constexpr double kHalfTurn = 3.14159265358979323846;
 
 // A window and what the bodies hold in it.
@@ -22,6 +23,22 @@ struct DrawnPeak {
   Point at;
   size_t body = 0;
 };
+
+// c2d_interior of one body at points, x and y of each; one without a finite place is outside.
+c2d_status stresses_at(const Scene& scene, size_t b, std::vector<double> points, std::vector<double>& values) {
+  const size_t count = points.size() / 2;
+  std::vector<size_t> nowhere;
+  for (size_t i = 0; i < count; ++i)
+    if (!std::isfinite(points[2 * i]) || !std::isfinite(points[2 * i + 1])) {
+      points[2 * i] = points[2 * i + 1] = 0.0;
+      nowhere.push_back(i);
+    }
+  values.resize(count * C2D_POINT_FIELDS);
+  const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(count), points.data(),
+                                         2, values.data(), C2D_POINT_FIELDS);
+  for (const size_t i : nowhere) values[i * C2D_POINT_FIELDS + C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
+  return status;
+}
 
 // von Mises' stress of one body at the nodes of the window's grid that lie inside it.
 c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
@@ -48,9 +65,8 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
       where.push_back(grid.at(c, r));
     }
   if (where.empty()) return C2D_OK;
-  std::vector<double> values(where.size() * C2D_POINT_FIELDS);
-  const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(where.size()),
-                                         points.data(), 2, values.data(), C2D_POINT_FIELDS);
+  std::vector<double> values;
+  const c2d_status status = stresses_at(scene, b, points, values);
   if (status != C2D_OK) return status;
   for (size_t i = 0; i < where.size(); ++i) {
     const double* row = values.data() + i * C2D_POINT_FIELDS;
@@ -78,14 +94,13 @@ c2d_status climb(const Scene& scene, const Window& window, DrawnPeak& peak) {
   const Grid& g = window.grids[peak.body];
   double step = std::max(g.dx, g.dy);
   for (int round = 0; round < 30 && step > 0.0; ++round) {
-    std::vector<double> points, values(kAround * C2D_POINT_FIELDS);
+    std::vector<double> points, values;
     for (size_t k = 0; k < kAround; ++k) {
       const double angle = 2.0 * kHalfTurn * (static_cast<double>(k) + 0.5 * (round % 2)) / static_cast<double>(kAround);
       points.push_back(peak.at.x + step * std::cos(angle));
       points.push_back(peak.at.y + step * std::sin(angle));
     }
-    const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(peak.body) + 1, static_cast<int32_t>(kAround),
-                                           points.data(), 2, values.data(), C2D_POINT_FIELDS);
+    const c2d_status status = stresses_at(scene, peak.body, points, values);
     if (status != C2D_OK) return status;
     const DrawnPeak before = peak;
     for (size_t k = 0; k < kAround; ++k) {
@@ -114,9 +129,7 @@ c2d_status find_on_boundary(const Scene& scene, const Window& window, DrawnPeak&
       if (shown && !body.on_line[i / per_element]) points.insert(points.end(), {p.x, p.y});
     }
     if (points.empty()) continue;
-    values.resize(points.size() / 2 * C2D_POINT_FIELDS);
-    const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(points.size() / 2),
-                                           points.data(), 2, values.data(), C2D_POINT_FIELDS);
+    const c2d_status status = stresses_at(scene, b, points, values);
     if (status != C2D_OK) return status;
     for (size_t i = 0; 2 * i < points.size(); ++i) {
       const double* row = values.data() + i * C2D_POINT_FIELDS;
@@ -245,7 +258,8 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
         for (const Point& on : scene.pairs[p].on) zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
   if (zoom_x.empty) return status;
   const double size = std::max(zoom_x.high - zoom_x.low, zoom_y.high - zoom_y.low);
-  if (size <= 0.0 || size > 0.6 * std::max(x.high - x.low, y.high - y.low)) return status;
+  const double whole = std::max(x.high - x.low, y.high - y.low);
+  if (size <= kLeastZoom * whole || size > 0.6 * whole) return status;
   const double reach = 0.7 * size; // stresses of a contact reach about as deep as it is wide
   Range near_x, near_y;
   for (const double d : {-reach, reach}) {

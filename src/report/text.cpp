@@ -248,6 +248,16 @@ size_t characters_in(const std::string& text) {
   return count;
 }
 
+std::string shown(const std::string& text) {
+  std::string out;
+  for (size_t i = 0; i < text.size();) {
+    const size_t bytes = character_at(text, i);
+    out += bytes == 0 ? "?" : text.substr(i, bytes);
+    i += std::max<size_t>(bytes, 1);
+  }
+  return out;
+}
+
 std::string symmetry_text(const Summary& s) {
   std::string out;
   for (int axis = 0; axis < 2; ++axis) {

@@ -1,6 +1,6 @@
 """Draws calls of the Python package: hostile arguments, any order, callbacks and handlers of signals that raise, forks, threads.
 
-    python3 tests/python/draw_calls.py --cases 40            as `make test` does
+    python3 tests/python/draw_calls.py --cases 5             as `make test` does
     python3 tests/python/draw_calls.py --seconds 600         for as long
     python3 tests/python/draw_calls.py --seed 17 --cases 1   the case of that seed again
 

@@ -17,7 +17,7 @@ from . import arrays, calls, header
 from .errors import Message, StoreError, UsageError, WorkspaceError, kind_of
 from .library import lib
 from .tables import Table
-from .worker import Worker
+from .worker import Closed, Worker
 
 
 class Outcome(enum.IntEnum):
@@ -242,13 +242,15 @@ class Solver:
         """Closes the store and gives the memory back. More than once does no harm; within a callback it is refused."""
         self._check_process()
         if self._worker is None:
-            return
+            return  # it was never made
         if self._worker.is_inside():
             raise UsageError([Message("error", "close: the solver is at work, this is one of its callbacks")],
                              header.C2D_ERR_BUSY)
-        status, raised = self._run(self._give_back)
+        try:
+            status, raised = self._run(self._give_back)
+        except Closed:
+            return
         self._worker.stop()
-        self._worker = None
         self._check(status, header.c2d_error(), raised)
 
     def __enter__(self):
@@ -277,8 +279,6 @@ class Solver:
     def _run(self, work):
         """(what work() returns, what was raised meanwhile); work() runs where no handler of a signal does."""
         self._check_process()
-        if self._worker is None:
-            raise ValueError("the solver is closed")
         if self._worker.is_inside() or sys.is_finalizing():
             return work(), []
         return self._worker.run(work, self._stop)
@@ -299,7 +299,7 @@ class Solver:
 
     def _pointer(self):
         if self._solver is None:
-            raise ValueError("the solver is closed")
+            raise Closed("the solver is closed")
         return self._solver
 
     def _call(self, function, *values):

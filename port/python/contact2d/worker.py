@@ -26,8 +26,9 @@ class Question:
     def __init__(self, function, instead):
         self.function, self.answer, self.answered, self.bell = function, instead, False, queue.SimpleQueue()
 
-    def take(self, job, worker):
+    def take(self, job):
         """Calls the function, in the thread that waits for the job."""
+        worker = job.worker
         before, worker.answering = worker.answering, threading.get_ident()
         try:
             if not job.raised:
@@ -41,11 +42,11 @@ class Question:
 
 
 class Job:
-    """One call. What the two threads tell each other are its members; bells only wake, so that one too many, or one that is
+    """One call. What the two threads share are its members; bells only wake, so that one too many, or one that is
     lost to an exception, does no harm."""
 
-    def __init__(self, function, cancel):
-        self.function, self.cancel = function, cancel
+    def __init__(self, worker, function, cancel):
+        self.worker, self.function, self.cancel = worker, function, cancel
         self.result = self.error = self.question = None
         self.ended = self.left = False  # left: its caller waits no longer
         self.raised, self.bell, self.process = [], queue.SimpleQueue(), os.getpid()
@@ -57,6 +58,10 @@ class Job:
             self.error = why
         self.function = None
         self.ended = True
+        self.bell.put(None)
+
+    def refuse(self):
+        self.error, self.ended = Closed("the solver is closed"), True
         self.bell.put(None)
 
     def ask(self, question):
@@ -71,38 +76,44 @@ class Job:
         self.question = None
         return question.answer
 
-    def attend(self, worker):
+    def attend(self):
         while not self.ended:
             question = self.question
             if question is None or question.answered:
                 self.bell.get()
             else:
-                question.take(self, worker)
+                question.take(self)
             if os.getpid() != self.process:
                 raise RuntimeError("a child of the process that made this call came back from the call's callback")
 
-    def wait(self, worker):
+    def wait(self):
         """Until the call has ended. It is cancelled when something is raised here; a second exception within the few steps
         that note the first one ends the waiting, but not what the call works with: the job keeps that."""
         cancels = 0
         try:
-            worker.waiting[threading.get_ident()] = self
-            worker.jobs.put(self)
+            self.worker.waiting[threading.get_ident()] = self
+            self.worker.jobs.put(self)
+            if self.worker.stopped:
+                self.refuse()
             while not self.ended:
                 try:
                     if cancels < len(self.raised):
                         self.cancel()
                         cancels = len(self.raised)
-                    self.attend(worker)
+                    self.attend()
                 except BaseException as why:
                     self.raised.append(why)
                     if os.getpid() != self.process:
                         raise
         finally:
             self.left = True
-            worker.waiting.pop(threading.get_ident(), None)
+            self.worker.waiting.pop(threading.get_ident(), None)
             if not self.ended and os.getpid() == self.process:
                 self.cancel()
+
+
+class Closed(ValueError):
+    """A call on a solver that is closed."""
 
 
 class Worker:
@@ -115,24 +126,27 @@ class Worker:
         self.ident = self.answering = None
         self.waiting = {}  # jobs by the threads that wait for them, or did until a second exception came
         self.kept = []     # what foreign threads work with, until it is given back: also if the owner's __del__ is interrupted
+        self.stopped = False
         threading.Thread(target=serve, args=(self,), daemon=True).start()
         Worker.everyone.add(self)
 
     def is_inside(self):
         """Is this thread in a callback of the job that runs?"""
-        return threading.get_ident() in (self.ident, self.answering)
+        return self.job is not None and threading.get_ident() in (self.ident, self.answering)
 
     def is_waited_for(self):
         """Is this thread within wait(), in a handler of a signal?"""
         frame = sys._getframe(1)
         while frame is not None:
-            if frame.f_code is Job.wait.__code__ and frame.f_locals.get("worker") is self:
+            if frame.f_code is Job.wait.__code__ and frame.f_locals["self"].worker is self:
                 return True
             frame = frame.f_back
         return False
 
     def run(self, function, cancel):
         """(what function() returned, what was raised meanwhile)."""
+        if threading.get_ident() == self.ident:  # what a job had kept alive goes here
+            return function(), []
         if self.is_waited_for():  # a second wait would leave the first one's questions without answers
             raise UsageError([Message("error", "the solver is at work; in a handler of a signal cancel() alone is legal")],
                              header.C2D_ERR_BUSY)
@@ -140,8 +154,8 @@ class Worker:
         if left is not None and not left.ended:
             left.left = True
             left.cancel()
-        job = Job(function, cancel)
-        job.wait(self)
+        job = Job(self, function, cancel)
+        job.wait()
         if job.error is not None:
             raise job.error
         return job.result, job.raised
@@ -151,7 +165,7 @@ class Worker:
         question = Question(function, instead)
         if threading.get_ident() == self.ident:
             return self.job.ask(question)
-        question.take(self.job, self)  # a callback of a call within a callback
+        question.take(self.job)  # a callback of a call within a callback
         return question.answer
 
     def has_raised(self):
@@ -163,14 +177,20 @@ class Worker:
 
 def serve(worker):
     worker.ident = threading.get_ident()
-    while True:
-        worker.job = None
-        job = worker.jobs.get()
-        if job is None:
-            return
+    job = worker.jobs.get()
+    while job is not None:
         worker.job = job
         job.run()
-        del job
+        worker.job = job = None
+        job = worker.jobs.get()
+    worker.stopped = True  # before those that are left are looked for: who comes later sees it
+    try:
+        while True:
+            job = worker.jobs.get_nowait()
+            if job is not None:
+                job.refuse()
+    except queue.Empty:
+        pass
 
 
 @atexit.register

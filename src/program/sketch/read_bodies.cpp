@@ -226,7 +226,7 @@ std::vector<Point> Reader::listed_points(Statement& s) {
 std::vector<Point> Reader::points_of_file(Statement& s) {
   const std::string name = s.take("the name of a file with points").text;
   std::string text;
-  if (!file_(name, text)) s.fail("the file " + in_quotes(name) + " cannot be read");
+  if (!file_(name, text)) s.fail("the file " + in_quotes(name) + " " + (text.empty() ? "cannot be read" : text));
   std::vector<Point> out;
   std::istringstream lines(text);
   std::string card;

@@ -61,7 +61,9 @@ int Journal::take_rows(const std::string& heading, std::string& error) {
   std::string all;
   int code = read_all(file_, all);
   const bool torn = !all.empty() && all.back() != '\n';
-  if (code == 0 && (all.empty() || heading.compare(0, all.size(), all) == 0)) { // nothing, or not all of a heading
+  // Nothing, or not all of a heading; where the power was lost zeros stand for what the disk had not got yet.
+  const std::string known = all.substr(0, all.find_last_not_of('\0') + 1);
+  if (code == 0 && heading.compare(0, known.size(), known) == 0) {
     if (::ftruncate(file_, 0) != 0) code = errno;
     if (code == 0) code = write_all(file_, heading);
     all = heading;

@@ -13,6 +13,7 @@
 #include "program/sweep/table.hpp"
 #include "program/system_file.hpp"
 #include "program/voice.hpp"
+#include "report/text.hpp"
 
 #include <contact2d.h>
 
@@ -30,7 +31,7 @@ namespace app {
 namespace {
 
 int fail(const std::string& text, int exit) {
-  say("contact2d: " + coloured(Colour::kError, "error:") + " " + text + "\n");
+  say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(text) + "\n");
   return exit;
 }
 
@@ -94,7 +95,7 @@ uint64_t Sweep::inputs() const {
     for (const std::string& value : row) all += value + ",";
   for (const std::string& word : options_.settings) all += word + "\n";
   for (const Response& response : options_.responses) all += response.words + ";";
-  if (!options_.points.empty()) read_file(options_.points, points); // whoever cannot read them says so
+  if (!options_.points.empty()) read_named(options_.points, points); // whoever cannot read them says so
   for (const int32_t choice :
        {options_.stepping, options_.quadrature, options_.symmetry, options_.elimination, options_.touching})
     all += std::to_string(choice) + " ";
@@ -120,7 +121,8 @@ std::string Sweep::row_text(size_t row, const Answer& answer) const {
 void Sweep::show() const {
   const double share = static_cast<double>(done_) / static_cast<double>(missing_.size());
   const double gone = clock_seconds(nullptr) - begun_;
-  std::string line = "\r\033[Kcontact2d: " + std::to_string(done_) + " of " + std::to_string(missing_.size()) + " rows";
+  std::string line =
+      kClearLine + std::string("contact2d: ") + std::to_string(done_) + " of " + std::to_string(missing_.size()) + " rows";
   if (failed_ > 0) line += ", " + std::to_string(failed_) + " failed";
   if (gone > 1.0 && done_ < missing_.size()) line += ", " + duration_text(gone * (1.0 - share) / share) + " left";
   say(line);
