@@ -69,7 +69,9 @@ bool OutputFile::open(const std::string& name, std::string& error) {
   if (name == "-") {
     direct_ = true;
     file_ = 1;
-    return succeeds(::fstat(1, &about) == 0 ? 0 : errno, kNotWritten, error);
+    // One that was closed leads to nothing (open_standard_files); it is found before the work. No other reason is one yet.
+    const bool is_closed = ::write(1, "", 0) < 0 && errno == EBADF;
+    return succeeds(is_closed ? EBADF : 0, kNotWritten, error);
   }
   const bool exists = ::stat(name.c_str(), &about) == 0;
   if (exists && !S_ISREG(about.st_mode)) {
