@@ -179,6 +179,21 @@ TEST_CASE("resume in the path: with the increments of the deck, and little memor
   kill_and_resume(whole, "path", effort(1, 3), kInPath, 1);
 }
 
+TEST_CASE("resume in the path: with a tie, and two coefficients of friction") {
+  if (kSanitized) return; // whose run-time must be loaded first
+  std::string deck = family("coating n=3 L=8 ratio=2");
+  const auto replace = [&deck](const std::string& what, const std::string& by) {
+    const size_t at = deck.find(what);
+    REQUIRE(at != std::string::npos);
+    deck.replace(at, what.size(), by);
+  };
+  replace("\n1 0\n", "\n2 0.1 0.4\n");
+  replace("\n1 50\n1 1\n", "\n2 50\n2 1\n2 0.4\n");
+  REQUIRE(contains(deck, "*TIE 2"));
+  const Whole whole("deck.dat", deck, "--save-every 0");
+  kill_and_resume(whole, "path", 2, kInPath, 1);
+}
+
 TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
   if (kSanitized) return; // whose run-time must be loaded first
   const std::string deck = cyclic_deck();

@@ -25,7 +25,6 @@ void tie_pairs(const Tableau& t, int32_t pairs) {
   for (int32_t i = t.pairs; i < pairs; ++i) {
     reset_pair(t.pair[i]);
     t.pair[i].status = C2D_STICK;
-    t.pair[i].mu = static_cast<double>(INFINITY);
   }
 }
 

@@ -13,8 +13,8 @@ C2D_USES(FreeZonePart);
 
 namespace {
 
-// They have neither gap nor overlap, but they must be meant to coincide.
-void close_gaps(const Model& m, int32_t zone, Reporter& reporter) {
+// Tied pairs have no gap and no overlap, and stick at any coefficient of friction; the surfaces must be meant to coincide.
+void bond_pairs(const Model& m, int32_t zone, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   constexpr double kMost = 0.1; // of an element
   int32_t worst = -1;
@@ -30,7 +30,10 @@ void close_gaps(const Model& m, int32_t zone, Reporter& reporter) {
         " apart, expected surfaces that coincide within a tenth of an element, ", m.pair[worst].length, " long");
     report(reporter, f);
   }
-  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) m.pair[k].gap = m.pair[k].overlap = 0.0;
+  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) {
+    m.pair[k].gap = m.pair[k].overlap = 0.0;
+    m.pair[k].mu = static_cast<double>(INFINITY);
+  }
 }
 
 bool has_unlike_materials(const Model& m, const Zone& z) {
@@ -104,7 +107,7 @@ void check_ring(const Model& m, int32_t zone, int32_t pair, Reporter& reporter) 
 } // namespace
 
 void close_tie(const Model& m, int32_t zone, Reporter& reporter) {
-  close_gaps(m, zone, reporter);
+  bond_pairs(m, zone, reporter);
   warn_ends(m, zone, reporter);
   for (int32_t k = 0; k < m.zone[zone].pairs; ++k) check_ring(m, zone, m.zone[zone].first_pair + k, reporter);
 }

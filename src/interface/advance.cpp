@@ -72,7 +72,7 @@ extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) 
     if (!is_coefficient(mu[i])) return refuse_value(s, "mu", mu[i], "zero or more");
   Session session;
   open_session(s, session);
-  for (int32_t i = 0; i < s->model.pairs; ++i) {
+  for (int32_t i = 0; i < s->model.path_pairs; ++i) {
     Pair& pair = session.model.pair[i];
     pair.mu = mu[zones == 1 ? 0 : pair.zone];
   }

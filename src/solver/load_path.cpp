@@ -318,6 +318,7 @@ c2d_status advance_path(Session& session, const double* target) {
   c2d_solver* s = session.solver;
   Follower& f = session.follower;
   s->back_substituted = s->table_is_current = 0;
+  f.moving = -1; // what a piece of the path before found is not of this one
   const int32_t cases = s->model.load_cases;
   if (s->blocked || s->unsound) {
     for (int32_t k = 0; k < s->model.load_cases && s->blocked; ++k) f.direction[k] = target[k] - f.load[k];
