@@ -619,6 +619,7 @@ Model with_bodies_in_order(const Model& m, const std::vector<int32_t>& order) {
   for (Zone& z : q.zones)
     for (Side& side : z.side) side.body = number[index(side.body)];
   for (PointLoad& l : q.point_loads) l.body = number[index(l.body)];
+  for (Platen& p : q.platens) p.side.body = number[index(p.side.body)];
   return q;
 }
 
@@ -676,6 +677,13 @@ Model reflected(const Model& m) {
       s.first = r.first + r.last - s.first, s.last = r.first + r.last - s.last;
     }
   for (PointLoad& l : q.point_loads) l.x = -l.x, l.fx = -l.fx;
+  for (Platen& p : q.platens) {
+    const Range& r = region_of(m.body(p.side.body), p.side.first);
+    const int32_t first = r.first + r.last - p.side.last;
+    p.side.last = r.first + r.last - p.side.first, p.side.first = first;
+    p.point[0] = -p.point[0];
+    for (double* v : {p.motion, p.load, p.second_motion, p.second_load}) v[0] = -v[0], v[2] = -v[2];
+  }
   return q;
 }
 

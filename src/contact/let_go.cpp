@@ -88,20 +88,6 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
 
 namespace {
 
-// The pair that leans on the other body and moves most along its normal; null: none moves.
-const Pair* leaning_most(const Tableau& t, const Real* motion) {
-  const Pair* found = nullptr;
-  double most = 0.0, all = 0.0;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const Pair& pair = t.pair[i];
-    if (pair.status != C2D_OPEN || (pair.mark.exchanged & 1) == 0) continue;
-    const double size = fabs(static_cast<double>(motion[pair.dof]));
-    all = fmax(all, size);
-    if (leans(pair) && size > most) most = size, found = &pair;
-  }
-  return most > kRateTolerance * all ? found : nullptr;
-}
-
 // visit(pair, slot, factor): the slots whose motions are basic, with the lengths of their elements times what they move along a
 // free motion, which stands in a column. One pair alone, if that is given.
 template <class Visit> void for_moved(const Tableau& t, const Pair* alone, const Real* motion, Visit visit) {
@@ -112,6 +98,19 @@ template <class Visit> void for_moved(const Tableau& t, const Pair* alone, const
       if (!moves || (pair.mark.exchanged >> slot & 1) == 0 || (alone && (alone != &pair || slot == 1))) continue;
       visit(pair, slot, pair.length * static_cast<double>(motion[pair.dof + slot]));
     }
+}
+
+// The pair that leans on the other body and moves most along its normal. Null: they move less than round-off of what the motion
+// moves anywhere, along the surface or across it.
+const Pair* leaning_most(const Tableau& t, const Real* motion) {
+  const Pair* found = nullptr;
+  double most = 0.0, all = 0.0;
+  for_moved(t, nullptr, motion, [&](const Pair& pair, int slot, double) {
+    const double size = fabs(static_cast<double>(motion[pair.dof + slot]));
+    all = fmax(all, size);
+    if (slot == 0 && leans(pair) && size > most) most = size, found = &pair;
+  });
+  return most > kRateTolerance * all ? found : nullptr;
 }
 
 Pair& pair_of_slot(const Tableau& t, int32_t dof) {
@@ -252,6 +251,14 @@ bool slides_without_force(Follower& f) {
   return slides;
 }
 
+void keep_open_places(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    if (f.t->pair[i].status != C2D_OPEN) continue;
+    const PairState now = pair_state(*f.t, i, f.y);
+    keep_place(f.t->pair[i], now.wn, now.wt);
+  }
+}
+
 void leave_place(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const PairState now = pair_state(*f.t, i, f.y);
@@ -313,11 +320,11 @@ int32_t only_touching(Follower& f) {
 
 c2d_status rest_again(Follower& f, bool changed) {
   if (f.t->resting == 0 || !(changed || closes(f))) return C2D_OK;
+  keep_open_places(f);
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    if (pair.status == C2D_OPEN) keep_place(pair, now.wn, now.wt);
     if (pair.status != C2D_SLIP) continue;
+    const PairState now = pair_state(*f.t, i, f.y);
     pair.slip_done += static_cast<Real>(now.wt - pair.slip_from);
     pair.slip_from = static_cast<Real>(now.wt);
   }
@@ -342,8 +349,16 @@ c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
   keep_pairs(f);
   *outcome = C2D_FREE_MOTION;
   if (!close_touching(f)) return C2D_OK;
+  keep_open_places(f); // (a tableau that is singular leaves nothing of them)
   status = rebuild(f);
-  if (status == C2D_ERR_SINGULAR) return restore_pairs(f);
+  if (status == C2D_ERR_SINGULAR) { // the pairs that touch leave motions free: no fault where no load drives them
+    f.t->may_rest = 1;
+    status = rebuild(f);
+  }
+  if (status == C2D_ERR_SINGULAR) {
+    f.t->may_rest = 0;
+    return restore_pairs(f);
+  }
   if (status != C2D_OK) return status;
   *outcome = C2D_REACHED;
   f.idle = true; // what touches has no force yet

@@ -38,6 +38,8 @@ bool rest_along(const Tableau& t, int32_t slot, Real* column);
 // anew. So it is where statuses have changed (`changed`), since only then is it that of the bodies at rest.
 c2d_status rest_again(Follower& f, bool changed);
 
+// Of the pairs that are open, with the place they have now as the one to keep.
+void keep_open_places(Follower& f);
 // All pairs open, with the place that the body has now as the one to keep.
 void leave_place(Follower& f);
 

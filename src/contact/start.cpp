@@ -236,10 +236,7 @@ c2d_status build_at_rest(Follower& f) {
   Tableau& t = *f.t;
   c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
   if (status != C2D_ERR_SINGULAR) return status;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const PairState now = pair_state(t, i, f.y);
-    if (t.pair[i].status == C2D_OPEN) keep_place(t.pair[i], now.wn, now.wt);
-  }
+  keep_open_places(f);
   t.may_rest = 1;
   status = build_tableau(t, *f.tape, &f.last_pair);
   if (status != C2D_OK) t.may_rest = 0;
