@@ -19,6 +19,12 @@
 
 namespace c2d {
 
+// The body whose contact displacements lose most digits when it is solved for, and by how much round-off grows there.
+struct RoundOff {
+  double growth = 0.0;
+  int body = -1; // none is solved for
+};
+
 struct Reduction {
   ContactTape tape;
   Model model;
@@ -32,6 +38,7 @@ struct Reduction {
   Engine engine;                     // of the dense kernels
   bool sliding = false;              // no pair that may change has friction, nor a body that slides freely
   bool open = true;                  // with every pair open instead, where that may be (contact/open_form.hpp)
+  RoundOff* round_off = nullptr;     // noted there, if it is not null
 };
 constexpr int32_t kStripColumns = 4;
 

@@ -42,7 +42,7 @@ c2d_status find_growth(Session& session, int b, double* growth) {
 c2d_status find_condition(c2d_solver* s) {
   Session session;
   open_session(s, session);
-  s->condition = s->largest_pivot / s->smallest_pivot;
+  s->condition = fmax(s->condition, s->largest_pivot / s->smallest_pivot); // (that of the contact system is there)
   for (int b = 0; b < s->model.bodies; ++b) {
     if (is_rigid(session.model, b)) continue;
     double growth = 0.0;
