@@ -382,6 +382,7 @@ PROGRAM_SOURCES += src/program/sketch/fillet.cpp
 PROGRAM_SOURCES += src/program/sketch/mesh.cpp
 PROGRAM_SOURCES += src/program/sketch/outline.cpp
 PROGRAM_SOURCES += src/program/sketch/place_ends.cpp
+PROGRAM_SOURCES += src/program/sketch/point_rows.cpp
 PROGRAM_SOURCES += src/program/sketch/read.cpp
 PROGRAM_SOURCES += src/program/sketch/read_actions.cpp
 PROGRAM_SOURCES += src/program/sketch/read_bodies.cpp

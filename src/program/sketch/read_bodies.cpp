@@ -1,10 +1,10 @@
 // Statements that draw bodies: curves one after the other, with the material on the left.
 #include "program/sketch/outline.hpp"
+#include "program/sketch/point_rows.hpp"
 #include "program/sketch/reader.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace sketch {
 namespace {
@@ -222,28 +222,22 @@ std::vector<Point> Reader::listed_points(Statement& s) {
   return out;
 }
 
-// Two numbers to a line, with blanks, commas, semicolons or tabs; lines that begin with a letter, # or ! are left out.
 std::vector<Point> Reader::points_of_file(Statement& s) {
   const std::string name = s.take("the name of a file with points").text;
   std::string text;
   if (!file_(name, text)) s.fail("the file " + in_quotes(name) + " " + (text.empty() ? "cannot be read" : text));
+  const auto fail = [&](int line, const std::string& why) {
+    s.fail("file " + in_quotes(name) + ", line " + std::to_string(line) + ": " + why);
+  };
   std::vector<Point> out;
-  std::istringstream lines(text);
-  std::string card;
-  for (int line = 1; std::getline(lines, card); ++line) {
-    std::replace(card.begin(), card.end(), ';', ' ');
-    const size_t first = card.find_first_not_of(" \t\r,\"");
-    if (first == std::string::npos || card[first] == '#' || card[first] == '!' ||
-        std::isalpha(static_cast<unsigned char>(card[first])))
-      continue;
-    try {
-      std::vector<Word> words = words_of(card, line);
-      words.insert(words.begin(), Word{});
-      Statement numbers(words, s_.parameters);
-      out.push_back(numbers.point("a point"));
-    } catch (const Fault& fault) {
-      s.fail("file " + in_quotes(name) + ", line " + std::to_string(line) + ": " + fault.text);
+  try {
+    for (const PointRow& row : point_rows(text)) {
+      if (!out.empty() && length(row.at - out.back()) == 0) fail(row.line, "the point is where the one before is");
+      out.push_back(row.at);
     }
+  } catch (const Fault& fault) {
+    if (fault.at.column > 0) throw; // of the statement itself
+    fail(fault.at.line, fault.text);
   }
   return out;
 }
