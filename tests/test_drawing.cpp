@@ -51,15 +51,18 @@ bool notes_tell(const Drawn& d, const std::string& part) {
   return contains(all, part);
 }
 
-// What is wrong with a drawing, with its line.
+// What is wrong with a drawing, with its line, behind what was left out of it.
 std::string fault(const std::string& drawing) {
   std::vector<std::string> notes;
+  std::string all;
   try {
     drawing::read_drawing(drawing, 0, notes);
+    all = "none";
   } catch (const drawing::Fault& f) {
-    return std::to_string(f.line) + " " + f.text;
+    for (const std::string& note : notes) all += note + "; ";
+    all += std::to_string(f.line) + " " + f.text;
   }
-  return "none";
+  return all;
 }
 
 // The area within the outlines of a body, by Gauss's rule along every curve; to about 1e-12 for those of these tests.
@@ -154,7 +157,8 @@ TEST_CASE("drawing: the rounded pad, from every file that a tool wrote") {
   }
   CHECK(drawn_file("pad-r2018.dxf").sketch.units[0] == "mm");
   CHECK(drawn_file("pad-r12.dxf").sketch.units[0] == "");
-  CHECK(notes_tell(drawn_file("pad-r12.dxf"), "1 'TEXT' was passed over"));
+  CHECK(notes_tell(drawn_file("pad-r12.dxf"), "left out: 1 TEXT (line"));
+  CHECK(notes_tell(drawn_file("pad-r12.dxf"), "read: 7 LINE, 1 POLYLINE"));
 }
 
 TEST_CASE("drawing: a mesh of what was drawn has the area and the perimeter of the closed form") {
@@ -337,12 +341,13 @@ TEST_CASE("drawing: blocks are drawn where they are inserted") {
     }
   const std::string array = "70\n3\n71\n2\n44\n10\n45\n20\n";
   CHECK(drawn(with(insert("part", 1, 1, 10, array))).sketch.bodies.size() == 6);
-  CHECK(notes_tell(drawn(with(rectangle(0, 0, 1, 1) + insert("part", 1, 2, 0))), "1 'INSERT' was passed over"));
-  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "INSERT of block 'none', which is not there"));
+  CHECK(area(drawn(with(insert("part", 1, 2, 0))).sketch.bodies[0]) == doctest::Approx(2 * own).epsilon(1e-10));
+  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "left out: 1 INSERT (line"));
+  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "block 'none' is not there; 0 the drawing has no curves"));
   CHECK(contains(fault(with(insert("part", 1, 1, 0, "70\n3000\n71\n3000\n"))), "more than 10000 copies"));
   std::string round = with(insert("outer", 1, 1, 0));
   round.replace(round.find("2\npart\n10\n5"), 6, "2\nouter");
-  CHECK(contains(fault(round), "INSERT of block 'outer' within itself, or 16 deep"));
+  CHECK(contains(fault(round), "block 'outer' within itself, or 16 deep"));
 }
 
 TEST_CASE("drawing: bulges of polylines are segments of circles") {
@@ -432,13 +437,13 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   CHECK(notes_tell(twice, "from (10, 0) to (0, 0) lies on line"));
   CHECK(notes_tell(twice, "circle in line"));
   CHECK(notes_tell(twice, "at (3, 3) has no length and was left out"));
-  CHECK(notes_tell(twice, "2 'TEXT' were passed over"));
-  CHECK(notes_tell(twice, "1 'DIMENSION' was passed over"));
+  CHECK(notes_tell(twice, "left out: 2 TEXT (from line"));
+  CHECK(notes_tell(twice, "left out: 1 DIMENSION (line"));
   // Ends in the middle of a line and of an arc.
   const Drawn middle = drawn(dxf(rectangle(0, 0, 10, 10) + dxf_arc({20, 0}, 5, 80, 280, "bow") + dxf_line({10, 4}, {15, 0})));
   CHECK(notes_tell(middle, "at (10, 4); the nearest other end is at (10, 0), 4 away; it lies on line in line"));
   CHECK(notes_tell(middle, "it lies on arc of 'bow' in line"));
-  CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + "30\n0\n31\n2\n")), "1 line has ends of different z"));
+  CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + "30\n0\n31\n2\n")), ": seen along z, in which its points differ"));
   // Two loops with a bridge between them.
   const Drawn bridge = drawn(dxf(rectangle(0, 0, 1, 1) + rectangle(3, 0, 1, 1) + dxf_line({1, 0}, {3, 0})));
   CHECK(bridge.sketch.bodies.size() == 2);
@@ -545,20 +550,21 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {good.substr(0, good.find("  0\nEOF")), "the file ends without EOF: it is cut off"},
       {dxf(""), "0 the drawing has no curves"},
       {dxf(dxf_line({0, 0}, {1, 0})), "0 no outline is closed"},
-      {dxf("0\nLINE\n10\nx\n"), "14 the first end is 'x', expected a number"},
-      {dxf("0\nLINE\n10\n1\n"), "12 LINE without the first end, expected group 20"},
+      {dxf("0\nLINE\n10\nx\n"),
+       "left out: 1 LINE (line 14): the first end is 'x', expected a number; 0 the drawing has no curves"},
+      {dxf("0\nLINE\n10\n1\n"), "left out: 1 LINE (line 12): the first end is missing, expected group 20; 0 the drawing"},
       {dxf("0\nLINE\nten\n1\n"), "13 a group code is 'ten', expected a whole number"},
       {dxf("0\nLINE\n2000\n1\n"), "13 group code 2000, expected 0 to 1071"},
-      {dxf("0\nARC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n1\n"), "ARC: radius 0, expected one above 0"},
-      {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n-1\n"), "CIRCLE: radius -1, expected one above 0"},
+      {dxf("0\nARC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n1\n"), "1 ARC (line 12): radius 0, expected one above 0"},
+      {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n-1\n"), "1 CIRCLE (line 12): radius -1, expected one above 0"},
       {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n1e999\n"), "the radius is '1e999', expected a number"},
       {dxf("0\nELLIPSE\n10\n0\n20\n0\n11\n1\n21\n0\n40\n0\n"), "ratio of the axes 0, expected one above 0"},
       {dxf("0\nELLIPSE\n10\n0\n20\n0\n11\n0\n21\n0\n40\n1\n"), "the major axis has no length"},
       {dxf("0\nLWPOLYLINE\n90\n3\n10\n0\n20\n0\n"), "1 corners, expected 3"},
       {dxf("0\nLWPOLYLINE\n10\n0\n"), "a corner has no y"},
       {dxf("0\nLWPOLYLINE\n20\n0\n"), "expected x of a corner first"},
-      {dxf("0\nPOLYLINE\n0\nVERTEX\n10\n0\n20\n0\n"), "12 POLYLINE without SEQEND"},
-      {dxf("0\nSPLINE\n71\n3\n"), "SPLINE with neither control points nor two fit points"},
+      {dxf("0\nPOLYLINE\n0\nVERTEX\n10\n0\n20\n0\n"), "1 POLYLINE (line 12): no SEQEND behind its corners"},
+      {dxf("0\nSPLINE\n71\n3\n"), "1 SPLINE (line 12): neither control points nor two fit points"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "1 knots, expected 4"},
       {dxf("0\nSPLINE\n71\n0\n10\n0\n20\n0\n"), "degree 0, expected 1 to 15"},
       {dxf("0\nSPLINE\n71\n2\n10\n0\n20\n0\n"), "1 control points, expected more than its degree 2"},
@@ -580,8 +586,10 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {nodes, "0 no section $Elements"},
       {nodes + "$Elements\n1\n", "9 the file ends within $Elements"},
       {nodes + "$Elements\n2\n1 15 2 0 0 1\n$EndElements\n", "11 $Elements ends with fewer lines than it tells"},
-      {nodes + "$Elements\n1\n1 1 2 0 0 1 9\n$EndElements\n", "10 an element has node 9, which is not there"},
-      {nodes + "$Elements\n1\n1 1 2 0 0 1 1\n$EndElements\n", "10 a line element ends in the node where it begins"},
+      {nodes + "$Elements\n1\n1 1 2 0 0 1 9\n$EndElements\n", "left out: 1 line element (line 10): node 9 is not there"},
+      {nodes + "$Elements\n1\n1 2 2 0 0 1 8 9\n$EndElements\n", "10 an element has node 8, which is not there"},
+      {nodes + "$Elements\n1\n1 1 2 0 0 1 1\n$EndElements\n",
+       "left out: 1 line element (line 10): it ends in the node where it begins"},
       {nodes + "$Elements\n1\n1 1 2 0 0 1\n$EndElements\n", "10 an element of type 1 has 1 nodes, expected 2"},
       {nodes + "$Elements\n1\n1 1 9 0\n$EndElements\n", "10 $Elements: a line without nodes"},
       {nodes + "$Elements\n1\n1 1\n$EndElements\n", "10 $Elements: 2 numbers in a line, expected 3 or more"},
@@ -658,7 +666,7 @@ TEST_CASE("drawing: from a file to a report in two commands") {
   const test::Result listed = test::run_shell(program + " sketch '" + kDrawings + "pad-r12.dxf'");
   CHECK(listed.status == 0);
   CHECK(contains(listed.out, "body body1 E 210e3 nu 0.3"));
-  CHECK(contains(listed.err, "pad-r12.dxf: note: 1 'TEXT' was passed over"));
+  CHECK(contains(listed.err, "pad-r12.dxf: note: left out: 1 TEXT (line"));
 }
 
 TEST_CASE("drawing: the command's own errors") {

@@ -97,13 +97,14 @@ int sketch_drawing(const Options& options) {
     for (const std::string& note : notes) messages.note(note);
     return print(file, fault);
   }
-  for (const std::string& note : notes) messages.note(note);
   std::string text, error;
   try {
-    text = drawing::sketch_of(std::move(drawn), last_part(file.name()), conditions);
+    text = drawing::sketch_of(std::move(drawn), last_part(file.name()), conditions, &notes);
   } catch (const drawing::Fault& fault) {
+    for (const std::string& note : notes) messages.note(note);
     return print(statements, fault);
   }
+  for (const std::string& note : notes) messages.note(note);
   warn(file, text, options.output);
   if (write_output(options.output, text, error)) return kExitSolved;
   messages.fail(error);

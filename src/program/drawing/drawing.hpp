@@ -20,6 +20,7 @@ struct Fault {
   int line = 0;
   std::string text;
 };
+struct TooLarge : Fault {}; // no entity is left out for this
 
 struct Curve {
   enum Kind { kLine, kArc, kEllipse, kSpline } kind = kLine;
@@ -54,6 +55,9 @@ void append_polygon(std::vector<Point>& out, const Curve& curve);
 struct Loop {
   std::vector<Curve> curves; // one after the other, with the material on the left; a single whole one turns left
   bool hole = false;
+  // Of a pin in a hole that nearly is its size, or of that hole: the other's outline, which is this one's in a press fit.
+  std::vector<Curve> press_fit = {};
+  size_t fit = 0; // a number for both of them
 };
 
 struct Body {
@@ -67,6 +71,7 @@ struct Drawing {
   std::vector<Curve> curves; // that are to be joined
   std::vector<Body> bodies;  // that the file tells itself
   std::vector<std::string> notes;
+  Fault crossing; // the first of outlines that cross; no text: none does
 };
 
 std::string told(double value); // with six digits

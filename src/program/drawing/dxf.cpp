@@ -1,17 +1,13 @@
 #include "program/drawing/dxf.hpp"
 
-#include "program/drawing/dxf_groups.hpp"
-#include "program/drawing/nurbs.hpp"
-#include "program/drawing/placing.hpp"
+#include "program/drawing/dxf_curves.hpp"
+#include "program/drawing/dxf_layers.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace drawing {
 namespace {
-
-double degrees(double radians) { return radians * 180 / kHalfTurn; }
 
 // What $INSUNITS means; empty: no unit, or one that hardly is that of a drawing.
 std::string unit_of(int64_t code) {
@@ -21,23 +17,11 @@ std::string unit_of(int64_t code) {
   return "";
 }
 
-// From corner to corner of a polyline: bulge is the tangent of a quarter of the angle, above 0 counter-clockwise.
-Curve with_bulge(Point from, Point to, double bulge) {
-  if (std::fabs(bulge) < 1e-12) return straight(from, to);
-  const Point chord = to - from;
-  const Point centre = 0.5 * (from + to) + ((1 - bulge * bulge) / (4 * bulge)) * sketch::turned_left(chord);
-  const Point arm = from - centre;
-  Curve c = circular(centre, sketch::length(arm), degrees(std::atan2(arm.y, arm.x)), degrees(4 * std::atan(bulge)));
-  if (!c.whole) move_ends(c, from, to);
-  return c;
-}
-
-// What is drawn in a plane that is seen from behind: x goes to -x.
-Curve mirrored(Curve c) { return placed(std::move(c), {{}, {}, 1, 180, true}); }
-
-struct Vertex {
-  Point at;
-  double bulge = 0;
+// Where entities are drawn: those of the drawing itself, or of a block.
+struct Place {
+  Motion motion;
+  std::string layer = "0"; // of entities on layer 0
+  int depth = 0;           // of blocks within each other
 };
 
 class DxfReader {
@@ -46,157 +30,27 @@ public:
   Drawing read();
 
 private:
-  enum class Plane { kFront, kBack, kOther };
-  static Plane plane_of(const Entity& e);
-  void header(size_t first, size_t last);
   std::vector<Entity> entities(size_t first, size_t last) const;
+  void header(size_t first, size_t last);
+  void layers(size_t first, size_t last);
   void blocks(size_t first, size_t last);
-  void draw(const std::vector<Entity>& all, int depth);
-  bool insert(const Entity& e, int depth);
-  bool take(const Entity& e); // false: passed over
-  void polyline(const std::vector<Vertex>& vertices, bool closed, const Entity& e);
-  void light_polyline(const Entity& e);
-  size_t old_polyline(const std::vector<Entity>& all, size_t at);
-  void ellipse(const Entity& e);
-  void spline(const Entity& e);
-  void add(Curve curve, const Entity& e, bool own_plane);
+  void draw(const std::vector<Entity>& all, const Place& place);
+  bool hides(const Entity& e, const std::string& layer);
+  void curves(const Entity& e, const std::vector<Entity>& corners, const Place& place, const std::string& layer);
+  void insert(const Entity& e, const Place& place, const std::string& layer);
 
   std::vector<Group> groups_;
   Drawing drawing_;
+  Layers layers_;
   struct Block {
     Point base;
+    std::string fault; // why it cannot be inserted; empty: it can
     std::vector<Entity> entities;
   };
-  std::map<std::string, Block> blocks_;
+  std::map<std::string, Block> blocks_; // by folded names
   int inserts_ = 0;
-  int slanting_ = 0;
-  std::map<std::string, int> passed_over_;
+  Account account_;
 };
-
-DxfReader::Plane DxfReader::plane_of(const Entity& e) {
-  const double x = e.number(210, 0, "the normal of a plane"), y = e.number(220, 0, "the normal of a plane");
-  const double z = e.number(230, 1, "the normal of a plane");
-  if (std::fabs(x) > 1e-9 || std::fabs(y) > 1e-9 || z == 0) return Plane::kOther;
-  return z > 0 ? Plane::kFront : Plane::kBack;
-}
-
-// `own_plane`: coordinates are those of the plane in which the entity lies.
-void DxfReader::add(Curve curve, const Entity& e, bool own_plane) {
-  if (e.number(30, 0, "z") != e.number(31, e.number(30, 0, "z"), "z") && e.type == "LINE") ++slanting_;
-  if (own_plane && plane_of(e) == Plane::kBack) curve = mirrored(curve);
-  curve.name = e.text(8) == "0" ? std::string() : std::string(e.text(8));
-  curve.line = e.line;
-  drawing_.curves.push_back(std::move(curve));
-}
-
-void DxfReader::polyline(const std::vector<Vertex>& v, bool closed, const Entity& e) {
-  const size_t n = v.size();
-  for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
-    const Point from = v[i].at, to = v[(i + 1) % n].at;
-    if (sketch::length(to - from) == 0) continue; // a closed one may repeat its first corner
-    add(with_bulge(from, to, v[i].bulge), e, true);
-  }
-}
-
-void DxfReader::light_polyline(const Entity& e) {
-  std::vector<Vertex> vertices;
-  for (const Group* g = e.first; g != e.last; ++g) {
-    if (g->code == 10) vertices.push_back({{real(g->value, g->line, "x of a corner"), NAN}, 0});
-    if ((g->code == 20 || g->code == 42) && vertices.empty()) throw Fault{g->line, "LWPOLYLINE: expected x of a corner first"};
-    if (g->code == 20) vertices.back().at.y = real(g->value, g->line, "y of a corner");
-    if (g->code == 42) vertices.back().bulge = real(g->value, g->line, "a bulge");
-  }
-  for (const Vertex& v : vertices)
-    if (std::isnan(v.at.y)) throw Fault{e.line, "LWPOLYLINE: a corner has no y"};
-  if (const int64_t n = e.flags(90); e.has(90) && n != static_cast<int64_t>(vertices.size()))
-    throw Fault{e.line, "LWPOLYLINE: " + std::to_string(vertices.size()) + " corners, expected " + std::to_string(n)};
-  polyline(vertices, (e.flags(70) & 1) != 0, e);
-}
-
-// POLYLINE with its VERTEX entities; returns where SEQEND is.
-size_t DxfReader::old_polyline(const std::vector<Entity>& all, size_t at) {
-  const Entity& e = all[at];
-  std::vector<Vertex> vertices;
-  size_t i = at + 1;
-  for (; i < all.size() && all[i].type == "VERTEX"; ++i) {
-    constexpr int64_t kFrame = 16; // a control point of a spline that the other corners follow
-    if ((all[i].flags(70) & kFrame) == 0) vertices.push_back({all[i].point(10, "a corner"), all[i].number(42, 0, "a bulge")});
-  }
-  if (i == all.size() || all[i].type != "SEQEND") throw Fault{e.line, "POLYLINE without SEQEND behind its corners"};
-  constexpr int64_t kMesh = 16 | 64;
-  if ((e.flags(70) & kMesh) != 0 || plane_of(e) == Plane::kOther)
-    ++passed_over_["POLYLINE that is not flat"];
-  else
-    polyline(vertices, (e.flags(70) & 1) != 0, e);
-  return i;
-}
-
-void DxfReader::ellipse(const Entity& e) {
-  const Point centre = e.point(10, "the centre"), axis = e.point(11, "the end of the major axis");
-  const double ratio = e.number(40, "the ratio of the axes"), a = sketch::length(axis);
-  if (!(ratio > 0)) throw Fault{e.line, "ELLIPSE: ratio of the axes " + told(ratio) + ", expected one above 0"};
-  const double from = e.number(41, 0, "the first parameter");
-  double sweep = e.number(42, 2 * kHalfTurn, "the last parameter") - from;
-  sweep = std::fmod(sweep, 2 * kHalfTurn);
-  if (sweep <= 1e-9) sweep += 2 * kHalfTurn;
-  if (a == 0) throw Fault{e.line, "ELLIPSE: the major axis has no length"};
-  const double side = plane_of(e) == Plane::kBack ? -1 : 1; // the minor axis lies on the other side
-  const double tilt = degrees(std::atan2(axis.y, axis.x));
-  if (std::fabs(ratio - 1) < 1e-12)
-    return add(circular(centre, a, tilt + side * degrees(from), side * degrees(sweep)), e, false);
-  add(elliptic(centre, a, a * ratio, tilt, side * degrees(from), side * degrees(sweep)), e, false);
-}
-
-void DxfReader::spline(const Entity& e) {
-  Nurbs n;
-  n.degree = static_cast<int>(std::clamp<int64_t>(e.flags(71), 0, 99));
-  n.knots = e.numbers(40, "a knot");
-  n.points = e.points(10, "a control point");
-  n.weights = e.numbers(41, "a weight");
-  n.closed = (e.flags(70) & 1) != 0;
-  if (n.points.empty()) { // known by the points it goes through alone
-    std::vector<Point> through = e.points(11, "a fit point");
-    if (through.size() < 2) throw Fault{e.line, "SPLINE with neither control points nor two fit points"};
-    for (size_t i = 1; i < through.size(); ++i)
-      if (sketch::length(through[i] - through[i - 1]) == 0) through.erase(through.begin() + static_cast<ptrdiff_t>(i--));
-    const bool again = through.size() > 3 && sketch::length(through.back() - through.front()) == 0;
-    if (n.closed && again) through.pop_back();
-    const bool whole = n.closed && through.size() >= 3;
-    return add(through.size() > 2 ? smooth(through, whole) : straight(through.front(), through.back()), e, false);
-  }
-  if (const std::string fault = n.fault(); !fault.empty()) throw Fault{e.line, "SPLINE with " + fault};
-  const double size = size_of({smooth(n.points, false)});
-  if (!(size > 0)) return add(straight(n.points.front(), n.points.back()), e, false);
-  for (Curve& curve : curves_of(n, 1e-7 * size)) add(std::move(curve), e, false);
-}
-
-bool DxfReader::take(const Entity& e) {
-  const bool flat = plane_of(e) != Plane::kOther;
-  if (e.type == "LINE") {
-    const Point first = e.point(10, "the first end"), last = e.point(11, "the last end");
-    add(straight(first, last), e, false);
-  } else if (e.type == "ARC" && flat) {
-    const double from = e.number(50, "the first angle");
-    double sweep = std::fmod(e.number(51, "the last angle") - from, 360);
-    if (sweep <= 1e-9) sweep += 360;
-    const double r = e.number(40, "the radius");
-    if (!(r > 0)) throw Fault{e.line, "ARC: radius " + told(r) + ", expected one above 0"};
-    add(circular(e.point(10, "the centre"), r, from, sweep), e, true);
-  } else if (e.type == "CIRCLE" && flat) {
-    const double r = e.number(40, "the radius");
-    if (!(r > 0)) throw Fault{e.line, "CIRCLE: radius " + told(r) + ", expected one above 0"};
-    add(circular(e.point(10, "the centre"), r, -90, 360), e, true);
-  } else if (e.type == "LWPOLYLINE" && flat) {
-    light_polyline(e);
-  } else if (e.type == "ELLIPSE" && flat) {
-    ellipse(e);
-  } else if (e.type == "SPLINE") {
-    spline(e);
-  } else {
-    return false;
-  }
-  return true;
-}
 
 std::vector<Entity> DxfReader::entities(size_t first, size_t last) const {
   std::vector<Entity> all;
@@ -213,13 +67,33 @@ std::vector<Entity> DxfReader::entities(size_t first, size_t last) const {
   return all;
 }
 
+void DxfReader::header(size_t first, size_t last) {
+  for (size_t i = first; i + 1 < last; ++i)
+    if (groups_[i].code == 9 && groups_[i].value == "$INSUNITS" && groups_[i + 1].code == 70)
+      drawing_.unit = unit_of(whole_number(groups_[i + 1].value, groups_[i + 1].line, "$INSUNITS"));
+}
+
+void DxfReader::layers(size_t first, size_t last) {
+  for (const Entity& e : entities(first, last)) try {
+      if (e.type == "LAYER") layers_.add(e);
+    } catch (const Fault& fault) {
+      account_.leave_out(e.type, fault.text, fault.line);
+    }
+}
+
 // BLOCK, its entities and ENDBLK, one block behind the other.
 void DxfReader::blocks(size_t first, size_t last) {
   Block* open = nullptr;
   for (const Entity& e : entities(first, last)) {
     if (e.type == "BLOCK") {
-      open = &blocks_[std::string(e.text(2))];
-      open->base = {e.number(10, 0, "the base of a block"), e.number(20, 0, "the base of a block")};
+      constexpr int64_t kElsewhere = 4;
+      open = &blocks_[folded(e.text(2))];
+      try {
+        open->base = {e.number(10, 0, "its base"), e.number(20, 0, "its base")};
+        if ((e.flags(70) & kElsewhere) != 0) open->fault = "it is in another file";
+      } catch (const Fault& fault) {
+        open->fault = fault.text;
+      }
     } else if (e.type == "ENDBLK") {
       open = nullptr;
     } else if (open != nullptr) {
@@ -228,55 +102,85 @@ void DxfReader::blocks(size_t first, size_t last) {
   }
 }
 
-void DxfReader::draw(const std::vector<Entity>& all, int depth) {
+// Why an entity is not to be seen goes into the account.
+bool DxfReader::hides(const Entity& e, const std::string& layer) {
+  std::string why;
+  if (e.flags(67) == 1) why = "on paper, not in the model";
+  if (e.flags(60) == 1) why = "invisible";
+  const bool is_insert = e.type == "INSERT"; // entities of a block have layers of their own; one that is frozen hides all
+  if (const std::string hidden = layers_.why_hidden(layer); !hidden.empty() && (!is_insert || layers_.is_frozen(layer)))
+    why = "layer " + shown(layer) + " " + hidden;
+  if (!why.empty()) account_.leave_out(e.type, why, e.line);
+  return !why.empty();
+}
+
+// An entity with a fault is left out; the others of the drawing are read.
+void DxfReader::draw(const std::vector<Entity>& all, const Place& place) {
   for (size_t i = 0; i < all.size(); ++i) {
-    if (all[i].type == "VERTEX" || all[i].type == "SEQEND" || all[i].type == "ATTRIB") continue; // of what was passed over
-    if (all[i].flags(67) == 1)
-      ++passed_over_[std::string(all[i].type) + " on paper"];
-    else if (all[i].type == "POLYLINE")
-      i = old_polyline(all, i);
-    else if (all[i].type == "INSERT" ? !insert(all[i], depth) : !take(all[i]))
-      ++passed_over_[std::string(all[i].type.substr(0, 40))];
+    const Entity& e = all[i];
+    if (e.type == "VERTEX" || e.type == "SEQEND" || e.type == "ATTRIB") continue; // of what was left out
+    std::vector<Entity> corners;
+    if (e.type == "POLYLINE")
+      while (i + 1 < all.size() && all[i + 1].type == "VERTEX") corners.push_back(all[++i]);
+    try {
+      const std::string layer = e.text(8).empty() || e.text(8) == "0" ? place.layer : layers_.spelled(e.text(8));
+      if (hides(e, layer)) continue;
+      if (e.type == "INSERT") {
+        insert(e, place, layer);
+      } else if (!is_curve(e.type)) {
+        const bool endless = e.type == "XLINE" || e.type == "RAY";
+        account_.leave_out(e.type, endless ? "a construction line" : "not among the curves that are read", e.line);
+      } else {
+        if (e.type == "POLYLINE" && (i + 1 == all.size() || all[i + 1].type != "SEQEND"))
+          throw Fault{e.line, "no SEQEND behind its corners"};
+        curves(e, corners, place, layer);
+      }
+    } catch (const TooLarge&) {
+      throw;
+    } catch (const Fault& fault) {
+      account_.leave_out(e.type, fault.text, fault.line);
+    }
   }
 }
 
-// A block, perhaps several times in rows and columns. One that is stretched in one direction is passed over.
-bool DxfReader::insert(const Entity& e, int depth) {
+void DxfReader::curves(const Entity& e, const std::vector<Entity>& corners, const Place& place, const std::string& layer) {
+  for (Curve& curve : curves_of(e, corners, place.motion, account_)) {
+    curve.name = layer == "0" ? std::string() : layer;
+    curve.line = e.line;
+    drawing_.curves.push_back(std::move(curve));
+  }
+  account_.read(e.type);
+}
+
+// A block, perhaps several times in rows and columns.
+void DxfReader::insert(const Entity& e, const Place& place, const std::string& layer) {
   constexpr int kDeepest = 16;
   constexpr int64_t kMostCopies = 10000;
   constexpr int kMostInserts = 1000000;
   const double x = e.number(41, 1, "a scale"), y = e.number(42, 1, "a scale");
-  if (x == 0 || std::fabs(std::fabs(x) - std::fabs(y)) > 1e-9 * std::fabs(x) || plane_of(e) == Plane::kOther) return false;
-  const auto block = blocks_.find(std::string(e.text(2)));
-  if (block == blocks_.end()) throw Fault{e.line, "INSERT of block " + shown(e.text(2)) + ", which is not there"};
-  if (depth >= kDeepest) throw Fault{e.line, "INSERT of block " + shown(e.text(2)) + " within itself, or 16 deep"};
-  const Point at = e.point(10, "the place of a block");
-  const int64_t columns = e.has(70) ? e.flags(70) : 1, rows = e.has(71) ? e.flags(71) : 1;
+  if (x == 0 || y == 0) throw Fault{e.line, "a scale of 0"};
+  const auto block = blocks_.find(folded(e.text(2)));
+  if (block == blocks_.end()) throw Fault{e.line, "block " + shown(e.text(2)) + " is not there"};
+  if (!block->second.fault.empty()) throw Fault{e.line, "block " + shown(e.text(2)) + ": " + block->second.fault};
+  if (place.depth >= kDeepest) throw Fault{e.line, "block " + shown(e.text(2)) + " within itself, or 16 deep"};
+  const bool behind = is_seen_from_behind(e);
+  const Point at = e.point(10, "the place of a block"),
+              step = {e.number(44, 0, "a distance of columns"), e.number(45, 0, "a distance of rows")};
+  int64_t columns = e.has(70) ? e.flags(70) : 1, rows = e.has(71) ? e.flags(71) : 1;
   if (columns < 0 || rows < 0 || columns > kMostCopies || rows > kMostCopies || columns * rows > kMostCopies)
-    throw Fault{e.line, "INSERT: more than 10000 copies of a block"};
-  const Placing turn{{}, {}, 1, e.number(50, 0, "an angle"), false};
-  for (int64_t i = 0; i < std::max<int64_t>(columns, 1) * std::max<int64_t>(rows, 1); ++i) {
-    const int64_t column = i % std::max<int64_t>(columns, 1), row = i / std::max<int64_t>(columns, 1);
-    const Point off = {static_cast<double>(column) * e.number(44, 0, "a distance of columns"),
-                       static_cast<double>(row) * e.number(45, 0, "a distance of rows")};
-    const Placing placing{block->second.base, at + turn(off), std::fabs(x), turn.angle + (x < 0 ? 180 : 0), x * y < 0};
-    const size_t first = drawing_.curves.size();
-    if (++inserts_ > kMostInserts) throw Fault{e.line, "INSERT: more than 1000000 copies of blocks in all"};
-    draw(block->second.entities, depth + 1);
-    for (size_t c = first; c < drawing_.curves.size(); ++c) {
-      Curve& curve = drawing_.curves[c];
-      curve = placed(std::move(curve), placing);
-      if (plane_of(e) == Plane::kBack) curve = mirrored(curve);
-      if (curve.name.empty() && e.text(8) != "0") curve.name = e.text(8); // layer 0 is that of the block
-    }
+    throw Fault{e.line, "more than 10000 copies of a block"};
+  columns = std::max<int64_t>(columns, 1), rows = std::max<int64_t>(rows, 1);
+  const double angle = e.number(50, 0, "an angle");
+  const Motion array = placing({}, at, 1, 1, angle); // of the copies among each other
+  for (int64_t i = 0; i < columns * rows; ++i) {
+    if (++inserts_ > kMostInserts) throw TooLarge{e.line, "INSERT: more than 1000000 copies of blocks in all"};
+    const Point corner = array({static_cast<double>(i % columns) * step.x, static_cast<double>(i / columns) * step.y});
+    Place inside{placing(block->second.base, corner, x, y, angle), layer, place.depth + 1};
+    if (behind) inside.motion = after(kFromBehind, inside.motion);
+    inside.motion = after(place.motion, inside.motion);
+    draw(block->second.entities, inside);
   }
-  return true;
-}
-
-void DxfReader::header(size_t first, size_t last) {
-  for (size_t i = first; i + 1 < last; ++i)
-    if (groups_[i].code == 9 && groups_[i].value == "$INSUNITS" && groups_[i + 1].code == 70)
-      drawing_.unit = unit_of(whole_number(groups_[i + 1].value, groups_[i + 1].line, "$INSUNITS"));
+  account_.read(e.type);
 }
 
 Drawing DxfReader::read() {
@@ -290,16 +194,13 @@ Drawing DxfReader::read() {
     while (end < groups_.size() && !(groups_[end].code == 0 && groups_[end].value == "ENDSEC")) ++end;
     if (end == groups_.size()) throw Fault{groups_[i].line, "section " + shown(name) + " without ENDSEC: the file is cut off"};
     if (name == "HEADER") header(i + 2, end);
+    if (name == "TABLES") layers(i + 2, end);
     if (name == "BLOCKS") blocks(i + 2, end);
-    if (name == "ENTITIES") draw(entities(i + 2, end), 0), found = true;
+    if (name == "ENTITIES") draw(entities(i + 2, end), {}), found = true;
     i = end;
   }
   if (!found) throw Fault{0, "no section ENTITIES"};
-  for (const auto& [type, count] : passed_over_)
-    drawing_.notes.push_back(std::to_string(count) + " " + shown(type) + (count == 1 ? " was" : " were") + " passed over");
-  if (slanting_ > 0)
-    drawing_.notes.push_back(std::to_string(slanting_) + (slanting_ == 1 ? " line has" : " lines have") +
-                             " ends of different z: seen along z");
+  drawing_.notes = account_.notes();
   return std::move(drawing_);
 }
 

@@ -9,8 +9,8 @@ namespace drawing {
 
 bool is_dxf(std::string_view text); // or looks as if it were
 
-// Lines, arcs, circles, polylines, ellipses and splines of the model, each with its layer; what is passed over is counted in
-// the notes. Throws a Fault.
+// Lines, arcs, circles, polylines, ellipses and splines of the model that are to be seen, each with its layer. The notes count
+// what was read, left out (and why) and repaired. Throws a Fault where the file as a whole cannot be read.
 Drawing read_dxf(std::string_view text);
 
 } // namespace drawing

@@ -28,7 +28,7 @@ const Group* Entity::find(int code) const {
 
 double Entity::number(int code, const char* what) const {
   const Group* g = find(code);
-  if (g == nullptr) throw Fault{line, std::string(type) + " without " + what + ", expected group " + std::to_string(code)};
+  if (g == nullptr) throw Fault{line, std::string(what) + " is missing, expected group " + std::to_string(code)};
   return real(g->value, g->line, what);
 }
 
@@ -55,7 +55,7 @@ std::vector<double> Entity::numbers(int code, const char* what) const {
 
 std::vector<Point> Entity::points(int code, const char* what) const {
   const std::vector<double> x = numbers(code, what), y = numbers(code + 10, what);
-  if (x.size() != y.size()) throw Fault{line, std::string(type) + ": " + what + " has an x without y, or a y without x"};
+  if (x.size() != y.size()) throw Fault{line, std::string(what) + " has an x without y, or a y without x"};
   std::vector<Point> out;
   for (size_t i = 0; i < x.size(); ++i) out.push_back({x[i], y[i]});
   return out;

@@ -1,73 +1,214 @@
 #include "program/drawing/examples.hpp"
 
+#include "program/drawing/course.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace drawing {
 namespace {
 
+constexpr double kMayTouch = 0.05; // of the smaller body: sides that may touch are not further apart
+
 struct Sampled { // a curve by some of its points
-  const Body* body;
   const Curve* curve;
-  std::vector<Point> points;
-  double height = 0; // of its middle
+  double side;                        // -1: the material is on its left; 1: on its right
+  std::vector<Point> points, outward; // and the normals there
+  Point middle() const { return points[points.size() / 2]; }
 };
 
-std::vector<Sampled> sampled(const std::vector<Body>& bodies) {
-  std::vector<Sampled> out;
-  for (const Body& body : bodies)
-    for (const Loop& loop : body.loops)
-      for (const Curve& curve : loop.curves) {
-        const sketch::ShapePtr shape = shape_of(curve);
-        Sampled s{&body, &curve, {}, 0};
-        for (int i = 1; i < 16; ++i) s.points.push_back(shape->at(i / 16.0)); // ends belong to two curves
-        for (const Point& p : s.points) s.height += p.y / static_cast<double>(s.points.size());
-        out.push_back(std::move(s));
+struct Part { // a body among those that it touches
+  const Body* body;
+  std::vector<Sampled> curves;
+  Point low, high;
+  std::set<std::string> in_contact; // names of its curves
+  size_t root;                      // the body that holds it, by contacts; its own number: none
+  Point press;                      // towards that body, along an axis
+  bool carries = false;             // others
+  bool is_fixed = false;            // by its own support
+  double size() const { return std::max(high.x - low.x, high.y - low.y); }
+  std::set<std::string> free_names() const; // those that no contact has
+  // The free curve that lies furthest in a direction, one `apart` from the contacts' ends; null: none.
+  const Sampled* furthest(Point way, bool apart) const;
+  bool ends_at_contact(const std::string& name) const;
+};
+
+Part part_of(const Body& body, size_t number) {
+  Part part{&body, {}, {HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}, {}, number, {}};
+  for (const Loop& loop : body.loops)
+    for (const Curve& curve : loop.curves) {
+      const sketch::ShapePtr shape = shape_of(curve);
+      Sampled s{&curve, loop.hole && curve.whole ? 1.0 : -1.0, {}, {}}; // whole ones turn left
+      for (int i = 0; i <= 16; ++i) {
+        s.points.push_back(shape->at(i / 16.0));
+        s.outward.push_back(s.side * sketch::turned_left(shape->tangent(i / 16.0)));
       }
+      for (const Point& p : s.points) {
+        part.low = {std::min(part.low.x, p.x), std::min(part.low.y, p.y)};
+        part.high = {std::max(part.high.x, p.x), std::max(part.high.y, p.y)};
+      }
+      part.curves.push_back(std::move(s));
+    }
+  return part;
+}
+
+std::set<std::string> Part::free_names() const {
+  std::set<std::string> out;
+  for (const Sampled& s : curves)
+    if (in_contact.count(s.curve->name) == 0) out.insert(s.curve->name);
   return out;
 }
 
-double distance(const Sampled& a, const Sampled& b) {
-  double least = HUGE_VAL;
-  for (const Point& p : a.points)
-    for (const Point& q : b.points) least = std::min(least, sketch::length(p - q));
-  return least;
+bool Part::ends_at_contact(const std::string& name) const {
+  for (const Sampled& s : curves)
+    for (const Sampled& t : curves) {
+      if (s.curve->name != name || in_contact.count(t.curve->name) == 0) continue;
+      for (const Point p : {s.curve->begin, s.curve->end})
+        for (const Point q : {t.curve->begin, t.curve->end})
+          if (sketch::length(p - q) <= kJoin * size()) return true;
+    }
+  return false;
 }
 
-std::string side(const Sampled& s) { return s.body->name + "." + s.curve->name; }
+const Sampled* Part::furthest(Point way, bool apart) const {
+  const auto mean = [&](const Sampled& s) {
+    double sum = 0;
+    for (const Point& p : s.points) sum += sketch::dot(p, way);
+    return sum;
+  };
+  const Sampled* best = nullptr;
+  for (const Sampled& s : curves)
+    if (in_contact.count(s.curve->name) == 0 && (best == nullptr || mean(s) > mean(*best)) &&
+        !(apart && ends_at_contact(s.curve->name)))
+      best = &s;
+  return best;
+}
 
-std::string contact_of(const Body& a, const Body& b, const std::vector<Sampled>& curves) {
-  double least = HUGE_VAL;
-  std::string text;
-  for (const Sampled& p : curves)
-    for (const Sampled& q : curves) {
-      if (p.body != &a || q.body != &b) continue;
-      const double apart = distance(p, q);
-      if (apart < least) least = apart, text = "contact " + side(p) + " " + side(q) + "  mu 0.3";
+struct Touch { // where two bodies are nearest to each other
+  double gap;
+  const Curve *held, *holding;
+  Point press; // the way in which the held one presses, along an axis
+};
+
+Point along_an_axis(Point way) {
+  const bool along_x = std::fabs(way.x) > std::fabs(way.y);
+  return {along_x ? std::copysign(1.0, way.x) : 0, along_x ? 0 : std::copysign(1.0, way.y)};
+}
+
+// Where points of `held` are nearest to `holding`, if both face each other there.
+Touch nearest(const Sampled& held, const Sampled& holding, double near) {
+  constexpr double kFaces = 0.8; // the cosine of the angle between the normals
+  const Course other({*holding.curve});
+  Touch out{HUGE_VAL, held.curve, holding.curve, {}};
+  Point sum{};
+  double count = 0;
+  for (size_t i = 0; i < held.points.size(); ++i) {
+    const Course::Nearest at = other.nearest(held.points[i]);
+    const bool faces = sketch::dot(held.outward[i], holding.side * sketch::turned_left(at.along)) < -kFaces;
+    if (!faces || at.distance > near) continue;
+    if (at.distance < out.gap) out.gap = at.distance, out.press = held.outward[i];
+    sum = sum + held.outward[i], ++count;
+  }
+  if (count > 2) out.press = sketch::length(sum) > 0.3 * count ? sum : Point{0, -1}; // a pin in a hole goes down
+  return out;
+}
+
+Touch touch_of(const Part& a, const Part& b) {
+  Touch best{HUGE_VAL, nullptr, nullptr, {}};
+  const double near = kMayTouch * std::min(a.size(), b.size());
+  if (a.low.x > b.high.x + near || b.low.x > a.high.x + near || a.low.y > b.high.y + near || b.low.y > a.high.y + near)
+    return best;
+  for (const Sampled& p : a.curves)
+    for (const Sampled& q : b.curves) {
+      const Touch touch = nearest(p, q, near), turned = nearest(q, p, near);
+      if (touch.gap < best.gap) best = touch;
+      if (turned.gap < best.gap) best = {turned.gap, p.curve, q.curve, -1.0 * turned.press};
     }
-  return text;
+  return best;
+}
+
+// From a body that is held to bodies near it: the nearest ones first. Every body gets a contact with one that is held, if one
+// is near and its holder keeps a curve by which it can be held itself.
+std::vector<std::string> hang_together(std::vector<Part>& parts, size_t root) {
+  std::vector<std::string> out;
+  std::vector<size_t> held{root};
+  std::map<std::pair<size_t, size_t>, Touch> touches;
+  while (true) {
+    Touch best{HUGE_VAL, nullptr, nullptr, {}};
+    size_t next = 0, by = 0;
+    for (const size_t i : held)
+      for (size_t j = 0; j < parts.size(); ++j) {
+        if (parts[j].root != j || parts[j].is_fixed) continue;
+        if (touches.count({j, i}) == 0) touches[{j, i}] = touch_of(parts[j], parts[i]);
+        const Touch& touch = touches[{j, i}];
+        if (!(touch.gap < best.gap)) continue;
+        std::set<std::string> free = parts[root].free_names();
+        if (i == root) free.erase(touch.holding->name);
+        if (!free.empty()) best = touch, next = j, by = i;
+      }
+    if (best.held == nullptr) return out;
+    Part &a = parts[next], &b = parts[by];
+    a.root = root;
+    b.carries = true;
+    a.in_contact.insert(best.held->name), b.in_contact.insert(best.holding->name);
+    a.press = along_an_axis(best.press);
+    out.push_back("contact " + b.body->name + "." + best.holding->name + " " + a.body->name + "." + best.held->name +
+                  "  mu 0.3");
+    held.push_back(next);
+  }
+}
+
+// A force of 1 in all, by the body's weight.
+std::string weight_of(const Body& body, Point way) {
+  double area = 0;
+  for (const Loop& loop : body.loops) area += (loop.hole ? -1 : 1) * std::fabs(Course(loop.curves).area());
+  return "weight " + body.name + "  x " + told(way.x / area) + " y " + told(way.y / area);
+}
+
+// On a body that is held by a contact, towards it.
+std::string load_on(const Part& part) {
+  const Sampled* const pressed = part.furthest(-1.0 * part.press, true);
+  if (pressed == nullptr) return weight_of(*part.body, part.press);
+  const Point about = pressed->middle();
+  const bool along_x = part.press.x != 0;
+  return "platen " + part.body->name + "." + pressed->curve->name + "  about " + told(about.x) + " " + told(about.y) +
+         (along_x ? "  y 0 fx " + told(part.press.x) : "  x 0 fy " + told(part.press.y)) + "  turn 0";
+}
+
+// On a body that is held by its own support.
+std::string traction_on(Part part, const std::string& support) {
+  part.in_contact.insert(support);
+  const Sampled* const pulled = part.furthest({0, 1}, false);
+  return pulled == nullptr ? weight_of(*part.body, {0, -1})
+                           : "traction " + part.body->name + "." + pulled->curve->name + "  x 0 y -1";
 }
 
 } // namespace
 
 std::vector<std::string> examples_for(const std::vector<Body>& bodies) {
-  std::vector<std::string> out;
-  const std::vector<Sampled> curves = sampled(bodies);
-  constexpr size_t kMost = 8; // bodies: of more the pairs are too many to be an example
-  for (size_t i = 0; i + 1 < bodies.size() && i + 1 < kMost; ++i) out.push_back(contact_of(bodies[i], bodies[i + 1], curves));
-  const auto is_lower = [](const Sampled& a, const Sampled& b) { return a.height < b.height; };
-  const Sampled& lowest = *std::min_element(curves.begin(), curves.end(), is_lower);
-  const Sampled* highest = nullptr; // of another body, where there is one
-  for (const Sampled& s : curves)
-    if ((bodies.size() == 1 || s.body != lowest.body) && (highest == nullptr || is_lower(*highest, s))) highest = &s;
-  out.push_back("case load");
-  out.push_back("fix " + side(lowest));
-  if (bodies.size() == 1) {
-    out.push_back("traction " + side(*highest) + "  x 0 y -1");
-  } else {
-    const Point about = highest->points[7];
-    out.push_back("platen " + side(*highest) + "  about " + told(about.x) + " " + told(about.y) + "  force 0 -1  turn 0");
+  std::vector<Part> parts;
+  for (const Body& body : bodies) parts.push_back(part_of(body, parts.size()));
+  std::vector<size_t> upwards(parts.size()); // by the lowest point
+  for (size_t i = 0; i < upwards.size(); ++i) upwards[i] = i;
+  std::stable_sort(upwards.begin(), upwards.end(), [&](size_t i, size_t j) { return parts[i].low.y < parts[j].low.y; });
+  std::vector<std::string> out, supports, loads;
+  for (const size_t i : upwards) {
+    if (parts[i].root != i) continue;
+    parts[i].is_fixed = true;
+    const std::vector<std::string> contacts = hang_together(parts, i);
+    out.insert(out.end(), contacts.begin(), contacts.end());
+    const Sampled* const apart = parts[i].furthest({0, -1}, true);
+    const std::string support = (apart != nullptr ? apart : parts[i].furthest({0, -1}, false))->curve->name;
+    supports.push_back("fix " + parts[i].body->name + "." + support);
+    if (i == upwards.front() && contacts.empty()) loads.push_back(traction_on(parts[i], support));
   }
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].root != i && !parts[i].carries) loads.push_back(load_on(parts[i]));
+  out.push_back("case load");
+  out.insert(out.end(), supports.begin(), supports.end());
+  out.insert(out.end(), loads.begin(), loads.end());
   out.push_back("history load 1");
   return out;
 }

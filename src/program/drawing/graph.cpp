@@ -122,6 +122,8 @@ Graph graph_of(std::vector<Curve> curves, double tolerance) {
     }
     graph.ends[end / 2][end % 2] = number[root];
   }
+  for (size_t end = 0; end < n; ++end)
+    graph.moved.push_back(sketch::length(end_point(curves, end) - graph.joints[graph.ends[end / 2][end % 2]]));
   for (size_t i = 0; i < curves.size(); ++i)
     move_ends(curves[i], graph.joints[graph.ends[i][0]], graph.joints[graph.ends[i][1]]);
   graph.curves = std::move(curves);

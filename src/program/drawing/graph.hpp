@@ -12,6 +12,7 @@ struct Graph {
   std::vector<Curve> curves; // none is whole; their ends are at joints
   std::vector<std::array<size_t, 2>> ends;
   std::vector<Point> joints;
+  std::vector<double> moved; // how far each end was from its joint
 
   size_t start(size_t half) const { return ends[half / 2][half % 2]; }
   size_t stop(size_t half) const { return ends[half / 2][1 - half % 2]; }

@@ -1,6 +1,9 @@
 #include "program/drawing/loops.hpp"
 
+#include "program/drawing/course.hpp"
+#include "program/drawing/crossings.hpp"
 #include "program/drawing/graph.hpp"
+#include "program/drawing/text.hpp"
 #include "program/sketch/outline.hpp"
 
 #include <algorithm>
@@ -172,6 +175,13 @@ struct Contour { // of curves that are connected: what it looks like from outsid
   Point low, high;                          // the box around it
   double area = 0;
   int depth = 0;
+  size_t body = SIZE_MAX, loop = 0; // where its outside is, or its only face
+  Course course() const { return Course(outside.curves); }
+  double size() const { return std::max(high.x - low.x, high.y - low.y); }
+  std::string place() const { // its middle
+    const auto rounded = [&](double a, double b) { return std::fabs(a + b) > 1e-9 * size() ? (a + b) / 2 : 0; };
+    return told(Point{rounded(low.x, high.x), rounded(low.y, high.y)});
+  }
 };
 
 std::vector<Point> polygon_of(const Loop& loop) {
@@ -184,13 +194,12 @@ Contour contour_of(const Curve& whole) {
   Contour c;
   Loop loop;
   loop.curves = {whole};
-  c.polygon = polygon_of(loop);
-  c.area = sketch::area_of(c.polygon);
+  c.area = Course(loop.curves).area();
   if (c.area < 0) { // what is whole turns left: the sketch turns it round in a hole
     loop.curves = {reversed(whole)};
-    c.polygon = polygon_of(loop);
     c.area = -c.area;
   }
+  c.polygon = polygon_of(loop);
   c.outside = loop;
   c.inside = {loop};
   c.polygons = {c.polygon};
@@ -211,9 +220,9 @@ std::vector<Contour> contours_of(const Graph& graph) {
       contour.inside.push_back(std::move(loop));
       contour.polygons.push_back(std::move(polygon));
     } else {
-      contour.area = -area;
       contour.outside = std::move(loop);
       contour.polygon = std::move(polygon);
+      contour.area = -contour.course().area();
     }
   }
   std::vector<Contour> out;
@@ -233,14 +242,36 @@ bool encloses(const std::vector<Point>& outer, const std::vector<Point>& inner) 
   return 2 * in > all;
 }
 
+constexpr double kAlike = 0.9; // of the larger area: then the polygons are not told from the curves
+
+// Is most of `inner` on the inner side of `outer`?
+bool encloses(const Course& outer, const Course& inner) {
+  const bool is_left = outer.area() > 0;
+  int in = 0, all = 0;
+  for (const Point& p : inner.samples(9)) {
+    in += outer.nearest(p).is_left == is_left ? 1 : 0;
+    ++all;
+  }
+  return 2 * in > all;
+}
+
 bool encloses(const Contour& outer, const Contour& inner) {
   if (inner.high.x < outer.low.x || inner.low.x > outer.high.x || inner.high.y < outer.low.y || inner.low.y > outer.high.y)
     return false;
-  return encloses(outer.polygon, inner.polygon);
+  return inner.area > kAlike * outer.area ? encloses(outer.course(), inner.course()) : encloses(outer.polygon, inner.polygon);
 }
 
-// Contours by even depth give bodies, those by odd depth holes in the face around them.
-void nest(std::vector<Contour>& contours, Drawing& drawing) {
+// How far two contours are from each other at most; infinite if they are not alike.
+double apart(const Contour& a, const Contour& b) {
+  if (std::min(a.area, b.area) <= kAlike * std::max(a.area, b.area)) return HUGE_VAL;
+  const double size = a.size();
+  const Point low = b.low - a.low, high = b.high - a.high;
+  if (std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x), std::fabs(high.y)}) > 0.1 * size) return HUGE_VAL;
+  const Course p = a.course(), q = b.course();
+  return std::max(p.farthest(q), q.farthest(p));
+}
+
+void find_boxes(std::vector<Contour>& contours) {
   for (Contour& c : contours) {
     c.low = c.high = c.polygon.front();
     for (const Point& p : c.polygon) {
@@ -248,33 +279,82 @@ void nest(std::vector<Contour>& contours, Drawing& drawing) {
       c.high = {std::max(c.high.x, p.x), std::max(c.high.y, p.y)};
     }
   }
+}
+
+// One outline drawn twice by other curves, such as a circle and two half circles. Contours come by their areas.
+void drop_doubles(std::vector<Contour>& contours, double tolerance, std::vector<std::string>& notes) {
+  std::vector<Contour> kept;
+  for (Contour& c : contours) {
+    bool is_double = false;
+    for (size_t j = kept.size(); j-- > 0 && kept[j].area <= c.area * (1 + 1e-3) && !is_double;)
+      is_double = apart(kept[j], c) <= tolerance;
+    if (is_double)
+      notes.push_back("left out: an outline about " + c.place() + " that lies on one that is there already");
+    else
+      kept.push_back(std::move(c));
+  }
+  contours = std::move(kept);
+}
+
+// A hole in the body around it.
+void add_hole(Contour& c, const Contour& around, const std::vector<size_t>& bodies, Drawing& drawing) {
+  c.outside.hole = true;
+  if (c.inside.size() > 1) drawing.notes.push_back("a hole about " + c.place() + " has curves across it, which were left out");
+  size_t f = 0;
+  while (f < bodies.size() && bodies.size() > 1 && !encloses(around.polygons[f], c.polygon)) ++f;
+  if (f == bodies.size())
+    return drawing.notes.push_back("a hole about " + c.place() + " lies in several bodies and was left out");
+  c.body = bodies[f], c.loop = drawing.bodies[c.body].loops.size();
+  drawing.bodies[c.body].loops.push_back(c.outside);
+}
+
+// The faces of a contour as bodies.
+std::vector<size_t> add_bodies(Contour& c, Drawing& drawing) {
+  std::vector<size_t> out;
+  if (c.inside.size() == 1) c.body = drawing.bodies.size();
+  for (const Loop& face : c.inside) {
+    out.push_back(drawing.bodies.size());
+    drawing.bodies.push_back({"", {face}});
+  }
+  if (c.inside.size() > 1)
+    drawing.notes.push_back(std::to_string(c.inside.size()) +
+                            " outlines share curves: each is a body, and both sides of a shared curve bear its name");
+  return out;
+}
+
+// A pin that all but fills its hole: which of both outlines is whose, the drawing leaves open.
+void mark_press_fit(const Contour& hole, const Contour& pin, size_t& fits, Drawing& drawing) {
+  constexpr double kNear = 0.02; // of the size
+  if (hole.body == SIZE_MAX || pin.body == SIZE_MAX || hole.inside.size() != 1) return;
+  const double gap = apart(hole, pin);
+  if (!(gap <= kNear * hole.size())) return;
+  Loop &outer = drawing.bodies[hole.body].loops[hole.loop], &inner = drawing.bodies[pin.body].loops[pin.loop];
+  outer.press_fit = pin.outside.curves;
+  inner.press_fit = hole.inside[0].curves;
+  outer.fit = inner.fit = ++fits;
+  drawing.notes.push_back(
+      "a hole about " + hole.place() + " and the outline in it are " + told(gap) +
+      " apart at most: taken for a clearance; for a press fit take the outlines behind ! in place of those " +
+      "above them, and the statement 'interference'");
+}
+
+// Contours by even depth give bodies, those by odd depth holes in the face around them.
+void nest(std::vector<Contour>& contours, double tolerance, Drawing& drawing) {
+  find_boxes(contours);
   std::stable_sort(contours.begin(), contours.end(), [](const Contour& a, const Contour& b) { return a.area > b.area; });
+  drop_doubles(contours, tolerance, drawing.notes);
+  size_t fits = 0;
   std::vector<std::vector<size_t>> body_of(contours.size()); // of each face
   for (size_t i = 0; i < contours.size(); ++i) {
     Contour& c = contours[i];
     size_t around = i;
     for (size_t j = 0; j < i; ++j)
       if (encloses(contours[j], c)) around = j, ++c.depth;
-    if (c.depth % 2 == 0) {
-      for (Loop& face : c.inside) {
-        body_of[i].push_back(drawing.bodies.size());
-        drawing.bodies.push_back({"", {std::move(face)}});
-      }
-      if (c.inside.size() > 1)
-        drawing.notes.push_back(std::to_string(c.inside.size()) +
-                                " outlines share curves: each is a body, and both sides of a shared curve bear its name");
-      continue;
-    }
-    c.outside.hole = true;
-    if (c.inside.size() > 1)
-      drawing.notes.push_back("a hole near " + told(c.polygon.front()) + " has curves across it, which were left out");
-    const std::vector<size_t>& bodies = body_of[around];
-    size_t f = 0;
-    while (f < bodies.size() && !encloses(contours[around].polygons[f], c.polygon)) ++f;
-    if (f < bodies.size())
-      drawing.bodies[bodies[f]].loops.push_back(std::move(c.outside));
+    if (c.depth % 2 == 0)
+      body_of[i] = add_bodies(c, drawing);
     else
-      drawing.notes.push_back("a hole near " + told(c.polygon.front()) + " lies in several bodies and was left out");
+      add_hole(c, contours[around], body_of[around], drawing);
+    if (c.depth % 2 == 0 && c.depth > 0) mark_press_fit(contours[around], c, fits, drawing);
   }
 }
 
@@ -288,14 +368,48 @@ size_t first_order(const Body& body) {
 
 // Circles and the like that lie twice.
 bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
-  return a.kind == b.kind && a.kind != Curve::kSpline && sketch::length(a.centre - b.centre) <= tolerance &&
-         std::fabs(a.a - b.a) <= tolerance && std::fabs(a.b - b.b) <= tolerance;
+  if (a.kind != b.kind || a.points.size() != b.points.size() || sketch::length(a.centre - b.centre) > tolerance ||
+      std::fabs(a.a - b.a) > tolerance || std::fabs(a.b - b.b) > tolerance)
+    return false;
+  for (size_t i = 0; i < a.points.size(); ++i)
+    if (sketch::length(a.points[i] - b.points[i]) > tolerance) return false;
+  const double turned = std::remainder(a.tilt - b.tilt, 180) * kHalfTurn / 180;
+  return std::fabs(turned) * std::fabs(a.a - a.b) <= tolerance;
+}
+
+// Ends that were joined, if that was more than digits of a file.
+void note_joined(const Graph& graph, double size, std::vector<std::string>& notes) {
+  double most = 0;
+  int count = 0;
+  for (const double moved : graph.moved)
+    if (moved > 0.1 * kRound * size) most = std::max(most, moved), ++count;
+  if (count > 0)
+    notes.push_back("joined: " + std::to_string(count) + (count == 1 ? " end" : " ends") + ", moved by " + told(most) +
+                    " at most");
+}
+
+std::string told_outline(const Curve& c) {
+  return "the outline" + (c.name.empty() ? std::string() : " of " + shown(c.name)) +
+         (c.line > 0 ? " in line " + std::to_string(c.line) : std::string());
+}
+
+// Of outlines, or of all curves where no outline is closed.
+void note_crossings(const std::vector<Curve>& curves, double tolerance, Drawing& drawing) {
+  Notes told_ones(drawing.notes, " other crossings");
+  for (const Crossing& c : crossings_of(curves, tolerance)) {
+    const Curve &a = curves[c.first], &b = curves[c.second];
+    const bool itself = c.first == c.second || (a.line > 0 && a.line == b.line);
+    const std::string text = (itself ? told_outline(b) + " crosses itself" : told(b) + " crosses " + told(a)) + " near " +
+                             told(c.at) + ": outlines that cross bound no body";
+    if (drawing.crossing.text.empty()) drawing.crossing = {b.line, text};
+    told_ones.add(text);
+  }
 }
 
 } // namespace
 
 void join_curves(Drawing& drawing, double join) {
-  const double tolerance = join > 0 ? join : kJoin * size_of(drawing.curves);
+  const double size = size_of(drawing.curves), tolerance = join > 0 ? join : kJoin * size;
   for (size_t i = 0; i < drawing.curves.size(); ++i) drawing.curves[i].order = i;
   std::vector<Curve> loose, wholes;
   for (Curve& curve : with_length(drawing.curves, tolerance, drawing.notes)) {
@@ -312,17 +426,29 @@ void join_curves(Drawing& drawing, double join) {
   }
   drawing.curves.clear();
   Graph graph = graph_of(std::move(loose), tolerance);
+  note_joined(graph, size, drawing.notes);
   drop_doubles(graph, tolerance, drawing.notes);
   tell_open_ends(graph, tolerance, drawing.notes);
+  const std::vector<Curve> drawn = graph.curves;
   prune(graph, drawing.notes);
+  std::vector<Curve> outlines = graph.curves;
+  outlines.insert(outlines.end(), wholes.begin(), wholes.end());
+  note_crossings(outlines.empty() ? drawn : outlines, tolerance, drawing);
   std::vector<Contour> contours = contours_of(graph);
   for (const Curve& curve : wholes) contours.push_back(contour_of(curve));
   const size_t first = drawing.bodies.size();
-  nest(contours, drawing);
+  nest(contours, tolerance, drawing);
   std::stable_sort(drawing.bodies.begin() + static_cast<ptrdiff_t>(first), drawing.bodies.end(),
                    [](const Body& a, const Body& b) { return first_order(a) < first_order(b); });
+  size_t tidied = 0;
   for (size_t b = first; b < drawing.bodies.size(); ++b)
-    for (Loop& loop : drawing.bodies[b].loops) tidy(loop);
+    for (Loop& loop : drawing.bodies[b].loops) {
+      tidied += tidy(loop);
+      Loop other{loop.press_fit, loop.hole};
+      tidy(other);
+      loop.press_fit = std::move(other.curves);
+    }
+  note_tidied(tidied, drawing.notes);
 }
 
 } // namespace drawing

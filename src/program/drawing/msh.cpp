@@ -1,6 +1,7 @@
 // Reading MSH files.
 #include "program/drawing/msh.hpp"
 
+#include "program/drawing/account.hpp"
 #include "program/drawing/text.hpp"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ struct Kind { // of elements that are used
 constexpr Kind kKinds[] = {{1, 1, 0, 2},   {8, 2, 0, 3}, {26, 3, 0, 4}, {2, 1, 3, 3},  {9, 2, 3, 6},   {20, 3, 3, 9},
                            {21, 3, 3, 10}, {3, 1, 4, 4}, {16, 2, 4, 8}, {10, 2, 4, 9}, {39, 3, 4, 12}, {36, 3, 4, 16}};
 
+constexpr int kPoint = 15; // the type of an element that is one
+
 const Kind* kind_of(int type) {
   for (const Kind& kind : kKinds)
     if (kind.type == type) return &kind;
@@ -31,6 +34,10 @@ public:
 
 private:
   using Words = std::vector<std::string_view>;
+  struct Origin { // of an entity's elements
+    int64_t entity = 0, group = 0;
+    bool is_drawn = true; // no: it lies between partitions
+  };
   Words row(const char* section, size_t least); // the next line, which may not be the section's end
   int64_t integer(const Words& words, size_t i, const char* what) const {
     return whole_number(words[i], lines_.number(), what);
@@ -43,6 +50,8 @@ private:
   void elements_2();
   void elements_4();
   void entities();
+  void partitioned_entities();
+  void take_entity(const Words& words, int dimension, size_t box, Origin of);
   void add_node(int64_t tag, const Words& words, size_t first);
   void add_element(Element element, const Words& words, size_t first);
   void sort_nodes();
@@ -55,9 +64,9 @@ private:
   Mesh mesh_;
   bool is_4_ = false;
   std::vector<double> height_;                          // z of each node
-  std::map<std::pair<int, int64_t>, int64_t> group_of_; // of entities, by dimension and tag
-  std::map<int, int> others_;                           // elements of types that are not used
-  bool many_ = false;                                   // an entity of several groups
+  std::map<std::pair<int, int64_t>, Origin> origin_of_; // by dimension and tag
+  Account account_;
+  bool many_ = false; // an entity of several groups
 };
 
 MshReader::Words MshReader::row(const char* section, size_t least) {
@@ -126,27 +135,56 @@ void MshReader::nodes_4() {
   }
 }
 
-// Physical groups of entities: behind the box around them, of points behind their place.
 void MshReader::entities() {
   const Words counts = row("$Entities", 4);
   for (int dimension = 0; dimension < 4; ++dimension)
+    for (int64_t i = count(counts, static_cast<size_t>(dimension), "the number of entities"); i > 0; --i)
+      take_entity(row("$Entities", 2), dimension, 1, {});
+}
+
+// Parts of entities that a mesh is cut into, and what lies between them: each with the entity that it is a part of.
+void MshReader::partitioned_entities() {
+  const char* const section = "$PartitionedEntities";
+  row(section, 1);
+  for (int64_t ghosts = count(row(section, 1), 0, "the number of ghost entities"); ghosts > 0; --ghosts) row(section, 2);
+  const Words counts = row(section, 4);
+  for (int dimension = 0; dimension < 4; ++dimension)
     for (int64_t i = count(counts, static_cast<size_t>(dimension), "the number of entities"); i > 0; --i) {
-      const size_t at = dimension == 0 ? 4 : 7;
-      const Words words = row("$Entities", at + 1);
-      const int64_t groups = count(words, at, "the number of physical groups");
-      if (words.size() < at + 1 + static_cast<size_t>(groups))
-        throw Fault{number(), "$Entities: fewer physical groups than it tells"};
-      if (groups > 0)
-        group_of_[{dimension, integer(words, 0, "an entity")}] = std::abs(integer(words, at + 1, "a physical group"));
-      if (groups > 1) many_ = true;
+      const Words words = row(section, 5);
+      const int64_t partitions = count(words, 3, "the number of partitions");
+      Origin of{integer(words, 2, "an entity"), 0, integer(words, 1, "a dimension") == dimension};
+      take_entity(words, dimension, 4 + static_cast<size_t>(partitions), of);
     }
+}
+
+// Its physical groups stand behind the box around it, of points behind their place, which begins at `box`.
+void MshReader::take_entity(const Words& words, int dimension, size_t box, Origin of) {
+  const size_t at = box + (dimension == 0 ? 3 : 6);
+  const char* const few = "an entity has fewer numbers than it should";
+  if (words.size() <= at) throw Fault{number(), few};
+  const int64_t groups = count(words, at, "the number of physical groups"), tag = integer(words, 0, "an entity");
+  if (words.size() < at + 1 + static_cast<size_t>(groups)) throw Fault{number(), few};
+  if (groups > 0) of.group = std::abs(integer(words, at + 1, "a physical group"));
+  if (groups > 1) many_ = true;
+  if (of.entity == 0) of.entity = tag;
+  origin_of_[{dimension, tag}] = of;
+}
+
+// A quadrangle with a side of no length becomes the triangle that it is.
+bool has_area(Element& face) {
+  std::vector<int64_t>& n = face.nodes;
+  n.erase(std::unique(n.begin(), n.end()), n.end());
+  while (n.size() > 1 && n.front() == n.back()) n.pop_back();
+  constexpr int kTriangle = 2;
+  if (n.size() == 3) face.type = kTriangle;
+  return n.size() >= 3;
 }
 
 void MshReader::add_element(Element element, const Words& words, size_t first) {
   const Kind* kind = kind_of(element.type);
   if (kind == nullptr) {
-    constexpr int kPoint = 15;
-    if (element.type != kPoint) ++others_[element.type];
+    if (element.type != kPoint)
+      account_.leave_out("element", "of type " + std::to_string(element.type) + ", neither a line nor a face", number());
     return;
   }
   if (words.size() - first != static_cast<size_t>(kind->nodes))
@@ -154,6 +192,10 @@ void MshReader::add_element(Element element, const Words& words, size_t first) {
                               std::to_string(words.size() - first) + " nodes, expected " + std::to_string(kind->nodes)};
   element.line = number();
   for (size_t i = first; i < words.size(); ++i) element.nodes.push_back(integer(words, i, "a node"));
+  if (kind->corners == 0 && element.nodes[0] == element.nodes[1])
+    return account_.leave_out("line element", "it ends in the node where it begins", number());
+  if (kind->order == 1 && kind->corners > 0 && !has_area(element))
+    return account_.leave_out("face", "it has fewer than three corners", number());
   (kind->corners == 0 ? mesh_.lines : mesh_.faces).push_back(std::move(element));
 }
 
@@ -177,9 +219,16 @@ void MshReader::elements_4() {
     const Words head = row("$Elements", 4);
     const int64_t dimension = count(head, 0, "a dimension"), n = count(head, 3, "the number of elements");
     Element element{static_cast<int>(count(head, 2, "the type of an element")), 0, 0, integer(head, 1, "an entity"), {}};
-    const auto group = group_of_.find({static_cast<int>(dimension), element.entity});
-    if (group != group_of_.end()) element.group = group->second;
-    for (int64_t i = 0; i < n; ++i) add_element(element, row("$Elements", 2), 1);
+    const auto origin = origin_of_.find({static_cast<int>(dimension), element.entity});
+    const bool is_drawn = origin == origin_of_.end() || origin->second.is_drawn;
+    if (origin != origin_of_.end()) element.group = origin->second.group, element.entity = origin->second.entity;
+    for (int64_t i = 0; i < n; ++i) {
+      const Words words = row("$Elements", 2);
+      if (is_drawn || element.type == kPoint)
+        add_element(element, words, 1);
+      else
+        account_.leave_out("line element", "between partitions", number());
+    }
   }
 }
 
@@ -218,11 +267,20 @@ void MshReader::sort_nodes() {
 // Nodes of elements are there, and lie in a plane.
 void MshReader::check() {
   sort_nodes();
-  for (const std::vector<Element>* list : {&mesh_.lines, &mesh_.faces})
-    for (const Element& element : *list)
-      for (const int64_t node : element.nodes)
-        if (!std::binary_search(mesh_.tags.begin(), mesh_.tags.end(), node))
-          throw Fault{element.line, "an element has node " + std::to_string(node) + ", which is not there"};
+  const auto missing = [&](const Element& element) { // the first of its nodes that is not there
+    return std::find_if(element.nodes.begin(), element.nodes.end(),
+                        [&](int64_t node) { return !std::binary_search(mesh_.tags.begin(), mesh_.tags.end(), node); });
+  };
+  for (const Element& face : mesh_.faces) // a surface without one would have a hole
+    if (const auto node = missing(face); node != face.nodes.end())
+      throw Fault{face.line, "an element has node " + std::to_string(*node) + ", which is not there"};
+  const auto is_odd = [&](const Element& line) {
+    const auto node = missing(line);
+    if (node == line.nodes.end()) return false;
+    account_.leave_out("line element", "node " + std::to_string(*node) + " is not there", line.line);
+    return true;
+  };
+  mesh_.lines.erase(std::remove_if(mesh_.lines.begin(), mesh_.lines.end(), is_odd), mesh_.lines.end());
   if (height_.empty()) return;
   const auto [low, high] = std::minmax_element(height_.begin(), height_.end());
   double size = 0;
@@ -247,6 +305,8 @@ Mesh MshReader::read() {
       names();
     else if (section == "$Entities" && is_4_)
       entities();
+    else if (section == "$PartitionedEntities" && is_4_)
+      partitioned_entities();
     else if (section == "$Nodes")
       is_4_ ? nodes_4() : nodes_2(), has_nodes = true;
     else if (section == "$Elements")
@@ -260,8 +320,9 @@ Mesh MshReader::read() {
   if (!has_nodes) throw Fault{0, "no section $Nodes"};
   if (!has_elements) throw Fault{0, "no section $Elements"};
   check();
-  for (const auto& [type, count] : others_)
-    mesh_.notes.push_back(std::to_string(count) + " elements of type " + std::to_string(type) + " were passed over");
+  if (!mesh_.lines.empty()) account_.read("line element", static_cast<int>(mesh_.lines.size()));
+  if (!mesh_.faces.empty()) account_.read("face", static_cast<int>(mesh_.faces.size()));
+  mesh_.notes = account_.notes();
   if (many_) mesh_.notes.push_back("some entities are in several physical groups: the first one names them");
   return std::move(mesh_);
 }

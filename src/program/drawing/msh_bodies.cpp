@@ -63,7 +63,7 @@ private:
   size_t root(size_t face);
   void body_of(const std::vector<size_t>& faces, const std::string& name);
   std::vector<std::vector<Side>> loops_of(const std::vector<Side>& sides) const;
-  Loop loop_of(std::vector<Side> sides) const;
+  Loop loop_of(std::vector<Side> sides);
   void add_loose();
   std::vector<Side> walk(size_t first, const std::vector<Side>& loose, std::vector<bool>& used, bool& closed) const;
   void add_curves(std::vector<Curve>& out, const std::vector<Side>& run, bool closed) const;
@@ -71,6 +71,7 @@ private:
   const Mesh& mesh_;
   Drawing out_;
   double size_ = 0;
+  size_t tidied_ = 0;                               // curves that became part of the one before
   std::vector<Side> lines_;                         // every one once
   std::map<Key, size_t> line_at_;                   // of lines_
   std::map<Key, std::vector<size_t>> faces_at_;     // of every side of a face
@@ -82,7 +83,6 @@ void Builder::take_lines() {
   int twice = 0;
   for (const Element& element : mesh_.lines) {
     Side side = side_of(mesh_, element);
-    if (side.nodes.front() == side.nodes.back()) throw Fault{element.line, "a line element ends in the node where it begins"};
     if (line_at_.emplace(side.key(), lines_.size()).second)
       lines_.push_back(std::move(side));
     else
@@ -153,7 +153,7 @@ void Builder::add_curves(std::vector<Curve>& out, const std::vector<Side>& run, 
   }
 }
 
-Loop Builder::loop_of(std::vector<Side> sides) const {
+Loop Builder::loop_of(std::vector<Side> sides) {
   Loop loop;
   const size_t n = sides.size();
   size_t change = 0;
@@ -176,7 +176,7 @@ Loop Builder::loop_of(std::vector<Side> sides) const {
     for (size_t i = 0; i + 1 < side.nodes.size(); ++i) polygon.push_back(mesh_.at(side.nodes[i]));
   loop.hole = sketch::area_of(polygon) < 0;
   if (Curve& only = loop.curves.front(); only.whole && only.kind == Curve::kSpline && loop.hole) only = reversed(only);
-  tidy(loop);
+  tidied_ += tidy(loop);
   return loop;
 }
 
@@ -196,7 +196,8 @@ void Builder::body_of(const std::vector<size_t>& faces, const std::string& name)
   body.name = name;
   for (std::vector<Side>& sides : loops_of(boundary)) body.loops.push_back(loop_of(std::move(sides)));
   std::stable_sort(body.loops.begin(), body.loops.end(), [](const Loop& a, const Loop& b) { return !a.hole && b.hole; });
-  if (!body.loops.empty() && !body.loops.front().hole) out_.bodies.push_back(std::move(body));
+  if (!body.loops.empty() && !body.loops.front().hole) return out_.bodies.push_back(std::move(body));
+  out_.notes.push_back("left out: a surface without area at " + told(mesh_.at(mesh_.faces[faces.front()].nodes.front())));
 }
 
 // From one line element as far as lines of its name go on, both ways.
@@ -265,6 +266,7 @@ Drawing Builder::build() {
     body_of(part.second, name);
   }
   add_loose();
+  note_tidied(tidied_, out_.notes);
   return std::move(out_);
 }
 

@@ -11,28 +11,41 @@ namespace {
 
 constexpr size_t kMostPoints = 1000; // of one spline
 
-Point tangent(const Nurbs& n, double t, double step) {
-  const Point d = n.at(t + step) - n.at(t);
-  const double l = sketch::length(d);
-  return l > 0 ? (1 / l) * d : Point{};
+// The direction in which the curve leaves an end of the span from `knots[k]` to `knots[k + 1]`: towards the first control
+// point of its Bezier form that lies elsewhere, also where handles are retracted.
+Point direction(const Nurbs& n, size_t k, bool from_end) {
+  const size_t p = static_cast<size_t>(n.degree);
+  double at[16];
+  std::fill(at, at + p, n.knots[from_end ? k + 1 : k]);
+  const Point start = n.polar(k, at);
+  const double nothing = 1e-9 * sketch::size_of(n.points);
+  for (size_t i = 0; i < p; ++i) {
+    at[i] = n.knots[from_end ? k : k + 1];
+    const Point d = n.polar(k, at) - start;
+    if (const double l = sketch::length(d); l > nothing) return (1 / l) * d;
+  }
+  return {};
+}
+
+bool turns(Point backwards, Point onwards) { return sketch::dot(backwards, onwards) > -std::cos(1e-3); }
+
+// Spans between different knots, by their first ones; those in which the curve stands still only if there are no others.
+std::vector<size_t> spans_of(const Nurbs& n) {
+  std::vector<size_t> out, moving;
+  for (size_t k = static_cast<size_t>(n.degree); k < n.points.size(); ++k) {
+    if (!(n.knots[k + 1] > n.knots[k])) continue;
+    out.push_back(k);
+    if (sketch::length(direction(n, k, false)) > 0) moving.push_back(k);
+  }
+  return moving.empty() ? out : moving;
 }
 
 // Where the curve is split: its ends, and knots where it has a corner.
-std::vector<double> corners_of(const Nurbs& n) {
-  const size_t p = static_cast<size_t>(n.degree);
-  const double first = n.knots[p], last = n.knots[n.points.size()], step = 1e-7 * (last - first);
-  std::vector<double> out{first};
-  for (size_t i = p + 1; i < n.points.size();) {
-    size_t end = i;
-    while (end < n.points.size() && n.knots[end] == n.knots[i]) ++end;
-    const double t = n.knots[i];
-    if (end - i >= p && t > first && t < last) {
-      const Point before = tangent(n, t, -step), behind = tangent(n, t, step);
-      if (sketch::dot(before, behind) > -std::cos(1e-3)) out.push_back(t);
-    }
-    i = end;
-  }
-  out.push_back(last);
+std::vector<double> corners_of(const Nurbs& n, const std::vector<size_t>& spans) {
+  std::vector<double> out{n.knots[spans.front()]};
+  for (size_t i = 1; i < spans.size(); ++i)
+    if (turns(direction(n, spans[i - 1], true), direction(n, spans[i], false))) out.push_back(n.knots[spans[i]]);
+  out.push_back(n.knots[spans.back() + 1]);
   return out;
 }
 
@@ -166,7 +179,6 @@ std::string Nurbs::fault() const {
   return "";
 }
 
-// De Boor's scheme on points times weights.
 Point Nurbs::at(double t) const {
   const size_t p = static_cast<size_t>(degree), n = points.size();
   t = std::clamp(t, knots[p], knots[n]);
@@ -174,6 +186,14 @@ Point Nurbs::at(double t) const {
                                  knots.begin()) -
              1;
   while (k > p && knots[k + 1] == knots[k]) --k; // t is the last knot
+  double all[16];
+  std::fill(all, all + p, t);
+  return polar(k, all);
+}
+
+// De Boor's scheme on points times weights.
+Point Nurbs::polar(size_t k, const double* t) const {
+  const size_t p = static_cast<size_t>(degree);
   double x[16], y[16], w[16];
   for (size_t i = 0; i <= p; ++i) {
     const size_t j = k - p + i;
@@ -183,7 +203,7 @@ Point Nurbs::at(double t) const {
   for (size_t r = 1; r <= p; ++r)
     for (size_t i = p; i >= r; --i) {
       const double low = knots[k - p + i], high = knots[k + 1 + i - r];
-      const double f = high > low ? (t - low) / (high - low) : 0;
+      const double f = high > low ? (t[r - 1] - low) / (high - low) : 0;
       x[i] = (1 - f) * x[i - 1] + f * x[i];
       y[i] = (1 - f) * y[i - 1] + f * y[i];
       w[i] = (1 - f) * w[i - 1] + f * w[i];
@@ -191,15 +211,33 @@ Point Nurbs::at(double t) const {
   return {x[p] / w[p], y[p] / w[p]};
 }
 
+Nurbs nurbs_through(const std::vector<Point>& points, bool whole) {
+  const sketch::ShapePtr shape = sketch::spline(points, whole);
+  std::vector<Point> p = points;
+  if (whole) p.push_back(points.front());
+  std::vector<double> u{0};
+  for (size_t i = 1; i < p.size(); ++i) u.push_back(u.back() + sketch::length(p[i] - p[i - 1]));
+  Nurbs n;
+  n.points = {p[0]};
+  n.knots.assign(4, 0);
+  for (size_t i = 1; i < p.size(); ++i) { // Bezier pieces, by the derivatives at their ends
+    const double from = u[i - 1] / u.back(), to = u[i] / u.back();
+    n.points.push_back(p[i - 1] + ((to - from) / 3) * shape->local(from).d);
+    n.points.push_back(p[i] - ((to - from) / 3) * shape->local(to).d);
+    n.points.push_back(p[i]);
+    n.knots.insert(n.knots.end(), i + 1 < p.size() ? 3 : 4, to);
+  }
+  return n;
+}
+
 std::vector<Curve> curves_of(const Nurbs& n, double tolerance) {
-  const std::vector<double> corners = corners_of(n);
+  const std::vector<size_t> spans = spans_of(n);
+  const std::vector<double> corners = corners_of(n, spans);
   std::vector<Curve> out;
-  const double first = corners.front(), last = corners.back(), step = 1e-7 * (last - first);
-  const Point gap = n.at(last) - n.at(first);
-  const bool meets = sketch::length(gap) <= 1e-9 * sketch::size_of(n.points);
+  const Point gap = n.at(corners.back()) - n.at(corners.front());
   // A closed one without a corner is one curve that is whole.
-  const bool whole =
-      corners.size() == 2 && meets && sketch::dot(tangent(n, first, step), tangent(n, last, -step)) < -std::cos(1e-3);
+  const bool whole = corners.size() == 2 && sketch::length(gap) <= 1e-9 * sketch::size_of(n.points) &&
+                     !turns(direction(n, spans.back(), true), direction(n, spans.front(), false));
   for (size_t i = 1; i < corners.size(); ++i) out.push_back(follow(n, corners[i - 1], corners[i], whole, tolerance));
   return out;
 }

@@ -15,7 +15,13 @@ struct Nurbs {
   // What is wrong with it; empty: nothing.
   std::string fault() const;
   Point at(double t) const; // t between knots[degree] and knots[points.size()]
+  // The polar form of the span that begins at knots[k], of `degree` arguments: at(t) where all of them are t, the control
+  // points of the span's Bezier form where they are its ends.
+  Point polar(size_t k, const double* t) const;
 };
+
+// What a spline of a sketch through these points is as a B-spline.
+Nurbs nurbs_through(const std::vector<Point>& points, bool whole);
 
 // One curve for every smooth part of it: lines where it is straight, else splines that keep within `tolerance` of it if
 // 1000 points are enough; Curve::doubt tells how near they are.

@@ -1,18 +1,17 @@
-// Where a block of a drawing is put: turned, scaled, perhaps mirrored.
+// Where a block of a drawing is put: scaled along its own axes, mirrored, turned, shifted.
 #pragma once
 
 #include "program/drawing/drawing.hpp"
 
 namespace drawing {
 
-// p goes to `at` + scale * turn by `angle` of (p - base), which is mirrored across its x axis before if `mirrors`.
-struct Placing {
-  Point base, at;
-  double scale = 1, angle = 0; // degrees
-  bool mirrors = false;
-  Point operator()(Point p) const;
-};
+using sketch::Motion;
 
-Curve placed(Curve curve, const Placing& placing);
+// The point `base` goes to `at`; scales are along the axes before the turn by `angle` degrees, below 0 they mirror.
+Motion placing(Point base, Point at, double scale_x, double scale_y, double angle);
+Motion after(const Motion& second, const Motion& first);
+
+// Lines, arcs and ellipses exactly: an arc whose scales differ becomes an ellipse. Splines through their points that are moved.
+Curve placed(Curve curve, const Motion& motion);
 
 } // namespace drawing

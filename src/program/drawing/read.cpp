@@ -23,6 +23,7 @@ Drawing read_drawing(std::string_view text, double join, std::vector<std::string
   join_curves(drawing, join);
   notes = drawing.notes;
   if (!has_curves) throw Fault{0, "the drawing has no curves"};
+  if (drawing.bodies.empty() && !drawing.crossing.text.empty()) throw drawing.crossing;
   if (drawing.bodies.empty()) throw Fault{0, "no outline is closed; --join D joins ends up to a distance D"};
   return drawing;
 }

@@ -7,10 +7,10 @@ namespace drawing {
 
 bool Lines::next(std::string_view& line) {
   if (text_.empty()) return false;
-  const size_t end = text_.find('\n');
+  const size_t end = text_.find_first_of("\r\n");
   line = text_.substr(0, end);
-  text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const size_t ending = end == std::string_view::npos ? 0 : text_.substr(end, 2) == "\r\n" ? 2 : 1;
+  text_.remove_prefix(line.size() + ending);
   ++number_;
   return true;
 }
@@ -33,12 +33,14 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return out;
 }
 
-std::string shown(std::string_view text) {
-  std::string out = "'";
+std::string printable(std::string_view text) {
+  std::string out;
   for (const char c : text.substr(0, 40))
     out += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
-  return out + (text.size() > 40 ? "...'" : "'");
+  return out + (text.size() > 40 ? "..." : "");
 }
+
+std::string shown(std::string_view text) { return "'" + printable(text) + "'"; }
 
 double real(std::string_view text, int line, const char* what) {
   std::string_view digits = trimmed(text);

@@ -25,7 +25,8 @@ private:
 std::string_view trimmed(std::string_view text);
 // The words of a line, at blanks.
 std::vector<std::string_view> words_of(std::string_view line);
-// What stands in a file, cut short and printable, in quotes.
+// What stands in a file, cut short and printable; in quotes.
+std::string printable(std::string_view text);
 std::string shown(std::string_view text);
 
 // Throw a Fault that names the line and what was expected.

@@ -28,7 +28,8 @@ Curve joined(const Curve& a, const Curve& b) {
 
 } // namespace
 
-void tidy(Loop& loop) {
+size_t tidy(Loop& loop) {
+  const size_t before = loop.curves.size();
   const double tolerance = kRound * size_of(loop.curves);
   std::vector<Curve> out;
   for (Curve& curve : loop.curves) {
@@ -53,6 +54,13 @@ void tidy(Loop& loop) {
     out[0].name = arc.name, out[0].line = arc.line;
   }
   loop.curves = std::move(out);
+  return before - loop.curves.size();
+}
+
+void note_tidied(size_t count, std::vector<std::string>& notes) {
+  if (count > 0)
+    notes.push_back("joined: " + std::to_string(count) + (count == 1 ? " curve" : " curves") +
+                    " to the one before, along which " + (count == 1 ? "it goes on" : "they go on"));
 }
 
 } // namespace drawing

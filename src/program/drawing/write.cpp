@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace drawing {
 namespace {
@@ -35,6 +37,8 @@ private:
   std::string material_of(const Body& body) const;
   void check_materials() const;
   void loop(const Loop& loop);
+  void outline(const std::vector<Curve>& curves);
+  void press_fits();
   void whole(const Curve& c);
   void curve(const Curve& c, bool last);
   std::string path_of(const Curve& c) const;
@@ -71,8 +75,9 @@ void Writer::give_names() {
   Names bodies, curves;
   for (const Body& body : d_.bodies) // names that are there go before numbers
     for (const Loop& loop : body.loops)
-      for (const Curve& c : loop.curves)
-        if (!c.name.empty()) curves.name(c.name);
+      for (const std::vector<Curve>* list : {&loop.curves, &loop.press_fit})
+        for (const Curve& c : *list)
+          if (!c.name.empty()) curves.name(c.name);
   for (Body& body : d_.bodies)
     if (!body.name.empty()) body.name = bodies.name(body.name);
   for (Body& body : d_.bodies) {
@@ -80,6 +85,8 @@ void Writer::give_names() {
     Names own = curves; // numbers begin anew in every body
     for (Loop& loop : body.loops)
       for (Curve& c : loop.curves) c.name = c.name.empty() ? own.numbered("c") : curves.name(c.name);
+    for (Loop& loop : body.loops)
+      for (Curve& c : loop.press_fit) c.name = c.name.empty() ? own.numbered("c") : curves.name(c.name);
   }
   for (const Names* names : {&bodies, &curves})
     for (const std::string& change : names->changes()) d_.notes.push_back(change);
@@ -148,12 +155,45 @@ void Writer::curve(const Curve& c, bool last) {
   line("  arc " + c.name + to + "  centre" + at(c.centre) + (c.sweep < 0 ? "  right" : ""));
 }
 
-void Writer::loop(const Loop& loop) {
-  if (loop.hole) line("  hole");
-  const std::vector<Curve>& c = loop.curves;
+void Writer::outline(const std::vector<Curve>& c) {
   if (c.size() == 1 && c[0].whole) return whole(c[0]);
   line("  from" + at(c[0].begin));
   for (size_t i = 0; i < c.size(); ++i) curve(c[i], i + 1 == c.size());
+}
+
+void Writer::loop(const Loop& loop) {
+  if (loop.hole) line("  hole");
+  outline(loop.curves);
+  if (loop.press_fit.empty()) return;
+  comment("In a press fit, instead of the outline above:");
+  std::string before;
+  before.swap(out_);
+  outline(loop.press_fit);
+  before.swap(out_);
+  for (size_t at = 0; at < before.size(); at = before.find('\n', at) + 1)
+    line("! " + before.substr(at, before.find('\n', at) - at));
+}
+
+// A side of a contact: the names of an outline, each once.
+std::string side_of(const Body& body, const std::vector<Curve>& curves) {
+  std::string out = body.name;
+  std::set<std::string> names;
+  for (const Curve& c : curves)
+    if (names.insert(c.name).second) out += (names.size() == 1 ? "." : "+") + c.name;
+  return out;
+}
+
+// What makes press fits of outlines that are one in the other.
+void Writer::press_fits() {
+  std::map<size_t, std::string> contacts;
+  for (const bool hole : {true, false})
+    for (const Body& body : d_.bodies)
+      for (const Loop& l : body.loops)
+        if (!l.press_fit.empty() && l.hole == hole) contacts[l.fit] += " " + side_of(body, l.press_fit);
+  if (contacts.empty()) return;
+  comment("In a press fit also:");
+  line("! interference");
+  for (const auto& contact : contacts) line("! contact" + contact.second + "  mu 0.3");
 }
 
 void Writer::examples() {
@@ -191,14 +231,17 @@ std::string Writer::write(const std::string& name) {
     line("body " + body.name + " " + material_of(body));
     for (const Loop& l : body.loops) loop(l);
   }
+  press_fits();
   examples();
   return out_;
 }
 
 } // namespace
 
-std::string sketch_of(Drawing drawing, const std::string& name, const Conditions& conditions) {
-  return Writer(drawing, conditions).write(name);
+std::string sketch_of(Drawing drawing, const std::string& name, const Conditions& conditions, std::vector<std::string>* notes) {
+  std::string text = Writer(drawing, conditions).write(name);
+  if (notes != nullptr) *notes = drawing.notes;
+  return text;
 }
 
 } // namespace drawing
