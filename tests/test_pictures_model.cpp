@@ -302,7 +302,7 @@ TEST_CASE("pictures: a zone that stands upright, that sticks for ever, and force
                                          about + " x -0.001 turn -0.0001\n");
     Shown turned;
     show(turned, folder / "rigid.c2s");
-    REQUIRE_MESSAGE(turned.result.status == 0, turned.result.err);
+    REQUIRE_MESSAGE(turned.result.status == 5, turned.result.err); // its peak has no bound
     check_page(turned);
     CHECK(contains(turned.figures["model"], ">motion of the rigid body<"));
     CHECK(contains(caption_of(turned, "model"), "plane stress"));

@@ -126,7 +126,7 @@ TEST_CASE("points: outside, on the boundary, and next to it") {
   CHECK(std::fabs(rows[1].ux - rows[2].ux) < 1e-6);
   CHECK(std::fabs(rows[1].uy - rows[2].uy) < 1e-6);
   CHECK(error_of(rows[2]) < 3e-3);
-  CHECK(contains(result.err, "p:1:1: warning: point (5, 5) lies outside body 1\n1,5,5\n^\n"));
+  CHECK(contains(result.err, "p:1:1: warning: point (5, 5) lies outside body 1\n"));
   CHECK(contains(result.err, "p:4:1: warning: point (0.5, 0.5) lies outside body 1\n"));
   CHECK(contains(result.err, "p:8:1: warning: point (1.5, -0.001) lies outside body 1\n"));
   CHECK(contains(result.err, "p: note: 2 points lie on the boundary: "));
@@ -150,7 +150,7 @@ TEST_CASE("points: more points outside than anyone would read") {
   const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior -");
   CHECK(result.status == 0);
   CHECK(rows_of(result.out).size() == 51);
-  CHECK(lines_of(result.err).size() == 62);
+  CHECK(lines_of(result.err).size() == 22); // rows are not shown
   CHECK(contains(result.err, "p: warning: 30 points more lie outside their body\n"));
 }
 
@@ -314,10 +314,10 @@ TEST_CASE("points: faulty files of points") {
       {"", "p: error: no points, expected rows body,x,y\n"},
       {"\n\n", "p: error: no points, expected rows body,x,y\n"},
       {"body,x,y\n", "p: error: no points, expected rows body,x,y\n"},
-      {"2,1.5,0.1\n", "p:1:1: error: body is '2', expected 1, the only body\n2,1.5,0.1\n^\n"},
+      {"2,1.5,0.1\n", "p:1:1: error: body is '2', expected 1, the only body\n"},
       {"1,1.5,0.1\n0,1.5,0.1\n", "p:2:1: error: body is '0', expected 1, the only body\n"},
       {"1.0,1.5,0.1\n", "p:1:1: error: body is '1.0', expected 1, the only body\n"},
-      {"1, 1.5x,0.1\n", "p:1:4: error: x is '1.5x', expected a number\n1, 1.5x,0.1\n   ^~~~\n"},
+      {"1, 1.5x,0.1\n", "p:1:4: error: x is '1.5x', expected a number\n"},
       {"1,1.5,\n", "p:1:7: error: y is '', expected a number\n"},
       {"1,1.5,inf\n", "p:1:7: error: y is 'inf', expected a number\n"},
       {"1,nan,1\n", "p:1:3: error: x is 'nan', expected a number\n"},
@@ -342,7 +342,7 @@ TEST_CASE("points: faulty files of points") {
   write_file(in / "p", "3,a,b\n1,1,1\n1,c,1\n");
   const Result all = contact2d("run " + quoted(kRing) + " --points " + quoted(in / "p") + " --interior -");
   CHECK(all.status == 2);
-  CHECK(lines_of(all.err).size() == 12);
+  CHECK(lines_of(all.err).size() == 4);
   write_file(in / "p", "\xef\xbb\xbf"
                        "Body , X,Y\r\n\r\n 1 ,\t+1.5D0, 1E-1\r\n1,1.5,.1");
   const Result good = contact2d("run " + quoted(kRing) + " --points " + quoted(in / "p") + " --interior -");
@@ -353,7 +353,8 @@ TEST_CASE("points: faulty files of points") {
   for (const std::string& name : {in / "missing", in.path()}) {
     const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(name) + " --interior -");
     CHECK(result.status == 2);
-    CHECK(contains(result.err, name + ": error: cannot be read: "));
+    CHECK_MESSAGE(contains(result.err, name + ": error: " + (name == in.path() ? "is no regular file" : "cannot be read: ")),
+                  result.err);
   }
   write_file(in / "p", std::string("1,1,\0001\n", 8));
   CHECK(contact2d("run " + quoted(kRing) + " --points " + quoted(in / "p") + " --interior -").status == 2);

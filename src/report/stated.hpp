@@ -55,7 +55,7 @@ struct MeshLoop {
   bool missed() const {
     for (const Stated& s : stated)
       if (!s.is_met()) return true;
-    return stated.empty() && ran() && rounds.front().adapted;
+    return stated.empty() && !stopped.empty() && ran() && rounds.front().adapted;
   }
   // In a sentence; empty if nothing was asked for.
   std::string ending() const {
