@@ -70,7 +70,7 @@ bool OutputFile::open(const std::string& name, std::string& error) {
     direct_ = true;
     file_ = 1;
     // One that was closed leads to nothing (open_standard_files); it is found before the work. No other reason is one yet.
-    const bool is_closed = ::write(1, "", 0) < 0 && errno == EBADF;
+    const bool is_closed = ::write(1, "", size_t{0}) < 0 && errno == EBADF;
     return succeeds(is_closed ? EBADF : 0, kNotWritten, error);
   }
   const bool exists = ::stat(name.c_str(), &about) == 0;
