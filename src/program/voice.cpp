@@ -18,10 +18,15 @@ constexpr const char* kPlain = "\033[0m";
 
 // Of what the program itself sends to a terminal: a colour, the end of a line, a tab; 0: nothing of it begins there.
 size_t own_code_at(const std::string& text, size_t i) {
-  for (const char* code : {kColours[0], kColours[1], kColours[2], kColours[3], kPlain, kClearLine, "\n", "\t"})
+  if (text[i] == '\n' || text[i] == '\t') return 1;
+  if (text[i] != '\033' && text[i] != '\r') return 0;
+  for (const char* code : {kColours[0], kColours[1], kColours[2], kColours[3], kPlain, kClearLine})
     if (text.compare(i, std::strlen(code), code) == 0) return std::strlen(code);
   return 0;
 }
+// Is it neither a printable character of ASCII nor the end of a line?
+bool is_odd(char c) { return (c < ' ' || c > '~') && c != '\n'; }
+
 } // namespace
 
 void say(const std::string& text) {
@@ -32,11 +37,12 @@ void say(const std::string& text) {
     reason = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
   }
   if (muted) return;
-  std::string out;
-  for (size_t i = 0, next = 0; i < text.size(); i = next) {
-    next = i + std::max(own_code_at(text, i), std::max<size_t>(character_at(text, i), 1));
-    const bool stays = own_code_at(text, i) > 0 || character_at(text, i) > 0;
-    out += stays ? text.substr(i, next - i) : "?";
+  const size_t odd = static_cast<size_t>(std::find_if(text.begin(), text.end(), is_odd) - text.begin());
+  std::string out = text.substr(0, odd);
+  for (size_t i = odd, next = 0; i < text.size(); i = next) {
+    const size_t stays = std::max<size_t>(own_code_at(text, i), character_at(text, i));
+    next = i + std::max<size_t>(stays, 1);
+    stays > 0 ? out.append(text, i, stays) : out.append(1, '?');
   }
   std::fwrite(out.data(), 1, out.size(), stderr);
 }
