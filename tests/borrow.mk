@@ -19,12 +19,14 @@ endif
 # Files of tests that are compiled again for it: for sanitizers, and where the core's configuration is another.
 SANITIZER_TESTS := $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/test_*.cpp)
 CORE_TESTS      := $(filter-out $(SANITIZER_TESTS),$(shell grep -l -E '^\#include "((bie|contact|deck|elimination|interface|linalg|memory|model|quadrature|results|solver|store)/[a-z0-9_]*|fuzz/calls|deck_recorder|gauss_points|hand_tableau|model_fixture)\.hpp' tests/test_*.cpp))
+sanitizer_objects = $(foreach t,TEST_SOURCES PROOF_TESTS,$(call test_objects,$(call batches,$(filter $(SANITIZER_TESTS),$($(t))))))
 # $(call borrowed,OBJECTS): those of another build in the place of this one's, where they are the same. (Counters change nothing
 # that tests see.)
 ifneq ($(TESTS_FROM),$(BUILD))
-TESTS_OWN = paths $(notdir $(basename \
+tests_own = paths $(notdir $(basename \
   $(if $(if $(COUNTED),$(findstring -DC2D_,$(CPPFLAGS)),any),$(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d)) \
-  $(if $(SANITIZED),$(call test_objects,$(SANITIZER_BATCHES)) $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
+  $(if $(SANITIZED),$(sanitizer_objects) $(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
+TESTS_OWN = $(eval TESTS_OWN := $(tests_own))$(TESTS_OWN) # found once
 borrowed = $(foreach o,$(1),$(if $(filter $(notdir $(basename $(o))),$(TESTS_OWN)),$(o),$(o:$(BUILD)/%=$(TESTS_FROM)/%)))
 else
 borrowed = $(1)
