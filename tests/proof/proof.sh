@@ -26,14 +26,14 @@ write_page() { # stage, result, minutes: its row anew, all others as they were
     echo
     echo '| stage | what it shows | result | commit | date | minutes | tree |'
     echo '| --- | --- | --- | --- | --- | --- | --- |'
-    for name in $names; do
-      shows=$(stage_line "$name" | sed 's/ | .*//')
-      if [ "$name" = "$1" ]; then
-        echo "| $name | $shows | $2 | $commit | $(date -u +%Y-%m-%d) | $3 | $tree |"
-      elif [ -n "$(row_of "$name")" ]; then
-        echo "| $name | $shows | $(field "$name" 2) | $(field "$name" 3) | $(field "$name" 4) | $(field "$name" 5) | $(field "$name" 6 | sed 's/ |$//') |"
+    for row in $names; do
+      shows=$(stage_line "$row" | sed 's/ | .*//')
+      if [ "$row" = "$1" ]; then
+        echo "| $row | $shows | $2 | $commit | $(date -u +%Y-%m-%d) | $3 | $tree |"
+      elif [ -n "$(row_of "$row")" ]; then
+        echo "| $row | $shows | $(field "$row" 2) | $(field "$row" 3) | $(field "$row" 4) | $(field "$row" 5) | $(field "$row" 6 | sed 's/ |$//') |"
       else
-        echo "| $name | $shows | not run | - | - | - | - |"
+        echo "| $row | $shows | not run | - | - | - | - |"
       fi
     done
   } >"$page.new" && mv "$page.new" "$page"
