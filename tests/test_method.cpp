@@ -50,7 +50,8 @@ std::string comments_of(const std::string& text) {
     const size_t end = block || starts_block ? line.find("*/", begin) : std::string::npos;
     std::string part = line.substr(begin + (block ? 0 : 2), end == std::string::npos ? end : end - begin);
     block = (block || starts_block) && end == std::string::npos;
-    out += std::regex_replace(part, std::regex("^\\s+"), "") + ' ';
+    const size_t blanks = std::min(part.find_first_not_of(" \t"), part.size());
+    out.append(part, blanks, std::string::npos) += ' ';
   }
   return out;
 }
@@ -60,6 +61,17 @@ bool is_code(const fs::path& path) {
   return kCode.count(path.extension().string()) > 0;
 }
 
+// Most texts cite nothing, which is seen much faster than by regular expressions.
+bool may_cite(const std::string& text) {
+  if (contains(text, "METHOD ") || contains(text, "thesis ")) return true;
+  for (size_t at = text.find('('); at != std::string::npos; at = text.find('(', at + 1)) {
+    const size_t point = text.find('.', at);
+    const std::string number = point == std::string::npos ? "" : text.substr(at + 1, point - at - 1);
+    if (!number.empty() && number.size() < 5 && number.find_first_not_of("ABC0123456789") == std::string::npos) return true;
+  }
+  return false;
+}
+
 // What a text cites, and what it puts in brackets without saying whose number it is.
 struct Citations {
   std::set<std::string> sections, equations, of_thesis, nobodys;
@@ -67,6 +79,7 @@ struct Citations {
 
 Citations citations_of(const std::string& text) {
   Citations out;
+  if (!may_cite(text)) return out;
   const std::regex equation(kEquation);
   for (std::sregex_iterator i(text.begin(), text.end(), kSections), end; i != end; ++i) out.sections.insert((*i)[1]);
   for (std::sregex_iterator i(text.begin(), text.end(), kEquations), end; i != end; ++i) {
