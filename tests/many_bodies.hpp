@@ -5,6 +5,7 @@
 #include "c2d_memory.h"
 #include "callable.hpp"
 #include "contact2d.h"
+#include "room.hpp"
 
 #include <array>
 #include <string>
@@ -153,7 +154,7 @@ public:
 
 private:
   void create(c2d_limits& limits);
-  std::vector<unsigned char> memory_, region_;
+  test::Room memory_, region_;
   c2d_memory_store store_ = {};
   c2d_port port_ = C2D_INIT(c2d_port), inner_ = C2D_INIT(c2d_port);
   friend struct Relay;

@@ -5,6 +5,7 @@
 #include "c2d_stdio.h"
 #include "c2d_threads.h"
 #include "paths.hpp"
+#include "room.hpp"
 
 #include <unistd.h>
 
@@ -57,7 +58,7 @@ int32_t keep_step(void* context, const c2d_step* now) {
 // The three stores; files live in a folder of their own that goes with this.
 struct Storage {
   std::string folder;
-  std::vector<unsigned char> region;
+  test::Room region;
   c2d_memory_store memory = {};
   c2d_stdio_store stdio = {};
   c2d_posix_store posix = {};
@@ -365,7 +366,7 @@ Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& 
                    : setup.memory == Memory::between ? (minimum + in_core) / 2
                                                      : std::max(minimum, in_core);
   if (setup.bytes != 0) bytes = setup.bytes;
-  std::vector<unsigned char> workspace(bytes);
+  test::Room workspace(bytes);
   c2d_port port = C2D_INIT(c2d_port);
   // The log's context is the store's, so the store's functions get at theirs through this.
   struct Both {

@@ -7,6 +7,7 @@
 #include "host_structs.hpp"
 #include "paths.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <set>
@@ -135,9 +136,9 @@ public:
     created = c2d_create(&solver, room_.data() + start_, bytes_, &limits, port, &why);
   }
   bool guards_are_whole() const {
-    for (size_t i = 0; i < room_.size(); ++i)
-      if ((i < start_ || i >= start_ + bytes_) && room_[i] != kMark) return false;
-    return true;
+    const unsigned char *const begin = room_.data(), *const end = begin + room_.size();
+    const auto is_mark = [](unsigned char byte) { return byte == kMark; };
+    return std::all_of(begin, begin + start_, is_mark) && std::all_of(begin + start_ + bytes_, end, is_mark);
   }
   Bytes workspace() const { return Bytes(room_.begin() + static_cast<long>(start_), room_.end()); }
 

@@ -7,6 +7,7 @@
 #include "host_structs.hpp"
 #include "model/shape.hpp"
 #include "paths.hpp"
+#include "room.hpp"
 
 #include <doctest/doctest.h>
 
@@ -274,7 +275,7 @@ struct Answer {
 
 // A solved problem; the store and the workspace live here.
 struct Solved {
-  std::vector<unsigned char> memory, region = std::vector<unsigned char>(64u << 20);
+  test::Room memory, region = test::Room(64u << 20);
   c2d_memory_store store = {};
   c2d_solver* s = nullptr;
 
