@@ -80,7 +80,7 @@ TEST_CASE("sketch: conditions and loads that are given twice, or not at all") {
                    {"move b.n y 1 y 2\n", "y is given twice"},
                    {"traction b.n x 1 x 2\n", "x is given twice"},
                    {"traction b.n y 1 y 2\n", "y is given twice"},
-                   {"force b 0 1 x 1\n", "expected at x y, and x and y of the force"},
+                   {"force b 0 1 x 1\n", "expected at x y, and fx and fy"},
                    {"weight b y -1\nweight b y -1\n", "the body has a weight in this load case already"},
                    {"weight b x -1\nweight b x -1\n", "the body has a weight in this load case already"},
                    {"symmetry x 0\n", "a line of symmetry stands before the first body"}});

@@ -33,7 +33,7 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   tells("line a to 1 0\n", "1:1 'line' stands outside a body");
   tells("body b nu 0.3\n", "expected E and a value, or rigid");
   tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0");
-  tells("body b E 1 nu 0.5\n", "below 0.5");
+  tells("body b E 1 nu 0.6\n", "at most 0.5");
   tells("parameter a 1 a 2\n", "1:15 parameter 'a' is there already");
   tells("parameter a\n", "1:12 the statement ends here, expected the value of a");
   tells(std::string(kSquare) + "fix b.top\n", "7:5 body 'b' has no curve 'top'");

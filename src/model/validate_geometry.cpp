@@ -273,10 +273,11 @@ void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter&
 
 void check_orientation(const Model& m, int b, bool crossings, Reporter& reporter) {
   const int32_t outer = outer_region(m, b);
-  const double least = 1e-12 * m.head->length_unit * m.head->length_unit;
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
     const double area = region_area(m, b, r);
-    if (fabs(area) <= least)
+    double half = 0; // of the way round it: the length of one that is flat
+    for (int32_t e = m.region[b][r].first; e <= m.region[b][r].last; ++e) half += 0.5 * element_length(m, b, e);
+    if (fabs(area) <= 1e-12 * half * half)
       report_region(m, b, r, "encloses no area", "a closed curve", reporter);
     else if (r == outer && area < 0)
       report_region(m, b, r, "is the outer boundary and runs clockwise", "counter-clockwise, material on the left", reporter);

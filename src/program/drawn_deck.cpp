@@ -37,7 +37,7 @@ bool read_number(const std::string& word, sketch::Parameters& given) {
   const char *const begin = word.data() + equals + 1, *const end = word.data() + word.size();
   const auto result = std::from_chars(begin, end, value);
   given[word.substr(0, equals)] = value;
-  return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
+  return result.ec == std::errc() && result.ptr == end && !std::isnan(value);
 }
 
 // Names of files in a sketch are seen from where the sketch is.

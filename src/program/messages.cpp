@@ -1,5 +1,6 @@
 #include "program/messages.hpp"
 
+#include "program/drawn_words.hpp"
 #include "program/voice.hpp"
 #include "report/text.hpp"
 
@@ -22,10 +23,14 @@ bool Messages::is_end_of_platen(const c2d_error& entry) const {
   return entry.status == C2D_WARN_TIE_END && first_platen_zone > 0 && entry.zone >= first_platen_zone;
 }
 
-void Messages::log(void* context, const c2d_error* entry) {
+void Messages::log(void* context, const c2d_error* told) {
   Messages& m = *static_cast<Messages*>(context);
+  c2d_error in_words = *told;
+  const c2d_error* const entry = &in_words;
+  if (m.deck_.is_made())
+    std::snprintf(in_words.text, sizeof in_words.text, "%s", in_words_of_drawing(told->text, m.deck_.text()).c_str());
   if (entry->severity == C2D_WARNING) {
-    if (m.is_end_of_platen(*entry)) return;
+    if (m.is_end_of_platen(*entry) || (m.deck_.is_made() && is_about_mesh(entry->status))) return;
     m.warnings_.push_back(*entry);
     if (m.print_warnings && !m.quiet) say(quote(m.deck_, *entry, "warning"));
     return;
@@ -50,6 +55,8 @@ void Messages::fault(const c2d_error& error) {
   if (faults_ > 0) return;
   c2d_error shown = error;
   if (shown.text[0] == '\0') std::snprintf(shown.text, sizeof shown.text, "%s", c2d_message(shown.status));
+  if (deck_.is_made())
+    std::snprintf(shown.text, sizeof shown.text, "%s", in_words_of_drawing(std::string(shown.text), deck_.text()).c_str());
   say(quote(deck_, shown, "error"));
   faults_ = 1;
 }

@@ -92,7 +92,7 @@ bool mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& me
     for (sketch::MeshedOutline& outline : mesh.bodies[body]) {
       std::vector<char> keeps = kept(trial.lengths[body], touches, first, outline, kMargin * length);
       for (sketch::MeshedCurve& curve : outline.curves) {
-        const bool may_touch = sketch::holds_pairs(sketch, static_cast<int>(body), curve.curve->name);
+        const bool may_touch = sketch::holds_pairs(sketch, *curve.curve);
         for (size_t e = 0; e < curve.elements(); ++e)
           if (keeps[e] == 0 && may_touch && !is_far(curve, (curve.ends[e] + curve.ends[e + 1]) / 2))
             curve.far.push_back({curve.ends[e], curve.ends[e + 1]}), any = true;

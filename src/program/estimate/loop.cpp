@@ -1,5 +1,6 @@
 #include "program/estimate/loop.hpp"
 
+#include "program/drawn_words.hpp"
 #include "program/estimate/far.hpp"
 #include "program/estimate/halved.hpp"
 #include "program/estimate/marks.hpp"
@@ -146,6 +147,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
   if (status == C2D_OK && !known && keeper_ != nullptr && !keeper_->keep(level.deck, level.trial)) return false;
   seconds_ += level.trial.seconds;
   if (status != C2D_OK) {
+    why = app::in_words_of_drawing(why, level.deck);
     if (out_.deck.empty()) out_.status = status, out_.why = why, out_.deck = level.deck;
     out_.loop.stopped = why;
     return false;

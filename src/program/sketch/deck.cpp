@@ -2,6 +2,7 @@
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/deck_number.hpp"
+#include "program/sketch/idle_cases.hpp"
 #include "program/sketch/zones.hpp"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ private:
   size_t matching() const;
   void matching_zones();
   void zones();
+  std::string curve_card(size_t b, const Shape& shape, int first, int last) const;
   void curves();
   void rigid_bodies();
   void platens();
@@ -113,6 +115,16 @@ void Writer::control() {
 }
 
 void Writer::points(size_t b) {
+  int first = 1; // element
+  for (const MeshedOutline& outline : mesh_.bodies[b])
+    for (const MeshedCurve& curve : outline.curves) {
+      const int last = first + static_cast<int>(curve.elements()) - 1;
+      const std::string name = s_.bodies[b].name + (curve.curve->name.empty() ? "" : "." + curve.curve->name);
+      comment("curve of body " + std::to_string(b + 1) + ": " + name + ", elements " + std::to_string(first) + " to " +
+              std::to_string(last) + ", nodes " + std::to_string(first_node(b, first)) + " to " +
+              std::to_string(first_node(b, last) + s_.order));
+      first = last + 1;
+    }
   comment("origin and boundary points of " + s_.bodies[b].name);
   card("0 0");
   int node = 0;
@@ -129,7 +141,8 @@ void Writer::points(size_t b) {
 
 // What a condition gives at a place of its curve.
 void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
-  if ((c.part == Condition::kStart && s > 0) || (c.part == Condition::kEnd && s < (1 - 1e-12) * curve.ends.back())) return;
+  if (c.part == Condition::kStart && (s > 0 || !curve.curve->is_first)) return;
+  if (c.part == Condition::kEnd && (s < (1 - 1e-12) * curve.ends.back() || !curve.curve->is_last)) return;
   Values& values = end.values[static_cast<size_t>(c.load_case)];
   const Shape& shape = *curve.curve->shape;
   const double u = curve.measure.u_at(s);
@@ -242,9 +255,7 @@ void Writer::cases() {
 
 // The load case that closes overlaps: one behind those of the sketch, or its only one if that loads nothing. 0: none does.
 size_t Writer::interference_case() const {
-  const auto loads = [](const Condition& c) { return (c.value[0] && *c.value[0] != 0) || (c.value[1] && *c.value[1] != 0); };
-  const bool alone = s_.cases.size() == 1 && s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty() &&
-                     std::none_of(s_.conditions.begin(), s_.conditions.end(), loads);
+  const bool alone = s_.cases.size() == 1 && !acts(s_, 0);
   return !s_.interference ? 0 : alone ? 1 : s_.cases.size() + 1;
 }
 
@@ -281,9 +292,7 @@ void Writer::matching_zones() {
   std::vector<int> nodes_in(s_.bodies.size(), 0), elements_in(s_.bodies.size(), 0);
   for (const Zone& zone : zones_) {
     if (!zone.matching) continue;
-    const int first = first_side(s_, *zone.interface);
-    const size_t one = static_cast<size_t>(zone.interface->side[first].body),
-                 two = static_cast<size_t>(zone.interface->side[1 - first].body);
+    const size_t one = static_cast<size_t>(zone.contact->side[0].body), two = static_cast<size_t>(zone.contact->side[1].body);
     const int count = zone.two.count, at_begin = zone.leaves[0], at_end = zone.leaves[1];
     const int pairs = count * s_.order + 1 - at_begin - at_end;
     const auto told = [](int a, int b, int c, int d) {
@@ -304,8 +313,8 @@ void Writer::zones() {
   int number_of_zone = 0;
   std::string ties, frictions;
   for (const Zone& zone : zones_) {
-    const Interface& interface = *zone.interface;
-    const int first = first_side(s_, interface), one = interface.side[first].body, two = interface.side[1 - first].body;
+    const Interface& interface = s_.interfaces[zone.contact->interface];
+    const int one = zone.contact->side[0].body, two = zone.contact->side[1].body;
     const std::string told = std::to_string(++number_of_zone);
     std::string text = "*ZONE BODIES " + std::to_string(one + 1) + (two == one ? " -" : " ") + std::to_string(two + 1);
     for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
@@ -322,28 +331,35 @@ void Writer::zones() {
   if (!frictions.empty()) out_ += "*FRICTION\n" + frictions;
 }
 
-// The true curves of sides in contact.
+std::string Writer::curve_card(size_t b, const Shape& shape, int first, int last) const {
+  std::string text = shape.form() == Form::kLine ? "LINE " : shape.form() == Form::kArc ? "ARC " : "SPLINE ";
+  text += std::to_string(b + 1) + " " + std::to_string(first) + " " + std::to_string(last);
+  if (shape.form() == Form::kArc) {
+    const double bend = shape.curvature(0.5);
+    const Point centre = shape.at(0.5) + (1 / bend) * turned_left(shape.tangent(0.5));
+    text += number(centre.x) + number(centre.y) + number(1 / std::fabs(bend));
+  }
+  return "*CURVE " + text;
+}
+
+// The true curves of sides in contact, whole, of however many pieces.
 void Writer::curves() {
+  const auto touches = [&](const Curve& curve) {
+    return curve.contact >= 0 && !s_.interfaces[s_.contacts[static_cast<size_t>(curve.contact)].interface].tied;
+  };
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
     int element = 0;
     for (const MeshedOutline& outline : mesh_.bodies[b])
-      for (const MeshedCurve& curve : outline.curves) {
+      for (size_t i = 0; i < outline.curves.size();) {
         const int first = element + 1;
-        element += static_cast<int>(curve.elements());
-        bool touches = false;
-        for (const Interface& interface : s_.interfaces)
-          for (const Side& side : interface.side)
-            touches = touches || (!interface.tied && side.body == static_cast<int>(b) && side.has(curve.curve->name));
-        if (!touches) continue;
-        const Shape& shape = *curve.curve->shape;
-        std::string text = shape.form() == Form::kLine ? "LINE " : shape.form() == Form::kArc ? "ARC " : "SPLINE ";
-        text += std::to_string(b + 1) + " " + std::to_string(first) + " " + std::to_string(element);
-        if (shape.form() == Form::kArc) {
-          const double bend = shape.curvature(0.5);
-          const Point centre = shape.at(0.5) + (1 / bend) * turned_left(shape.tangent(0.5));
-          text += number(centre.x) + number(centre.y) + number(1 / std::fabs(bend));
+        bool any = false;
+        const Shape& shape = *outline.curves[i].curve->shape;
+        for (bool same = true; same; ++i) {
+          element += static_cast<int>(outline.curves[i].elements());
+          any = any || touches(*outline.curves[i].curve);
+          same = !outline.curves[i].curve->is_last && i + 1 < outline.curves.size();
         }
-        card("*CURVE " + text);
+        if (any) card(curve_card(b, shape, first, element));
       }
   }
 }
@@ -441,6 +457,10 @@ std::string Writer::write() {
 
 } // namespace
 
-std::string deck_of(const Sketch& sketch, const Mesh& mesh) { return Writer(sketch, mesh).write(); }
+std::string deck_of(const Sketch& sketch, const Mesh& mesh) {
+  for (size_t c = 0; c < sketch.cases.size() && sketch.cases.size() > 1; ++c)
+    if (!acts(sketch, c)) return Writer(without_idle_cases(sketch), mesh).write();
+  return Writer(sketch, mesh).write();
+}
 
 } // namespace sketch

@@ -174,6 +174,8 @@ private:
       steps_.push_back({Expression::Step::kConstant, known->second, 0});
     else if (name == "pi" || name == "deg")
       steps_.push_back({Expression::Step::kConstant, std::acos(-1.0) / (name == "pi" ? 1 : 180), 0});
+    else if (name == "inf")
+      steps_.push_back({Expression::Step::kConstant, HUGE_VAL, 0});
     else
       fail(first, at_ - 1,
            "no parameter is called " + in_quotes(name) + ", expected a number, a parameter or arithmetic on them");

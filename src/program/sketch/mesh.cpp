@@ -2,7 +2,6 @@
 
 #include "program/sketch/outline.hpp"
 #include "program/sketch/refine.hpp"
-#include "program/sketch/zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,6 @@ constexpr double kTouching = 2e-3;   // the least size by gaps, of the shorter s
 constexpr double kAlongSide = 0.025; // the same, of the length that lies on the other side already
 constexpr double kTied = 0.08;       // the size along a bond, of its length
 constexpr int kSamplesOfSide = 160;  // of sizes, on a curve
-constexpr double kFinest = 2;        // fineness up to which sides that face each other nowhere are tried again
 
 // Sizes wanted along a curve, at equal steps of its length.
 struct Sizes {
@@ -43,7 +41,7 @@ public:
 private:
   void sample(const MeshedOutline& outline);
   void thin_walls(size_t body);
-  void gaps(const Interface& interface);
+  void gaps(size_t contact);
   void spread(const MeshedOutline& outline, size_t first);
   void divide(MeshedCurve& curve, const Sizes& sizes) const;
 
@@ -135,15 +133,14 @@ void Mesher::thin_walls(size_t body) {
 }
 
 // Where surfaces that may touch are near, elements are small beside the way along which the gap opens.
-void Mesher::gaps(const Interface& interface) {
+void Mesher::gaps(size_t contact) {
+  const bool tied = s_.interfaces[s_.contacts[contact].interface].tied;
   std::vector<size_t> sides[2];
   size_t index = 0;
-  for (size_t b = 0; b < mesh_.bodies.size(); ++b)
-    for (const MeshedOutline& outline : mesh_.bodies[b])
+  for (const auto& outlines : mesh_.bodies)
+    for (const MeshedOutline& outline : outlines)
       for (const MeshedCurve& curve : outline.curves) {
-        for (int side = 0; side < 2; ++side)
-          if (interface.side[side].body == static_cast<int>(b) && interface.side[side].has(curve.curve->name))
-            sides[side].push_back(index);
+        if (curve.curve->contact == static_cast<int>(contact)) sides[curve.curve->side].push_back(index);
         ++index;
       }
   double whole = HUGE_VAL; // the length of the shorter side
@@ -169,7 +166,7 @@ void Mesher::gaps(const Interface& interface) {
         for (size_t k = 0; k < sizes_[c].at.size(); ++k) {
           double other = 0;
           const double gap = nearest(side, sizes_[c].at[k], other);
-          const double own = interface.tied ? kTied * whole : std::max(least, kGrowth * std::sqrt(gap * whole));
+          const double own = tied ? kTied * whole : std::max(least, kGrowth * std::sqrt(gap * whole));
           sizes_[c].h[k] = std::min(sizes_[c].h[k], round == 0 ? own : other + kGrowth * gap);
         }
 }
@@ -189,12 +186,10 @@ void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
   curve.ends.push_back(curve.measure.length());
 }
 
-// Do curves belong to one side of an interface or a platen?
+// Do curves of a body belong to one side of a contact, or to a platen?
 bool are_on_one_side(const Sketch& s, int body, const Curve& a, const Curve& b) {
-  const auto on = [&](const Side& side) { return side.body == body && side.has(a.name) && side.has(b.name); };
-  return std::any_of(s.interfaces.begin(), s.interfaces.end(),
-                     [&](const Interface& i) { return on(i.side[0]) || on(i.side[1]); }) ||
-         std::any_of(s.drives.begin(), s.drives.end(), [&](const Drive& d) { return d.side && on(*d.side); });
+  const auto on = [&](const Drive& d) { return d.side && d.side->body == body && d.side->has(a.name) && d.side->has(b.name); };
+  return (a.contact >= 0 && a.contact == b.contact && a.side == b.side) || std::any_of(s.drives.begin(), s.drives.end(), on);
 }
 
 // The curves of an outline, a closed one from where no side goes on: the elements of a side then have numbers in a row.
@@ -229,38 +224,23 @@ Mesh Mesher::run() {
       for (const MeshedOutline& outline : outlines) spread(outline, first), first += outline.curves.size();
   };
   spread_all();
-  for (const Interface& interface : s_.interfaces) gaps(interface);
+  for (size_t k = 0; k < s_.contacts.size(); ++k) gaps(k);
   spread_all();
   size_t index = 0;
   for (auto& outlines : mesh_.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) divide(curve, sizes_[index++]);
-  for (const Interface& interface : s_.interfaces) align(s_, interface, mesh_);
+  for (size_t k = 0; k < s_.contacts.size(); ++k) align(k, mesh_);
   return std::move(mesh_);
 }
 
 } // namespace
 
-int first_side(const Sketch& sketch, const Interface& interface) {
-  return sketch.bodies[static_cast<size_t>(interface.side[1].body)].rigid ? 1 : 0;
+bool holds_pairs(const Sketch& sketch, const Curve& curve) {
+  return curve.contact >= 0 && curve.side == 1 &&
+         !sketch.interfaces[sketch.contacts[static_cast<size_t>(curve.contact)].interface].tied;
 }
 
-bool holds_pairs(const Sketch& sketch, int body, const std::string& curve) {
-  return std::any_of(sketch.interfaces.begin(), sketch.interfaces.end(), [&](const Interface& interface) {
-    const Side& side = interface.side[1 - first_side(sketch, interface)];
-    return !interface.tied && side.body == body && side.has(curve);
-  });
-}
-
-// Elements longer than what they face do not face it as a whole: sides that do so nowhere are tried with shorter ones.
-Mesh first_mesh(const Sketch& sketch, double fineness) {
-  Mesh mesh = Mesher(sketch, fineness).run();
-  try {
-    zones_of(sketch, mesh);
-  } catch (const Fault&) {
-    if (fineness < kFinest) return first_mesh(sketch, 2 * fineness);
-  }
-  return mesh; // the deck's writer tells the fault
-}
+Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
 
 } // namespace sketch

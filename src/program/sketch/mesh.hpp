@@ -24,10 +24,8 @@ struct Mesh {
   std::vector<std::vector<MeshedOutline>> bodies;
 };
 
-// Which of its sides is side 1 of the zones: contact conditions hold at the nodes of the other, which is not rigid.
-int first_side(const Sketch& sketch, const Interface& interface);
-// Do contact conditions hold at the nodes of a curve of a body, from 0?
-bool holds_pairs(const Sketch& sketch, int body, const std::string& curve);
+// Do contact conditions hold at the nodes of a curve?
+bool holds_pairs(const Sketch& sketch, const Curve& curve);
 
 // Elements that follow curvature, and become smaller towards corners, in thin walls and narrow gaps. `fineness`: 1; 2 has
 // elements of half the size.

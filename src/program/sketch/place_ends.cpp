@@ -53,7 +53,7 @@ Located locate(const Sketch& sketch, const Spot& spot, bool in_contact, Mesh& me
   size_t first = 0;
   for (MeshedOutline& outline : mesh.bodies[static_cast<size_t>(spot.body)])
     for (MeshedCurve& curve : outline.curves) {
-      if (!in_contact || holds_pairs(sketch, spot.body, curve.curve->name)) {
+      if (!in_contact || holds_pairs(sketch, *curve.curve)) {
         const double s = nearest_length(curve, spot.at), off = length(curve.curve->shape->at(curve.measure.u_at(s)) - spot.at);
         if (off < least) least = off, out = {&curve, s, first};
       }

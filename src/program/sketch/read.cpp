@@ -1,4 +1,5 @@
 #include "program/sketch/actions.hpp"
+#include "program/sketch/contacts.hpp"
 #include "program/sketch/outline.hpp"
 #include "program/sketch/reader.hpp"
 
@@ -110,6 +111,8 @@ void Reader::finish() {
   if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
+  if (!faults_.empty()) return;
+  for (Fault& fault : cut_contacts(s_)) faults_.push_back(std::move(fault));
 }
 
 // Of statements that stand once.
@@ -153,9 +156,10 @@ void Reader::parameter(Statement& s) {
     const std::string name = s.name("the name of a parameter");
     if (name.find('-') != std::string::npos) s.fail(in_quotes(name) + ": expected letters, digits and _, as - is arithmetic");
     if (used_.count(name) > 0) s.fail("parameter " + in_quotes(name) + " is there already");
-    if (name == "pi" || name == "deg") s.fail(in_quotes(name) + " has a value already");
+    if (name == "pi" || name == "deg" || name == "inf")
+      s.fail(in_quotes(name) + " has a value already: pi, deg and inf are reserved");
     used_.insert(name);
-    const double value = s.number("the value of " + name);
+    const double value = s.number("the value of " + name, true);
     const auto given = given_.find(name);
     s_.parameters[name] = given == given_.end() ? value : given->second;
   } while (s.has_more());

@@ -81,10 +81,8 @@ void Reader::interface(Statement& s, bool tied) {
       if (!is_one_line(out.name)) s.fail("the name of the interface is not text in UTF-8, or has control characters");
       if (out.name.empty() || out.name[0] == ' ' || out.name[0] == ',')
         s.fail(in_quotes(out.name) + ": expected a name that begins with neither a blank nor a comma");
-    } else if (s.accept("inf")) {
-      out.friction = HUGE_VAL;
     } else {
-      out.friction = s.number("the coefficient of friction");
+      out.friction = s.number("the coefficient of friction", true);
       if (out.friction < 0) s.fail(show(out.friction) + ": expected a coefficient of friction, 0 or above");
     }
   }
@@ -166,10 +164,14 @@ void Reader::force(Statement& s) {
   PointLoad p;
   p.at = s.at(), p.load_case = case_;
   p.body = body_named(s.take("the name of a body"));
-  if (!s.accept("at")) s.missing("at x y, and x and y of the force");
+  if (!s.accept("at")) s.missing("at x y, and fx and fy");
   p.where = s.point("where it acts");
   std::optional<double> value[2];
-  components(s, value);
+  do { // x and y are older words for fx and fy
+    const size_t axis = s.choice({"fx", "fy", "x", "y"}) % 2;
+    if (value[axis]) s.fail(std::string(axis == 0 ? "fx" : "fy") + " is given twice");
+    value[axis] = s.number("its value");
+  } while (s.has_more());
   p.force = {value[0].value_or(0), value[1].value_or(0)};
   s_.point_loads.push_back(p);
 }

@@ -49,8 +49,8 @@ void Reader::body(Statement& s) {
       body.youngs_modulus = s.positive("Young's modulus");
     } else {
       body.poisson_ratio = s.number("Poisson's ratio");
-      if (!(body.poisson_ratio > -1 && body.poisson_ratio < 0.5))
-        s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and below 0.5");
+      if (!(body.poisson_ratio > -1 && body.poisson_ratio <= 0.5))
+        s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and at most 0.5");
     }
   }
   if (body.youngs_modulus == 0 && !body.rigid) s.fail("body " + in_quotes(body.name) + ": expected E and a value, or rigid");
@@ -92,10 +92,20 @@ void Reader::from(Statement& s) {
 }
 
 // A name, unless the shape begins at once.
+// Words behind the name of a curve, which may be missing: no curve is called so.
+const char* const kWords[] = {"to", "by", "through", "centre", "close", "radius", "cut", "turn", "t", "file"};
+
 std::string Reader::curve_name(Statement& s) {
   current_body(s);
-  for (const char* word : {"to", "by", "through", "centre", "close", "radius", "cut", "turn", "t", "file"})
-    if (s.is_next(word)) return "";
+  for (const char* word : kWords) {
+    if (!s.is_next(word)) continue;
+    const bool is_name = std::any_of(std::begin(kWords), std::end(kWords), [&](const char* w) { return s.is_next(w, 1); });
+    const bool closes = s.is_next("close") && !s.is_next("to", 1) && !s.is_next("by", 1) && !s.is_next("close", 1);
+    if (!is_name || closes) return "";
+    std::string all;
+    for (const char* w : kWords) all += (all.empty() ? "" : ", ") + std::string(w);
+    s.missing("another name of the curve: " + all + " are words of statements that draw");
+  }
   return s.has_more() ? s.name("the name of the curve") : "";
 }
 

@@ -18,50 +18,36 @@ std::vector<double> divided(const std::vector<double>& ends, const int* levels) 
   return out;
 }
 
-// An element of side 1 is as fine as what it asks for on side 2.
-class Sides {
-public:
-  Sides(const Sketch& sketch, const Mesh& mesh, Levels& levels) : s_(sketch), mesh_(mesh), levels_(levels) {}
-  void carry(const Interface& interface);
-
-private:
-  const Sketch& s_;
-  const Mesh& mesh_;
-  Levels& levels_;
-};
-
-void Sides::carry(const Interface& interface) {
-  const int first = first_side(s_, interface);
-  const Side &one = interface.side[first], &two = interface.side[1 - first];
+// An element of side 1 is as fine as what is asked for on side 0 of its contact.
+void carry(size_t contact, const Mesh& mesh, Levels& levels) {
   struct Asked {
     Point middle;
     double half;
     int level;
   };
   std::vector<Asked> asked;
-  size_t e = 0;
-  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(one.body)])
-    for (const MeshedCurve& curve : outline.curves)
-      for (size_t k = 0; k < curve.elements(); ++k, ++e) {
-        const int level = levels_[static_cast<size_t>(one.body)][e];
-        if (level == 0 || !one.has(curve.curve->name)) continue;
-        const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
-        asked.push_back({curve.curve->shape->at(curve.measure.u_at(curve.ends[k] + half)), half, level});
-      }
-  if (asked.empty()) return;
-  e = 0;
-  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(two.body)])
-    for (const MeshedCurve& curve : outline.curves)
-      for (size_t k = 0; k < curve.elements(); ++k, ++e) {
-        if (!two.has(curve.curve->name)) continue;
-        const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
-        const Point middle = curve.curve->shape->at(curve.measure.u_at(curve.ends[k] + half));
-        int& level = levels_[static_cast<size_t>(two.body)][e];
-        for (const Asked& a : asked) {
-          const double gap = length(a.middle - middle);
-          if (gap < std::max(a.half, half) && half > 0.7 * a.half) level = std::max(level, a.level);
+  const auto each = [&](int side, const auto& visit) { // element of a side
+    for (size_t b = 0; b < mesh.bodies.size(); ++b) {
+      size_t e = 0;
+      for (const MeshedOutline& outline : mesh.bodies[b])
+        for (const MeshedCurve& curve : outline.curves) {
+          const bool on = curve.curve->contact == static_cast<int>(contact) && curve.curve->side == side;
+          for (size_t k = 0; k < curve.elements(); ++k, ++e)
+            if (on)
+              visit(curve, (curve.ends[k + 1] + curve.ends[k]) / 2, (curve.ends[k + 1] - curve.ends[k]) / 2, levels[b][e]);
         }
-      }
+    }
+  };
+  const auto point = [](const MeshedCurve& curve, double s) { return curve.curve->shape->at(curve.measure.u_at(s)); };
+  each(0, [&](const MeshedCurve& curve, double middle, double half, int level) {
+    if (level > 0) asked.push_back({point(curve, middle), half, level});
+  });
+  if (asked.empty()) return;
+  each(1, [&](const MeshedCurve& curve, double middle, double half, int& level) {
+    const Point p = point(curve, middle);
+    for (const Asked& a : asked)
+      if (length(a.middle - p) < std::max(a.half, half) && half > 0.7 * a.half) level = std::max(level, a.level);
+  });
 }
 
 // Neighbours on an outline, round its end where it is closed.
@@ -140,24 +126,27 @@ void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
 
 } // namespace
 
-void align(const Sketch& sketch, const Interface& interface, Mesh& mesh) {
-  const int first = first_side(sketch, interface);
-  const Side &one = interface.side[first], &two = interface.side[1 - first];
-  std::vector<std::vector<Point>> chains; // element ends of side 2, curve by curve
-  for (const MeshedOutline& outline : mesh.bodies[static_cast<size_t>(two.body)])
-    for (const MeshedCurve& curve : outline.curves)
-      if (two.has(curve.curve->name)) {
+void align(size_t contact, Mesh& mesh) {
+  const auto on = [contact](const MeshedCurve& curve, int side) {
+    return curve.curve->contact == static_cast<int>(contact) && curve.curve->side == side;
+  };
+  std::vector<std::vector<Point>> chains; // element ends of side 1, curve by curve
+  for (const auto& outlines : mesh.bodies)
+    for (const MeshedOutline& outline : outlines)
+      for (const MeshedCurve& curve : outline.curves) {
+        if (!on(curve, 1)) continue;
         chains.push_back({});
         for (const double s : curve.ends) chains.back().push_back(curve.curve->shape->at(curve.measure.u_at(s)));
       }
-  for (MeshedOutline& outline : mesh.bodies[static_cast<size_t>(one.body)])
-    for (MeshedCurve& curve : outline.curves)
-      if (one.has(curve.curve->name)) face(chains, curve);
+  for (auto& outlines : mesh.bodies)
+    for (MeshedOutline& outline : outlines)
+      for (MeshedCurve& curve : outline.curves)
+        if (on(curve, 0)) face(chains, curve);
 }
 
 Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const std::vector<Spot>& spots) {
   Levels all = levels;
-  for (const Interface& interface : sketch.interfaces) Sides(sketch, mesh, all).carry(interface);
+  for (size_t k = 0; k < sketch.contacts.size(); ++k) carry(k, mesh, all);
   Mesh out = mesh;
   for (size_t b = 0; b < out.bodies.size(); ++b) {
     const int* level = all[b].data();
@@ -171,7 +160,7 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const
     }
   }
   place_ends(sketch, spots, out);
-  for (const Interface& interface : sketch.interfaces) align(sketch, interface, out);
+  for (size_t k = 0; k < sketch.contacts.size(); ++k) align(k, out);
   return out;
 }
 
@@ -183,7 +172,7 @@ Mesh halved(const Sketch& sketch, const Mesh& mesh) {
         const std::vector<int> once(curve.elements(), 1);
         curve.ends = divided(curve.ends, once.data());
       }
-  for (const Interface& interface : sketch.interfaces) align(sketch, interface, out);
+  for (size_t k = 0; k < sketch.contacts.size(); ++k) align(k, out);
   return out;
 }
 

@@ -13,8 +13,8 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const
 // Every element in two.
 Mesh halved(const Sketch& sketch, const Mesh& mesh);
 
-// Element ends of side 1 of an interface where those of side 2 face it, as far as they do.
-void align(const Sketch& sketch, const Interface& interface, Mesh& mesh);
+// Element ends of side 0 of a contact where those of side 1 face it, as far as they do.
+void align(size_t contact, Mesh& mesh);
 
 int elements_of(const Mesh& mesh); // of all bodies
 

@@ -7,6 +7,8 @@ namespace sketch {
 
 double length(Point a) { return std::hypot(a.x, a.y); }
 
+double angle_between(Point a, Point b) { return std::atan2(cross(a, b), dot(a, b)); }
+
 Point Shape::tangent(double u) const {
   Point d = local(u).d;
   if (length(d) == 0) d = u < 0.5 ? at(u + 1e-6) - at(u) : at(u) - at(u - 1e-6); // a formula may halt at an end

@@ -18,6 +18,7 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline Point turned_left(Point a) { return {-a.y, a.x}; }
 double length(Point a);
+double angle_between(Point a, Point b); // from a to b, in radians, above 0 to the left
 
 enum class Form { kLine, kArc, kSmooth }; // what a *CURVE card may call it
 

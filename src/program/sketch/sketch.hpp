@@ -19,6 +19,11 @@ struct Curve {
   Place at;
   ShapePtr drawn{};           // what it is cut from by a statement `part`, null if by none,
   double first = 0, last = 1; // and which part of that
+  // What cut_contacts() adds: an outline's curves are cut where parts that may touch end.
+  double begin = 0;                     // length along the outline
+  bool is_first = true, is_last = true; // of the pieces of one drawn curve
+  int contact = -1;                     // the part of an interface that it belongs to; -1: none
+  int side = 0;                         // which side of that; contact conditions hold at nodes of side 1
 };
 
 // A boundary, run through with the material on the left; of a hole too.
@@ -51,6 +56,20 @@ struct Interface {
   double friction = 0;
   std::string name;
   Place at;
+};
+
+// Parts of two outlines that face each other and may touch, or are bonded.
+struct Contact {
+  size_t interface = 0;
+  struct Strip { // lengths along an outline, beyond its end where a closed one goes on at its begin
+    int body = 0;
+    size_t outline = 0;
+    double from = 0, to = 0;
+    double round = 0; // the length after which the outline begins again; 0 of an open one
+  } side[2];
+  bool ring = false;                      // all round both
+  bool is_held[2] = {false, false};       // something prescribes displacements where side 1 begins, ends
+  std::vector<std::array<double, 2>> map; // lengths that face each other, falling on side 0, rising on side 1
 };
 
 // What is given along curves, in one load case.
@@ -126,6 +145,7 @@ struct Sketch {
   std::optional<double> symmetry[2]; // x = , y =
   std::vector<Body> bodies;
   std::vector<Interface> interfaces;
+  std::vector<Contact> contacts; // of the interfaces, in their order
   std::vector<Condition> conditions;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;

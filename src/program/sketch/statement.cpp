@@ -29,7 +29,7 @@ bool Statement::begins_number(const Word& word) const {
   while (end < word.text.size() && (std::isalnum(static_cast<unsigned char>(word.text[end])) != 0 || word.text[end] == '_'))
     ++end;
   const std::string name = word.text.substr(0, end);
-  return parameters_.count(name) > 0 || name == "pi" || (end < word.text.size() && word.text[end] == '(');
+  return parameters_.count(name) > 0 || name == "pi" || name == "inf" || (end < word.text.size() && word.text[end] == '(');
 }
 
 bool Statement::accept_number(double& value) {
@@ -51,7 +51,10 @@ std::string Statement::name(const std::string& expected) {
   return word.text;
 }
 
-double Statement::number(const std::string& what) { return finite(arithmetic(what, {}), what); }
+double Statement::number(const std::string& what, bool may_be_infinite) {
+  const Expression expression = arithmetic(what, {});
+  return may_be_infinite && std::isinf(expression.value()) ? expression.value() : finite(expression, what);
+}
 
 Expression Statement::field(const std::string& what) {
   const auto free = [this](const char* name) { return parameters_.count(name) > 0 ? std::string() : std::string(name); };

@@ -21,7 +21,7 @@ public:
   bool accept_number(double& value);
   const Word& take(const std::string& expected);
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
-  double number(const std::string& what);
+  double number(const std::string& what, bool may_be_infinite = false);
   double positive(const std::string& what);
   bool is_share() const;                 // is the next word a number in percent?
   double share(const std::string& what); // a number, or one in percent: `1 %`, `1%`, 0.01

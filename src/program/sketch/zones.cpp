@@ -8,14 +8,13 @@
 namespace sketch {
 namespace {
 
-constexpr double kNear = 1e-3; // of an element: where its direction at an end is seen from there
-constexpr double kOpen = 0.6;  // the least cosine of the angle between surfaces that may touch
-constexpr size_t kBeside = 2;  // elements of side 1 that are kept beside what side 2 faces
+constexpr double kSame = 1e-6;   // of a contact: lengths along an outline that differ by less are one
+constexpr double kBeside = 0.05; // of what side 1 faces: how much more of side 0 is kept
 
 struct Element {
   Point from, to;
-  Point along[2]; // the curve's direction at its ends
-  const std::string* curve;
+  double begin, end; // lengths along the outline
+  const Curve* curve;
   bool is_far;       // from all that it might touch
   int before, after; // along the outline; -1 where an open one ends
 };
@@ -29,15 +28,12 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
     for (const MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e) {
         const auto at = [&](size_t end) { return curve.curve->shape->at(curve.measure.u_at(curve.ends[end])); };
-        const auto near = [&](double share) {
-          return curve.curve->shape->at(curve.measure.u_at(curve.ends[e] + share * (curve.ends[e + 1] - curve.ends[e])));
-        };
         const int number = static_cast<int>(out.size());
-        const Point from = at(e), to = at(e + 1);
-        const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2;
+        const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2, begin = curve.curve->begin;
         const bool far = std::any_of(curve.far.begin(), curve.far.end(),
                                      [&](const auto& f) { return f.first < middle && middle < f.second; });
-        out.push_back({from, to, {near(kNear) - from, to - near(1 - kNear)}, &curve.curve->name, far, number - 1, number + 1});
+        out.push_back(
+            {at(e), at(e + 1), begin + curve.ends[e], begin + curve.ends[e + 1], curve.curve, far, number - 1, number + 1});
       }
     out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
     out.back().after = outline.open ? -1 : static_cast<int>(first);
@@ -68,200 +64,99 @@ std::vector<Numbers> in_a_row(const Elements& elements, const Numbers& numbers) 
 
 Stretch stretch(const Numbers& row) { return {row.front() + 1, row.back() + 1, static_cast<int>(row.size())}; }
 
-// Elements that others may face.
-class Wall {
-public:
-  Wall(const Elements& elements, const Numbers& numbers)
-      : elements_(elements), numbers_(numbers), has_(elements.size(), false) {
-    for (const int e : numbers) has_[static_cast<size_t>(e)] = true;
-  }
-  // How far an element is from it; infinitely, where the surfaces do not face each other: their normals are more than kOpen
-  // from opposite, or the way across ends beside the wall.
-  double gap_to(const Element& own) const {
-    double most = 0;
-    for (int end = 0; end < 2; ++end) {
-      const Foot foot = nearest(end == 0 ? own.from : own.to);
-      const Point along = own.along[end];
-      const double opposite = -dot(foot.along, along) / (length(foot.along) * length(along));
-      if (!foot.within || opposite < kOpen) return HUGE_VAL;
-      most = std::max(most, foot.gap);
-    }
-    return most;
-  }
-  double distance(Point p) const { return nearest(p).gap; }
-  int nearest_element(Point p) const { return nearest(p).element; }
-
-private:
-  struct Foot {
-    double gap = HUGE_VAL;
-    Point along;
-    bool within = false;
-    int element = 0;
-  };
-  bool goes_on(int e) const { return e < 0 || has_[static_cast<size_t>(e)]; } // as its own image behind a line of symmetry
-  Foot nearest(Point p) const {
-    Foot foot;
-    for (const int e : numbers_) {
-      const Element& w = elements_[static_cast<size_t>(e)];
-      const Point d = w.to - w.from;
-      const double t = dot(p - w.from, d) / dot(d, d), gap = length(p - (w.from + std::clamp(t, 0.0, 1.0) * d));
-      if (gap >= foot.gap * (1 - 1e-12)) continue;
-      foot = {gap, d, (goes_on(w.before) || t > -1e-6) && (goes_on(w.after) || t < 1 + 1e-6), e};
-    }
-    return foot;
-  }
-  const Elements& elements_;
-  const Numbers& numbers_;
-  std::vector<bool> has_;
-};
-
-// What an element takes part in: the interface that is nearest there.
-struct ZonePart {
-  size_t interface = 0;
-  int side = -1; // 0: that of side 1 of the zones, 1: the other; -1: none
-  double gap = HUGE_VAL;
-};
-
 class Pairing {
 public:
   Pairing(const Sketch& sketch, const Mesh& mesh) : s_(sketch) {
-    for (const auto& outlines : mesh.bodies) {
-      elements_.push_back(elements_of(outlines));
-      parts_.emplace_back(elements_.back().size());
-    }
+    for (const auto& outlines : mesh.bodies) elements_.push_back(elements_of(outlines));
   }
   std::vector<Zone> run();
 
 private:
-  const Side& side(size_t k, int which) const {
-    const Interface& interface = s_.interfaces[k];
-    return interface.side[which == 0 ? first_side(s_, interface) : 1 - first_side(s_, interface)];
-  }
-  const Elements& body(size_t k, int which) const { return elements_[static_cast<size_t>(side(k, which).body)]; }
-  Numbers named(size_t k, int which) const;
-  Numbers chosen(size_t k, int which) const;
-  void choose(size_t k);
-  void join(size_t k);
-  void share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds);
-  Numbers faced(size_t k, const Numbers& first, const Numbers& second) const;
   struct Pair {
-    size_t interface;
+    size_t contact;
     Numbers one, two;
     bool matching = false, leaves[2] = {false, false};
   };
+  const Elements& body(size_t k, size_t side) const { return elements_[static_cast<size_t>(s_.contacts[k].side[side].body)]; }
+  bool is_tied(size_t k) const { return s_.interfaces[s_.contacts[k].interface].tied; }
+  Numbers side(size_t k, int which) const;
+  void add_pairs(size_t k);
+  std::array<double, 2> faced(size_t k, const Numbers& row) const;
   bool coincides(const Pair& pair) const;
   void part(Pair& stays, Pair& yields);
   void part_neighbours();
+  void leave_held(Pair& pair) const;
 
   const Sketch& s_;
   std::vector<Elements> elements_;
-  std::vector<std::vector<ZonePart>> parts_; // of every body's elements
   std::vector<Pair> pairs_;
 };
 
-Numbers Pairing::named(size_t k, int which) const {
-  Numbers out;
-  const Elements& all = body(k, which);
+// The elements of a side, one behind the other along the outline.
+Numbers Pairing::side(size_t k, int which) const {
+  Numbers numbers;
+  const Elements& all = body(k, static_cast<size_t>(which));
   for (size_t e = 0; e < all.size(); ++e)
-    if (side(k, which).has(*all[e].curve)) out.push_back(static_cast<int>(e));
-  return out;
+    if (all[e].curve->contact == static_cast<int>(k) && all[e].curve->side == which) numbers.push_back(static_cast<int>(e));
+  return in_a_row(all, numbers)[0];
 }
 
-Numbers Pairing::chosen(size_t k, int which) const {
-  Numbers out;
-  for (const int e : named(k, which)) {
-    const ZonePart& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
-    if (part.side == which && part.interface == k) out.push_back(e);
-  }
-  return out;
+// Lengths on side 0 between which it faces a row of elements of side 1.
+std::array<double, 2> Pairing::faced(size_t k, const Numbers& row) const {
+  const Contact& contact = s_.contacts[k];
+  const Contact::Strip& strip = contact.side[1];
+  const auto opposite = [&](double length) {
+    if (length < strip.from - kSame * (strip.to - strip.from)) length += strip.round; // round the begin of the outline
+    const auto above = std::find_if(contact.map.begin(), contact.map.end(), [&](const auto& p) { return p[1] >= length; });
+    if (above == contact.map.begin()) return contact.map.front()[0];
+    if (above == contact.map.end()) return contact.map.back()[0];
+    const std::array<double, 2>&p = *(above - 1), &q = *above;
+    return p[0] + (q[0] - p[0]) * (length - p[1]) / (q[1] - p[1]);
+  };
+  const Elements& all = body(k, 1);
+  return {opposite(all[static_cast<size_t>(row.back())].end), opposite(all[static_cast<size_t>(row.front())].begin)};
 }
 
-// An element is in one zone: that of the interface whose other side is nearest. What is far is left out, but where nothing else
-// faces the other side: on a finer mesh it may touch.
-void Pairing::choose(size_t k) {
-  const Numbers numbers[2] = {named(k, 0), named(k, 1)};
-  const Wall walls[2] = {Wall(body(k, 1), numbers[1]), Wall(body(k, 0), numbers[0])};
-  const bool all = std::none_of(numbers[1].begin(), numbers[1].end(), [&](int e) {
-    const Element& own = body(k, 1)[static_cast<size_t>(e)];
-    return !own.is_far && walls[1].gap_to(own) < HUGE_VAL;
-  });
-  for (int which = 0; which < 2; ++which)
-    for (const int e : numbers[which]) {
-      const Element& own = body(k, which)[static_cast<size_t>(e)];
-      if (which == 1 && own.is_far && !all) continue;
-      const double gap = which == 1 ? walls[1].gap_to(own) : walls[0].distance(0.5 * (own.from + own.to));
-      ZonePart& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
-      if (gap < part.gap) part = {k, which, gap};
-    }
-}
-
-// Stretches of the first side, and what of the second faces them.
-void Pairing::join(size_t k) {
-  const Numbers first = chosen(k, 0), second = chosen(k, 1);
-  const std::vector<Numbers> rows = in_a_row(body(k, 0), first);
+// What is far of side 1 is left out, unless all of it is, and of side 0 what lies opposite, but for a margin: its mean
+// curvature turns the normals of all pairs (METHOD 8.3). Where more rows than one are left, each element of side 0 goes to one
+// of them.
+void Pairing::add_pairs(size_t k) {
+  const Contact& contact = s_.contacts[k];
+  const Numbers first = side(k, 0), second = side(k, 1);
+  Numbers near;
+  for (const int e : second)
+    if (!body(k, 1)[static_cast<size_t>(e)].is_far) near.push_back(e);
+  if (near.empty() || near.size() == second.size()) return pairs_.push_back({k, first, second});
+  const std::vector<Numbers> rows = in_a_row(body(k, 1), near);
   std::vector<Numbers> facing(rows.size());
-  std::vector<Wall> walls;
-  for (const Numbers& row : rows) walls.emplace_back(body(k, 0), row);
-  for (const int e : second) {
-    size_t best = 0;
-    double least = HUGE_VAL;
-    for (size_t r = 0; r < rows.size(); ++r)
-      if (const double gap = walls[r].gap_to(body(k, 1)[static_cast<size_t>(e)]); gap < least) least = gap, best = r;
-    if (least < HUGE_VAL) facing[best].push_back(e);
-  }
-  for (size_t r = 0; r < rows.size(); ++r) share(k, rows[r], in_a_row(body(k, 1), facing[r]));
-}
-
-// What of a stretch is nearest to each of those that it faces, as two feet stand on one floor: an element is in one zone.
-void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds) {
-  if (seconds.empty()) return;
-  if (seconds.size() == 1) return pairs_.push_back({k, faced(k, first, seconds[0]), seconds[0]});
-  std::vector<Wall> walls;
-  for (const Numbers& row : seconds) walls.emplace_back(body(k, 1), row);
-  std::vector<Numbers> near(seconds.size());
   for (const int e : first) {
     const Element& own = body(k, 0)[static_cast<size_t>(e)];
-    const auto nearer = [middle = 0.5 * (own.from + own.to)](const Wall& a, const Wall& b) {
-      return a.distance(middle) < b.distance(middle);
-    };
-    near[static_cast<size_t>(std::min_element(walls.begin(), walls.end(), nearer) - walls.begin())].push_back(e);
-  }
-  for (size_t n = 0; n < seconds.size(); ++n) {
-    const std::vector<Numbers> parts = in_a_row(body(k, 0), near[n]);
-    if (parts.empty()) continue;
-    const Numbers& part =
-        *std::max_element(parts.begin(), parts.end(), [](const Numbers& a, const Numbers& b) { return a.size() < b.size(); });
-    const Wall wall(body(k, 0), part);
-    Numbers facing;
-    for (const int e : seconds[n])
-      if (wall.gap_to(body(k, 1)[static_cast<size_t>(e)]) < HUGE_VAL) facing.push_back(e);
-    for (const Numbers& row : in_a_row(body(k, 1), facing)) pairs_.push_back({k, faced(k, part, row), row});
-  }
-}
-
-// The part of a stretch that another faces, and a little more: what is round beside it would turn the frames of the pairs.
-Numbers Pairing::faced(size_t k, const Numbers& first, const Numbers& second) const {
-  const Elements &one = body(k, 0), &two = body(k, 1);
-  if (one[static_cast<size_t>(first.back())].after == first.front()) return first;
-  const Wall wall(one, first);
-  size_t low = first.size(), high = 0;
-  for (const int e : second)
-    for (const Point p : {two[static_cast<size_t>(e)].from, two[static_cast<size_t>(e)].to}) {
-      const auto at = static_cast<size_t>(std::find(first.begin(), first.end(), wall.nearest_element(p)) - first.begin());
-      low = std::min(low, at), high = std::max(high, at);
+    size_t best = rows.size();
+    double most = 0;
+    for (size_t r = 0; r < rows.size(); ++r) {
+      const std::array<double, 2> range = faced(k, rows[r]);
+      const double margin = kBeside * (range[1] - range[0]);
+      for (const double round : {-1.0, 0.0, 1.0}) {
+        const double shift = round * contact.side[0].round;
+        const double common = std::min(own.end + shift, range[1] + margin) - std::max(own.begin + shift, range[0] - margin);
+        if (common > most) most = common, best = r;
+      }
     }
-  low = low > kBeside ? low - kBeside : 0, high = std::min(high + kBeside, first.size() - 1);
-  return Numbers(first.begin() + static_cast<std::ptrdiff_t>(low), first.begin() + static_cast<std::ptrdiff_t>(high) + 1);
+    if (best < rows.size()) facing[best].push_back(e);
+  }
+  for (size_t r = 0; r < rows.size(); ++r)
+    if (!facing[r].empty()) pairs_.push_back({k, in_a_row(body(k, 0), facing[r])[0], rows[r]});
 }
 
 // Do the elements of two elastic bodies lie on each other, end by end?
 bool Pairing::coincides(const Pair& pair) const {
-  const Elements &one = body(pair.interface, 0), &two = body(pair.interface, 1);
+  const Elements &one = body(pair.contact, 0), &two = body(pair.contact, 1);
   if (&one == &two || pair.one.size() != pair.two.size()) return false;
   for (int which = 0; which < 2; ++which) {
     const Numbers& numbers = which == 0 ? pair.one : pair.two;
-    const int after = body(pair.interface, which)[static_cast<size_t>(numbers.back())].after;
-    if (s_.bodies[static_cast<size_t>(side(pair.interface, which).body)].rigid || numbers.front() > numbers.back() ||
+    const size_t side = static_cast<size_t>(which);
+    const int after = body(pair.contact, side)[static_cast<size_t>(numbers.back())].after;
+    if (s_.bodies[static_cast<size_t>(s_.contacts[pair.contact].side[side].body)].rigid || numbers.front() > numbers.back() ||
         (after >= 0 && after <= numbers.back()))
       return false; // nodes are numbered along the outline: not round its end
   }
@@ -276,7 +171,7 @@ bool Pairing::coincides(const Pair& pair) const {
 // Two zones that adjoin on their second side: nodes are in one pair. Of zones that coincide one leaves its last node to the
 // other; else its last element, which then carries nothing.
 void Pairing::part(Pair& stays, Pair& yields) {
-  const Elements& all = body(stays.interface, 1);
+  const Elements& all = body(stays.contact, 1);
   for (const bool at_end : {false, true}) {
     if (stays.two.empty() || yields.two.empty()) return;
     const int after = all[static_cast<size_t>((at_end ? yields : stays).two.back())].after;
@@ -295,29 +190,37 @@ void Pairing::part(Pair& stays, Pair& yields) {
 void Pairing::part_neighbours() {
   for (size_t i = 0; i < pairs_.size(); ++i)
     for (size_t j = i + 1; j < pairs_.size(); ++j) {
-      if (side(pairs_[i].interface, 1).body != side(pairs_[j].interface, 1).body) continue;
-      const bool early = s_.interfaces[pairs_[j].interface].tied && !s_.interfaces[pairs_[i].interface].tied;
+      if (&body(pairs_[i].contact, 1) != &body(pairs_[j].contact, 1)) continue;
+      const bool early = is_tied(pairs_[j].contact) && !is_tied(pairs_[i].contact);
       part(pairs_[early ? j : i], pairs_[early ? i : j]);
     }
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.two.empty(); }), pairs_.end());
   std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
 
+// At an end whose displacement is prescribed there is no pair: the element there carries nothing.
+void Pairing::leave_held(Pair& pair) const {
+  const Elements& all = body(pair.contact, 1);
+  const Contact& contact = s_.contacts[pair.contact];
+  const auto is_at = [strip = contact.side[1]](double length, double place) {
+    const double off = strip.round > 0 ? std::remainder(length - place, strip.round) : length - place;
+    return std::fabs(off) < kSame * (strip.to - strip.from);
+  };
+  Numbers& two = pair.two;
+  if (contact.is_held[0] && two.size() > 1 && is_at(all[static_cast<size_t>(two.front())].begin, contact.side[1].from))
+    two.erase(two.begin());
+  if (contact.is_held[1] && two.size() > 1 && is_at(all[static_cast<size_t>(two.back())].end, contact.side[1].to))
+    two.pop_back();
+}
+
 std::vector<Zone> Pairing::run() {
-  for (size_t k = 0; k < s_.interfaces.size(); ++k) choose(k);
-  for (size_t k = 0; k < s_.interfaces.size(); ++k) {
-    const size_t before = pairs_.size();
-    join(k);
-    if (pairs_.size() == before) throw Fault{s_.interfaces[k].at, "the two sides do not face each other anywhere"};
-  }
+  for (size_t k = 0; k < s_.contacts.size(); ++k) add_pairs(k);
+  for (Pair& pair : pairs_) leave_held(pair);
   part_neighbours();
   std::vector<Zone> out;
   for (const Pair& pair : pairs_)
-    out.push_back({&s_.interfaces[pair.interface],
-                   stretch(pair.one),
-                   stretch(pair.two),
-                   pair.matching,
-                   {pair.leaves[0], pair.leaves[1]}});
+    out.push_back(
+        {&s_.contacts[pair.contact], stretch(pair.one), stretch(pair.two), pair.matching, {pair.leaves[0], pair.leaves[1]}});
   return out;
 }
 
@@ -327,7 +230,7 @@ std::vector<Stretch> stretches_of(const Mesh& mesh, const Side& side) {
   const Elements all = elements_of(mesh.bodies[static_cast<size_t>(side.body)]);
   Numbers numbers;
   for (size_t e = 0; e < all.size(); ++e)
-    if (side.has(*all[e].curve)) numbers.push_back(static_cast<int>(e));
+    if (side.has(all[e].curve->name)) numbers.push_back(static_cast<int>(e));
   std::vector<Stretch> out;
   for (const Numbers& row : in_a_row(all, numbers)) out.push_back(stretch(row));
   return out;

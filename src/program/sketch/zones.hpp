@@ -12,7 +12,7 @@ struct Stretch {
 
 // Pairs of a matching zone are of nodes: element by element both sides coincide, the first of side 2 with the last of side 1.
 struct Zone {
-  const Interface* interface;
+  const Contact* contact;
   Stretch one, two; // contact conditions hold at the nodes of the second
   bool matching = false;
   bool leaves[2] = {false, false}; // of a matching zone: is the node where side 2 begins, ends, in the pair of a neighbour?
@@ -21,7 +21,7 @@ struct Zone {
 // The elements of a side, as stretches without a gap.
 std::vector<Stretch> stretches_of(const Mesh& mesh, const Side& side);
 
-// Matching ones first. Throws a Fault where the sides of an interface do not face each other anywhere.
+// Matching ones first.
 std::vector<Zone> zones_of(const Sketch& sketch, const Mesh& mesh);
 
 } // namespace sketch

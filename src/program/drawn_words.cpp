@@ -1,0 +1,135 @@
+#include "program/drawn_words.hpp"
+
+#include <contact2d.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS, C2D_WARN_KINK,    C2D_WARN_POINT_LOAD, C2D_WARN_TENSION,
+                                  C2D_WARN_CORNER,  C2D_WARN_OFFSET,  C2D_WARN_LEFT_OUT,   C2D_WARN_OVERLAP,
+                                  C2D_WARN_SIZES,   C2D_WARN_SURFACE, C2D_WARN_COMPRESSED};
+
+struct Phrase {
+  const char *of_mesh, *of_drawing;
+};
+constexpr Phrase kPhrases[] = {
+    {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone",
+     "contact reaches the end of the parts that face each other, and may reach further"},
+    {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone",
+     "contact reaches the end of the parts that face each other, and may reach further"},
+    {"exceeds half a contact element: pairs no longer face each other",
+     "is long beside the mesh: places touch that did not face each other at first"},
+    {"the friction of all pairs that hold ", "the friction of all that holds "},
+    {"the place that moves the pairs least", "the place that moves the surfaces least"},
+    {"order of pairs", "order of places"},
+    {"refine at edges and corners of the contact where pairs slip", "ask for dissipation, or a smaller tolerance"}};
+
+void replace(std::string& text, const std::string& what, const std::string& with) {
+  for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+}
+
+bool accept(const std::string& text, size_t& at, const std::string& word) {
+  if (text.compare(at, word.size(), word) != 0) return false;
+  at += word.size();
+  return true;
+}
+
+bool accept_number(const std::string& text, size_t& at, int& value) {
+  const size_t begin = at;
+  while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
+  value = std::atoi(text.substr(begin, at - begin).c_str());
+  return at > begin;
+}
+
+// The curves of a deck: `! curve of body 1: block.top, elements 57 to 136, nodes 57 to 137`.
+struct DrawnCurve {
+  int body = 0, first[2] = {0, 0}, last[2] = {0, 0}; // elements, nodes
+  std::string name;
+};
+std::vector<DrawnCurve> curves_of(const std::string& deck) {
+  std::vector<DrawnCurve> out;
+  for (size_t line = 0; line < deck.size();) {
+    const size_t end = std::min(deck.find('\n', line), deck.size());
+    DrawnCurve curve;
+    size_t at = line;
+    if (accept(deck, at, "! curve of body ") && accept_number(deck, at, curve.body) && accept(deck, at, ": ")) {
+      const size_t behind = deck.find(", elements ", at);
+      if (behind < end) {
+        curve.name = deck.substr(at, behind - at);
+        at = behind;
+        for (int k = 0; k < 2; ++k) {
+          accept(deck, at, k == 0 ? ", elements " : ", nodes ");
+          accept_number(deck, at, curve.first[k]);
+          accept(deck, at, " to ");
+          accept_number(deck, at, curve.last[k]);
+        }
+        out.push_back(curve);
+      }
+    }
+    line = end + 1;
+  }
+  return out;
+}
+
+// `element 3 of body 1 (block)` or `node 7 of body 2`: the curve.
+bool accept_place(const std::string& text, size_t& at, const std::vector<DrawnCurve>& curves, std::string& name) {
+  size_t p = at;
+  const int kind = accept(text, p, "element ") ? 0 : accept(text, p, "node ") ? 1 : -1;
+  int number = 0, body = 0;
+  if (kind < 0 || !accept_number(text, p, number) || !accept(text, p, " of body ") || !accept_number(text, p, body))
+    return false;
+  if (accept(text, p, " (")) {
+    const size_t close = text.find(')', p);
+    if (close == std::string::npos) return false;
+    p = close + 1;
+  }
+  for (const DrawnCurve& curve : curves)
+    if (curve.body == body && curve.first[kind] <= number && number <= curve.last[kind]) return at = p, name = curve.name, true;
+  return false;
+}
+
+// `pair 5 (on element 3 of body 1 (block), node 7 of body 2 (pad))`: both curves; `pair 5, ` nothing.
+bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCurve>& curves, std::string& words) {
+  size_t p = at;
+  int number = 0;
+  if (!accept(text, p, "pair ") || !accept_number(text, p, number)) return false;
+  std::string one, two;
+  if (accept(text, p, ", ")) return words = at > 1 && text[at - 2] == 't' ? "one place, " : "", at = p, true; // at pair 5, ...
+  if (!accept(text, p, " (")) return false;
+  accept(text, p, "on ");
+  if (!accept_place(text, p, curves, one) || !accept(text, p, ", ") || !accept_place(text, p, curves, two) ||
+      !accept(text, p, ")"))
+    return false;
+  return at = p, words = one + " and " + two, true;
+}
+
+} // namespace
+
+bool is_about_mesh(int32_t warning) {
+  return std::find(std::begin(kAboutMesh), std::end(kAboutMesh), warning) != std::end(kAboutMesh);
+}
+
+std::string in_words_of_drawing(const std::string& text, const std::string& deck) {
+  const std::vector<DrawnCurve> curves = curves_of(deck);
+  std::string out, words;
+  for (size_t at = 0; at < text.size();) {
+    const bool begins = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+    if (begins && (accept_pair(text, at, curves, words) || accept_place(text, at, curves, words)))
+      out += words;
+    else
+      out += text[at++];
+  }
+  for (const Phrase& phrase : kPhrases) replace(out, phrase.of_mesh, phrase.of_drawing);
+  if (const size_t coarse = out.find("coarse contact: "); coarse != std::string::npos)
+    out.replace(
+        coarse, std::string::npos,
+        "the contact is small beside the mesh, its edges and highest pressures are rough: a tolerance refines it there");
+  return out;
+}
+
+} // namespace app

@@ -1,0 +1,15 @@
+// Messages about a mesh that the program made from a sketch, in words of the drawing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace app {
+
+// Does a warning speak of how the mesh was made, and not of the model? Stated errors tell what that matters.
+bool is_about_mesh(int32_t warning);
+
+// Elements, nodes and pairs of the text become curves of bodies, which the deck lists beside its numbers.
+std::string in_words_of_drawing(const std::string& text, const std::string& deck);
+
+} // namespace app

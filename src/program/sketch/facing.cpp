@@ -1,0 +1,282 @@
+#include "program/sketch/facing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+constexpr double kFaces = 0.6427876096865394; // the cosine of 50 degrees: surfaces more inclined to each other do not face
+constexpr double kLinked = 2e-3; // of the other chain: neighbouring points face neighbouring points up to this far apart
+constexpr int kJumpDepth = 30, kBorderDepth = 60; // bisections of a jump, of a border
+constexpr double kLeastRun = 1e-7;                // of the shorter chain
+constexpr double kMiddleOfWay = 0.02;             // of a way across: what lies on its ends is the surface itself
+constexpr double kSnap = 1e-6;                    // of a run: ends nearer to a chain's end are there
+
+constexpr int kMostRounds = 3;       // of searches with a better m
+constexpr double kSameNormal = 1e-3; // a change of m of less is none
+
+// The mixture of normals along which points face each other.
+Point across(Point na, Point nb, double m) { return m * na - (1 - m) * nb; }
+
+struct Partner {
+  bool found = false;
+  SurfacePoint at;
+  double gap = HUGE_VAL;
+};
+
+// The zero of a function between places where it has unlike signs (Illinois).
+template <class Function> double zero_between(double a, double b, double fa, double fb, double nothing, const Function& f) {
+  for (int step = 0; step < 60 && std::fabs(fb) > nothing && std::fabs(b - a) > 1e-15 * std::max(1.0, std::fabs(b)); ++step) {
+    double x = b - fb * (b - a) / (fb - fa);
+    if (!(x >= std::min(a, b) && x <= std::max(a, b))) x = (a + b) / 2;
+    const double fx = f(x);
+    if ((fx > 0) == (fb > 0))
+      fa /= 2;
+    else
+      a = b, fa = fb;
+    b = x, fb = fx;
+  }
+  return b;
+}
+
+class Search {
+public:
+  Search(const Chain& a, const Chain& b, const FacingLimits& limits, double m) : a_(a), b_(b), limits_(limits), m_(m) {
+    for (const Chain* chain : {&a, &b})
+      for (const SurfacePoint& p : chain->samples()) size_ = std::max({size_, std::fabs(p.at.x), std::fabs(p.at.y)});
+  }
+  std::vector<FacingRun> runs();
+
+private:
+  struct Look { // at a place of a
+    ChainPlace place = 0;
+    Partner partner;
+    double length[2] = {0, 0};
+  };
+  Partner nearest(const Chain& of, const SurfacePoint& from, double m) const;
+  Look look(ChainPlace place) const;
+  bool is_crossed(Point p, Point q) const;
+  bool is_linked(const Look& p, const Look& q) const;
+  void fill(const Look& low, const Look& high, int depth);
+  FacingRun run_of(const std::vector<Look>& looks, bool ring) const;
+
+  const Chain &a_, &b_;
+  const FacingLimits& limits_;
+  const double m_;
+  double size_ = 0; // of the coordinates
+  std::vector<Look> looks_;
+};
+
+// Of all places of a chain that face a point the nearest.
+Partner Search::nearest(const Chain& of, const SurfacePoint& from, double m) const {
+  const double tiny = 2e-12 * size_;
+  const auto off = [&](const SurfacePoint& to) { return cross(to.at - from.at, across(from.normal, to.normal, m)); };
+  Partner best;
+  const auto try_place = [&](ChainPlace place) {
+    const SurfacePoint to = of.at(place);
+    if (dot(from.normal, to.normal) > -kFaces) return;
+    const Point way = across(from.normal, to.normal, m);
+    const double gap = dot(to.at - from.at, way) / length(way);
+    if (gap > -limits_.overlap && std::fabs(gap) < std::fabs(best.gap)) best = {true, to, gap};
+  };
+  const std::vector<SurfacePoint>& samples = of.samples();
+  double before = 0;
+  bool begins = true;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const double f = off(samples[i]);
+    const bool goes_on = of.continues(i);
+    if (std::fabs(f) <= tiny && (begins || !goes_on)) {
+      try_place(samples[i].place);
+    } else if (!begins && (before <= 0) != (f <= 0)) {
+      const SurfacePoint &p = samples[i - 1], &q = samples[i];
+      if (std::min(dot(from.normal, p.normal), dot(from.normal, q.normal)) < -kFaces + 0.05)
+        try_place(zero_between(p.place, q.place, before, f, 1e-3 * tiny, [&](double x) { return off(of.at(x)); }));
+    }
+    before = f, begins = !goes_on;
+  }
+  return best;
+}
+
+bool Search::is_crossed(Point p, Point q) const {
+  const Point d = q - p;
+  if (sketch::length(d) <= limits_.clear) return false;
+  return std::any_of(limits_.others.begin(), limits_.others.end(), [&](const auto& chord) {
+    const Point e = chord.second - chord.first, o = chord.first - p;
+    const double det = cross(d, e);
+    if (det == 0) return false;
+    const double t = cross(o, e) / det, s = cross(o, d) / det;
+    return t > kMiddleOfWay && t < 1 - kMiddleOfWay && s > 0 && s < 1;
+  });
+}
+
+Search::Look Search::look(ChainPlace place) const {
+  Look out;
+  out.place = place;
+  const SurfacePoint from = a_.at(place);
+  Partner partner = nearest(b_, from, m_);
+  out.length[0] = a_.length_at(place);
+  if (!partner.found) return out;
+  const Partner back = nearest(a_, partner.at, 1 - m_);
+  const double room = 1e-6 * std::fabs(partner.gap) + 1e-9 * limits_.clear + 1e-14 * size_;
+  partner.found = back.found && std::fabs(back.gap) >= std::fabs(partner.gap) - room && !is_crossed(from.at, partner.at.at);
+  if (partner.found) out.partner = partner, out.length[1] = b_.length_at(partner.at.place);
+  return out;
+}
+
+// Do neighbouring points face neighbouring points?
+bool Search::is_linked(const Look& p, const Look& q) const {
+  if (!p.partner.found || !q.partner.found) return false;
+  const double way = std::fabs(a_.way(p.length[0], q.length[0])), other = std::fabs(b_.way(p.length[1], q.length[1]));
+  return other <= 4 * way + kLinked * b_.length() || a_.is_fan(p.place) || a_.is_fan(q.place);
+}
+
+// What lies between two looks, as far as it has a border of what faces, or a jump.
+void Search::fill(const Look& low, const Look& high, int depth) {
+  const bool border = low.partner.found != high.partner.found;
+  const double way = std::fabs(a_.way(low.length[0], high.length[0]));
+  const double other = std::fabs(b_.way(low.length[1], high.length[1]));
+  const bool jump = low.partner.found && high.partner.found && other > 4 * way && other > kLinked * b_.length();
+  if (!(border && depth < kBorderDepth) && !(jump && depth < kJumpDepth)) return;
+  const ChainPlace middle = (low.place + high.place) / 2;
+  if (middle <= low.place || middle >= high.place) return;
+  const Look at = look(middle);
+  fill(low, at, depth + 1);
+  looks_.push_back(at);
+  fill(at, high, depth + 1);
+}
+
+// Lengths without steps where a closed chain is passed; fans at the ends left out.
+FacingRun Search::run_of(const std::vector<Look>& looks, bool ring) const {
+  FacingRun out{{&a_, &b_}, {}, ring};
+  size_t first = 0, last = looks.size();
+  const auto in_fan = [&](size_t i, size_t side) {
+    return side == 0 ? a_.is_fan(looks[i].place) : b_.is_fan(looks[i].partner.at.place);
+  };
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    while (!ring && last - first > 1 && in_fan(first, side) && in_fan(first + 1, side)) ++first;
+    while (!ring && last - first > 1 && in_fan(last - 1, side) && in_fan(last - 2, side)) --last;
+  }
+  for (size_t i = first; i < last; ++i) {
+    const Partner& partner = looks[i].partner;
+    FacingPoints p{{looks[i].length[0], looks[i].length[1]}, {a_.at(looks[i].place).normal, partner.at.normal}, partner.gap};
+    if (!out.points.empty())
+      for (size_t side = 0; side < 2; ++side) {
+        const double before = out.points.back().length[side];
+        p.length[side] = before + out.chain[side]->way(before, p.length[side]);
+      }
+    out.points.push_back(p);
+  }
+  return out;
+}
+
+std::vector<FacingRun> Search::runs() {
+  std::vector<ChainPlace> places;
+  for (const SurfacePoint& p : a_.samples()) places.push_back(p.place);
+  for (const SurfacePoint& p : b_.samples())
+    if (const Partner partner = nearest(a_, p, 1 - m_); partner.found) places.push_back(partner.at.place);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (const ChainPlace place : places) {
+    const Look next = look(place);
+    if (!looks_.empty()) fill(Look(looks_.back()), next, 0);
+    looks_.push_back(next);
+  }
+  std::vector<std::vector<Look>> runs;
+  bool linked = false;
+  for (size_t i = 0; i < looks_.size(); ++i) {
+    linked = i > 0 && is_linked(looks_[i - 1], looks_[i]);
+    if (!looks_[i].partner.found) continue;
+    if (!linked) runs.push_back({});
+    runs.back().push_back(looks_[i]);
+  }
+  bool ring = false;
+  if (a_.closed() && !runs.empty() && is_linked(looks_.back(), looks_.front())) {
+    ring = runs.size() == 1;
+    if (!ring) {
+      runs.back().insert(runs.back().end(), runs.front().begin(), runs.front().end());
+      runs.erase(runs.begin());
+    }
+  }
+  std::vector<FacingRun> out;
+  for (const std::vector<Look>& looks : runs) {
+    if (looks.size() < 2) continue;
+    FacingRun run = run_of(looks, ring);
+    if (run.points.size() > 1 &&
+        (ring || std::max(run.length(0), run.length(1)) > kLeastRun * std::min(a_.length(), b_.length())))
+      out.push_back(std::move(run));
+  }
+  return out;
+}
+
+// (8.3), of a run. Its second side is run through backwards.
+double part_of_normal(const FacingRun& run) {
+  double curvature[2];
+  for (size_t side = 0; side < 2; ++side) {
+    double turn = 0;
+    for (size_t i = 1; i < run.points.size(); ++i)
+      turn += angle_between(run.points[i - 1].normal[side], run.points[i].normal[side]);
+    curvature[side] = std::max(side == 0 ? turn : -turn, 1e-15) / std::max(run.length(side), 1e-300);
+  }
+  return curvature[1] / (curvature[0] + curvature[1]);
+}
+
+// How far a run is from a length on its first side.
+double distance_to(const FacingRun& run, double length) {
+  double least = HUGE_VAL;
+  for (const FacingPoints& p : run.points) least = std::min(least, std::fabs(run.chain[0]->way(p.length[0], length)));
+  return least;
+}
+
+void snap(FacingRun& run) {
+  for (size_t side = 0; side < 2; ++side) {
+    const Chain& chain = *run.chain[side];
+    if (chain.closed()) continue;
+    const double near = kSnap * run.length(side);
+    double &low = (side == 0 ? run.points.front() : run.points.back()).length[side],
+           &high = (side == 0 ? run.points.back() : run.points.front()).length[side];
+    if (low - chain.begin() < near) low = chain.begin();
+    if (chain.end() - high < near) high = chain.end();
+  }
+}
+
+bool are_same(const FacingRun& a, const FacingRun& b) {
+  const double near = 1e-3 * a.length(0);
+  return distance_to(b, a.points[a.points.size() / 2].length[0]) < near && std::fabs(a.length(0) - b.length(0)) < near;
+}
+
+} // namespace
+
+std::vector<FacingRun> facing_runs(const Chain& a, const Chain& b, const FacingLimits& limits) {
+  std::vector<FacingRun> out;
+  for (FacingRun& first : Search(a, b, limits, 0.5).runs()) {
+    const auto nearest = std::min_element(first.points.begin(), first.points.end(),
+                                          [](const auto& p, const auto& q) { return std::fabs(p.gap) < std::fabs(q.gap); });
+    const double place = nearest->length[0];
+    FacingRun run = std::move(first);
+    double m = 0.5, next = part_of_normal(run);
+    for (int round = 0; round < kMostRounds && std::fabs(next - m) >= kSameNormal; ++round) {
+      m = next;
+      std::vector<FacingRun> all = Search(a, b, limits, m).runs();
+      if (all.empty()) break;
+      run = *std::min_element(all.begin(), all.end(), [&](const FacingRun& p, const FacingRun& q) {
+        return distance_to(p, place) < distance_to(q, place);
+      });
+      next = part_of_normal(run);
+    }
+    snap(run);
+    if (std::none_of(out.begin(), out.end(), [&](const FacingRun& other) { return are_same(run, other); }))
+      out.push_back(std::move(run));
+  }
+  return out;
+}
+
+double least_inclination(const Chain& a, const Chain& b) {
+  double least = 1;
+  for (const SurfacePoint& p : a.samples())
+    for (const SurfacePoint& q : b.samples())
+      if (!a.is_fan(p.place) && !b.is_fan(q.place)) least = std::min(least, dot(p.normal, q.normal));
+  return std::acos(std::clamp(-least, -1.0, 1.0)) * 180 / std::acos(-1.0);
+}
+
+} // namespace sketch

@@ -1,0 +1,170 @@
+// Which parts of the sides of a sketch face each other and may touch, from the shapes: against closed forms, and the same in
+// equivalent drawings.
+#include "program/drawn_words.hpp"
+#include "sketch_runs.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace sketch_test;
+
+namespace {
+
+const double kSin50 = std::sin(50 * std::acos(-1.0) / 180);
+
+// A block of a width and a height whose top is y = 0.
+std::string block(double w, double h) {
+  return "parameter w " + std::to_string(w) + " h " + std::to_string(h) +
+         "\nbody block E 1000 nu 0.3\nfrom {-w/2} -h\nline bottom to {w/2} -h\nline right to {w/2} 0\nline top to {-w/2} 0\n"
+         "line left close\n";
+}
+
+// A whole circle on a block.
+std::string roller(double w, double h, const std::string& sides = "block.top roller.rim", const std::string& body = "rigid") {
+  return block(w, h) + "parameter R 1 P 1 x 0\nbody roller " + body + "\ncircle rim centre x R radius R\ncontact " + sides +
+         "\nfix block.bottom\n";
+}
+
+const sketch::Contact& only(const sketch::Reading& drawn) {
+  for (const sketch::Fault& fault : drawn.faults) MESSAGE(fault.text);
+  REQUIRE(drawn.faults.empty());
+  REQUIRE(drawn.sketch.contacts.size() == 1);
+  return drawn.sketch.contacts[0];
+}
+
+double length_of(const sketch::Contact::Strip& strip) { return strip.to - strip.from; }
+
+std::string fault_of(const std::string& text) {
+  const sketch::Reading drawn = read_text(text);
+  REQUIRE(drawn.faults.size() == 1);
+  return drawn.faults[0].text;
+}
+
+} // namespace
+
+TEST_CASE("facing parts: a whole circle on a block, of any size, in either order") {
+  for (const char* sides : {"block.top roller.rim", "roller.rim block.top"})
+    for (const double R : {1e-6, 1e-3, 0.3, 1.0, 30.0, 1e5}) {
+      CAPTURE(R);
+      const sketch::Reading drawn = read_text(roller(10, 4, sides) + "drive roller about 0 R x 0 turn 0 fy -P\n", {{"R", R}});
+      const sketch::Contact& contact = only(drawn);
+      CHECK(contact.side[1].body == 0); // a rigid body holds no pairs
+      const double half = std::min(R * kSin50, 5.0);
+      CHECK((contact.side[1].from + contact.side[1].to) / 2 == doctest::Approx(10 + 4 + 5).epsilon(1e-9)); // below the centre
+      CHECK(length_of(contact.side[1]) == doctest::Approx(2 * half).epsilon(1e-6));
+      CHECK(length_of(contact.side[0]) == doctest::Approx(1.1 * 2 * R * std::asin(half / R)).epsilon(1e-5));
+      const sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 1);
+      CHECK(sketch::deck_of(drawn.sketch, mesh).find("*ZONE BODIES 2 1 ") != std::string::npos);
+    }
+}
+
+TEST_CASE("facing parts: units and mirrors cut at the same places") {
+  const std::string text = block(10, 4) + "parameter u 1 m 1\nbody cam E 1000 nu 0.3\nellipse rim centre {m*u} {1.2*u} axes "
+                                          "{2*u} {u} tilt {15*m}\ncontact block.top cam.rim\nfix block.bottom\n";
+  const auto of = [&](double u, double m) { return only(read_text(text, {{"u", u}, {"m", m}, {"w", 10 * u}, {"h", 4 * u}})); };
+  const sketch::Contact one = of(1, 1), large = of(1000, 1), mirrored = of(1, -1);
+  for (size_t side = 0; side < 2; ++side) {
+    CHECK(large.side[side].from / 1000 == doctest::Approx(one.side[side].from).epsilon(1e-6));
+    CHECK(large.side[side].to / 1000 == doctest::Approx(one.side[side].to).epsilon(1e-6));
+    CHECK(length_of(mirrored.side[side]) == doctest::Approx(length_of(one.side[side])).epsilon(1e-6));
+  }
+  // Of the top, from x = 5 to -5: what lies under the ellipse, left and right.
+  const double begin = 10 + 4;
+  CHECK(mirrored.side[0].from - begin == doctest::Approx(begin + 10 - one.side[0].to).epsilon(1e-6));
+}
+
+// A rigid cylinder: p0 = sqrt(P E* / (pi R)).
+TEST_CASE("facing parts: the pressure under a whole circle is that of Hertz, from narrow to wide") {
+  for (const double R : {0.1, 1.0, 10.0}) {
+    const double w = 40, P = 1e-3 * 1000 * std::min(R, w), pi = std::acos(-1.0), stiffness = 1000 / (1 - 0.09);
+    const Solution s = solve(read_text(roller(w, 40) + "drive roller about 0 R x 0 turn 0 fy -P\n", {{"R", R}, {"P", P}}), {6});
+    REQUIRE_MESSAGE(s.error.empty(), s.error);
+    CHECK(at_peak(s.last()).tn == doctest::Approx(std::sqrt(P * stiffness / (pi * R))).epsilon(0.02));
+  }
+}
+
+TEST_CASE("facing parts: pairs are on the side that nothing holds, or end beside what holds it") {
+  const std::string strip =
+      "body strip E 1000 nu 0.3\nfrom 0 0\nline under to 8 0\nline tip to 8 1\nline top to 0 1\nline root "
+      "close\nfix strip.root\npressure strip.top 1\nfix block.bottom\n";
+  const sketch::Reading one = read_text(block(40, 10) + strip + "contact block.top strip.under mu 0.2\n");
+  CHECK(only(one).side[1].body == 0);
+  CHECK_FALSE((only(one).is_held[0] || only(one).is_held[1]));
+  const Solution free = solve(one);
+  REQUIRE_MESSAGE(free.error.empty(), free.error);
+  // Held where its end lies in the corner of a wall that holds the strip, too: the pairs end an element before.
+  const sketch::Reading both =
+      read_text(block(16, 10) + strip + "contact block.top strip.under mu 0.2\nfix block.right\n", {{"w", 16}});
+  CHECK(only(both).side[1].body == 1);
+  CHECK((only(both).is_held[0] || only(both).is_held[1]));
+  const Solution held = solve(both);
+  REQUIRE_MESSAGE(held.error.empty(), held.error);
+  CHECK(std::fabs(held.zones[0].force[1] / 8 - 1) < 0.5);
+}
+
+TEST_CASE("facing parts: what cannot face is told with its curves") {
+  const std::string lid = "body lid E 1000 nu 0.3\nfrom -2 1\nline under to 2 1\nline side to 2 3\nline top to -2 3\nline edge "
+                          "close\nfix block.bottom\nfix lid.edge\n";
+  const std::string text = block(10, 4) + lid;
+  CHECK(fault_of(text + "contact block.top lid.top\n") ==
+        "no part of block.top faces lid.top: their outer sides look the same way; nearest 3 apart at (1.875, 0)");
+  CHECK(fault_of(text + "contact block.top lid.side\n").find("inclined to each other by 90 degrees") != std::string::npos);
+  CHECK(fault_of(block(1, 4) + "body lid E 1 nu 0\nfrom 9 1\nline under to 10 1\nline side to 10 3\nline top to 9 3\nline edge "
+                               "close\nfix block.bottom\nfix lid.edge\ncontact block.top lid.under\n")
+            .find("they lie beside each other, or something lies between") != std::string::npos);
+}
+
+TEST_CASE("facing parts: a load of zero, adhesion as a value, and what a drawing's digits overlap are no faults") {
+  const std::string text = roller(40, 10) + "parameter mu 0 d 0\ncase normal\ndrive roller about 0 R x 0 fy -P turn 0\ncase "
+                                            "shift\ndrive roller about 0 R x d\nhistory normal 1; shift 1\n";
+  const Solution still = solve(read_text(text)), moved = solve(read_text(text, {{"d", 1e-12}}));
+  REQUIRE_MESSAGE(still.error.empty(), still.error);
+  CHECK(at_peak(still.last()).tn == doctest::Approx(at_peak(moved.last()).tn).epsilon(1e-6));
+  CHECK(sketch::deck_of(read_text(text).sketch, sketch::first_mesh(read_text(text).sketch, 1)).find("*CASES") ==
+        std::string::npos);
+
+  const std::string first =
+      "parameter mu 0.3\n" + roller(40, 10, "block.top roller.rim mu mu") + "drive roller about 0 R x 0 fy -P turn 0\n";
+  const sketch::Reading adheres = read_text(first, {{"mu", HUGE_VAL}});
+  REQUIRE(adheres.faults.empty());
+  CHECK(sketch::deck_of(adheres.sketch, sketch::first_mesh(adheres.sketch, 1)).find("*FRICTION\n1 INF\n") != std::string::npos);
+
+  const std::string two = block(200, 100) +
+                          "parameter e 0\nbody up E 1000 nu 0.3\nfrom -50 -e\nline bottom to 50 -e\nline rr to "
+                          "50 100\nline tp to -50 100\nline ll close\ncontact block.top up.bottom mu 0.3\nfix "
+                          "block.bottom\nplaten up.tp about 0 100 x 0 y -0.5 turn 0\n";
+  const Solution exact = solve(read_text(two));
+  REQUIRE_MESSAGE(exact.error.empty(), exact.error);
+  for (const double e : {1e-9, 1e-6, 9e-4}) {
+    const Solution s = solve(read_text(two, {{"e", e}}));
+    REQUIRE_MESSAGE(s.error.empty(), s.error);
+    CHECK(s.zones[0].force[1] == doctest::Approx(exact.zones[0].force[1]).epsilon(1e-6 + e / 50)); // (it is higher by e)
+  }
+}
+
+// Squeezed between flat covers; nu = 0.5 is the limit that nu -> 0.5 goes to.
+TEST_CASE("facing parts: an incompressible ring between rigid covers") {
+  const std::string text =
+      "parameter R 2 sq 0.4 nu 0.5\nsymmetry x 0\nbody ring E 5 nu nu\nfrom 0 0\narc low to R R centre 0 R\n"
+      "arc up to 0 {2*R} centre 0 R\nbody floor rigid\nfrom 0 -2\nline u to 4 -2\nline v to 4 0\nline face "
+      "to 0 0\nbody cover rigid\nfrom 0 {2*R}\nline face to 4 {2*R}\nline v to 4 {2*R+2}\nline u to 0 "
+      "{2*R+2}\ncontact floor.face ring.low\ncontact cover.face ring.up\ndrive cover about 0 {2*R} x 0 y "
+      "-sq turn 0\n";
+  const Solution limit = solve(read_text(text), {4}), near = solve(read_text(text, {{"nu", 0.49999}}), {4});
+  REQUIRE_MESSAGE(limit.error.empty(), limit.error);
+  CHECK(std::fabs(limit.zones[0].force[1]) == doctest::Approx(0.50274).epsilon(0.02)); // a deck of its own mesh
+  CHECK(limit.zones[0].force[1] == doctest::Approx(near.zones[0].force[1]).epsilon(1e-3));
+  CHECK(limit.zones[0].force[1] == doctest::Approx(-limit.zones[1].force[1]).epsilon(1e-6));
+}
+
+TEST_CASE("facing parts: messages about a mesh name curves") {
+  const std::string deck =
+      "! curve of body 1: block.top, elements 5 to 9, nodes 5 to 10\n! curve of body 2: pad.tip, elements 1 "
+      "to 4, nodes 1 to 5\n";
+  const auto words = [&](const std::string& text) { return app::in_words_of_drawing(text, deck); };
+  CHECK(words("strains reach 0.055 at element 7 of body 1 (block): small") == "strains reach 0.055 at block.top: small");
+  CHECK(words("pair 3 (on element 6 of body 1 (block), node 2 of body 2 (pad)): x") == "block.top and pad.tip: x");
+  CHECK(words("zone 1 (a on b), pair 15, load factor 1") == "zone 1 (a on b), load factor 1");
+  CHECK(words("node 99 of body 1 stays") == "node 99 of body 1 stays");
+  CHECK(app::is_about_mesh(C2D_WARN_LEFT_OUT));
+  CHECK_FALSE(app::is_about_mesh(C2D_WARN_STRAIN));
+}
