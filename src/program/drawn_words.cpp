@@ -9,9 +9,9 @@
 namespace app {
 namespace {
 
-constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS, C2D_WARN_KINK,    C2D_WARN_POINT_LOAD, C2D_WARN_TENSION,
-                                  C2D_WARN_CORNER,  C2D_WARN_OFFSET,  C2D_WARN_LEFT_OUT,   C2D_WARN_OVERLAP,
-                                  C2D_WARN_SIZES,   C2D_WARN_SURFACE, C2D_WARN_COMPRESSED};
+// What only tells how the program has meshed: it went on from there. What says how far results can be trusted stays.
+constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER, C2D_WARN_OFFSET,
+                                  C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
 
 struct Phrase {
   const char *of_mesh, *of_drawing;
