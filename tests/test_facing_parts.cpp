@@ -1,6 +1,7 @@
 // Which parts of the sides of a sketch face each other and may touch, from the shapes: against closed forms, and the same in
 // equivalent drawings.
 #include "program/drawn_words.hpp"
+#include "program/estimate/loop.hpp"
 #include "sketch_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -167,4 +168,55 @@ TEST_CASE("facing parts: messages about a mesh name curves") {
   CHECK(words("node 99 of body 1 stays") == "node 99 of body 1 stays");
   CHECK(app::is_about_mesh(C2D_WARN_LEFT_OUT));
   CHECK_FALSE(app::is_about_mesh(C2D_WARN_STRAIN));
+}
+
+namespace {
+
+app::Stated stated(const sketch::Reading& drawn, const std::string& name) {
+  REQUIRE(drawn.faults.empty());
+  const estimate::Adapted found = estimate::adapt(drawn.sketch, {}, [](const app::MeshRound&) {});
+  REQUIRE_MESSAGE(found.status == C2D_OK, found.why);
+  CHECK_MESSAGE(found.loop.stopped.empty(), found.loop.stopped);
+  for (const app::Stated& s : found.loop.stated)
+    if (s.name == name) return s;
+  FAIL("no number is called " << name);
+  return {};
+}
+
+} // namespace
+
+// The lowest point of a circle is where its outline begins: what lies far from the contact is left out round that, too.
+TEST_CASE("facing parts: forces are those on the second side of the statement, whichever is rigid") {
+  for (const bool rigid : {true, false})
+    for (const bool roller_first : {true, false}) {
+      CAPTURE(rigid);
+      CAPTURE(roller_first);
+      const std::string text =
+          roller(10, 4, roller_first ? "roller.rim block.top" : "block.top roller.rim", rigid ? "rigid" : "E 1000 nu 0.3") +
+          (rigid ? "drive roller about 0 R x 0 turn 0 fy -P\n" : "force roller at 0 R fx 0 fy -P\n") + "tolerance 10 %\n";
+      const app::Stated force = stated(read_text(text), "force y");
+      CHECK(force.value == doctest::Approx(roller_first ? -1 : 1).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("facing parts: a shaft in a hole of its size touches on one half, wherever their outlines begin") {
+  for (const double from : {-90.0, 0.0, 90.0}) {
+    const sketch::Reading drawn = read_text(
+        "parameter a 0\nbody shaft rigid\ncircle rim centre 0 0 radius 1\nbody hub E 1000 nu 0.3\ncircle out centre 0 0 radius "
+        "2\nhole\ncircle bore centre 0 0 radius 1 from a\ncontact shaft.rim hub.bore\nfix hub.out\ndrive shaft about 0 0 x 0 "
+        "turn 0 fy -1\nwant forces 5 % pressure 10 %\n",
+        {{"a", from}});
+    CHECK(stated(drawn, "force y").value == doctest::Approx(-1).epsilon(1e-6));
+  }
+}
+
+// A smooth rigid punch that a force off its centre tilts: of its half width 1 it touches the last 2 (1 - e).
+TEST_CASE("facing parts: a punch that tilts off a coarse mesh is solved on a finer one") {
+  const sketch::Reading drawn =
+      read_text(block(200, 100) + "parameter e 0.9\nbody punch rigid\nfrom -1 0\nline flat to 1 0\nline side to 1 "
+                                  "1\nline lid to -1 1\nline side close\ncontact block.top punch.flat\nfix "
+                                  "block.bottom\ndrive punch about 0 0 x 0 fy -1 moment -e\nwant edges 3 %\n",
+                {{"w", 200}});
+  const app::Stated edge = stated(drawn, "contact edge");
+  CHECK(std::fabs(edge.at[0] - 0.6) < edge.error + 0.002);
 }

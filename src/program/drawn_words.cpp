@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <vector>
 
 namespace app {
 namespace {
@@ -124,12 +123,24 @@ std::string in_words_of_drawing(const std::string& text, const std::string& deck
     else
       out += text[at++];
   }
+  if (const size_t last = out.find("; last pair "); last != std::string::npos)
+    out.erase(last, out.find_first_not_of("0123456789", last + std::string("; last pair ").size()) - last);
   for (const Phrase& phrase : kPhrases) replace(out, phrase.of_mesh, phrase.of_drawing);
   if (const size_t coarse = out.find("coarse contact: "); coarse != std::string::npos)
     out.replace(
         coarse, std::string::npos,
         "the contact is small beside the mesh, its edges and highest pressures are rough: a tolerance refines it there");
   return out;
+}
+
+void mark_turned(const std::string& deck, std::vector<ZoneLine>& lines) {
+  const std::string begin = "\n! zone ", end = ": side 2 is the first of its statement";
+  for (size_t at = deck.find(begin); at != std::string::npos; at = deck.find(begin, at)) {
+    int zone = 0;
+    at += begin.size();
+    if (accept_number(deck, at, zone) && accept(deck, at, end) && zone > 0 && static_cast<size_t>(zone) <= lines.size())
+      lines[static_cast<size_t>(zone) - 1].turned = true;
+  }
 }
 
 } // namespace app

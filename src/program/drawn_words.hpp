@@ -1,8 +1,11 @@
 // Messages about a mesh that the program made from a sketch, in words of the drawing.
 #pragma once
 
+#include "report/zone_line.hpp"
+
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -11,5 +14,8 @@ bool is_about_mesh(int32_t warning);
 
 // Elements, nodes and pairs of the text become curves of bodies, which the deck lists beside its numbers.
 std::string in_words_of_drawing(const std::string& text, const std::string& deck);
+
+// Marks the zones whose sides a made deck has in another order than the statement of the sketch.
+void mark_turned(const std::string& deck, std::vector<ZoneLine>& lines);
 
 } // namespace app

@@ -62,7 +62,8 @@ void Messages::fault(const c2d_error& error) {
 }
 
 void Messages::fail(const std::string& text) const {
-  say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(text) + '\n');
+  const std::string told = deck_.is_made() ? in_words_of_drawing(text, deck_.text()) : text;
+  say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(told) + '\n');
 }
 
 void Messages::note(const std::string& text) const {

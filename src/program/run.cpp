@@ -1,5 +1,6 @@
 #include "program/run.hpp"
 
+#include "program/drawn_words.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/exit_code.hpp"
 #include "program/interior_points.hpp"
@@ -512,6 +513,7 @@ int Run::prepare() {
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
   if (status == C2D_OK) status = find_zone_lines(solver, summary_, lines_);
+  if (session_.deck.is_made()) mark_turned(session_.deck.text(), lines_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());

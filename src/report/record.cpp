@@ -105,6 +105,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
   for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  turn_forces(lines, now.zones);
   c2d_body_state body = C2D_INIT(c2d_body_state);
   for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
   for (const CrackTip& tip : tips) now.cracks.push_back(stress_intensity(tip, step.table, step.stride));

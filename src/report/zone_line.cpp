@@ -25,6 +25,13 @@ void ZoneLine::place(double at, double out[2]) const {
   for (int c = 0; c < 2; ++c) out[c] = told_place(out[c], length); // on an axis
 }
 
+void turn_forces(const std::vector<ZoneLine>& lines, std::vector<c2d_zone_state>& states) {
+  for (size_t z = 0; z < lines.size() && z < states.size(); ++z)
+    if (lines[z].turned)
+      for (double* number : {&states[z].force[0], &states[z].force[1], &states[z].moment})
+        if (*number != 0) *number = -*number;
+}
+
 namespace {
 
 class PlaceFinder {

@@ -31,6 +31,7 @@ struct ZoneLine {
   bool round = false;       // the side is a whole closed curve
   double length = 0;        // of side 2; of a round one all of it
   bool tied = false;
+  bool turned = false; // force and moment of the contact are given of side 1: the second of a sketch's statement
   ZoneEnd end[2];
   std::vector<char> corner;   // has one of the bodies a corner at the pair?
   std::vector<double> weight; // integrals of the pairs' shape functions along side 2
@@ -45,6 +46,9 @@ struct ZoneLine {
   // The point of side 2 at a length; of a round side any length.
   void place(double at, double out[2]) const;
 };
+
+// Gives the force and the moment of turned zones the sign of side 1.
+void turn_forces(const std::vector<ZoneLine>& lines, std::vector<c2d_zone_state>& states);
 
 // Of a complete model, in the order of the zones.
 c2d_status find_zone_lines(c2d_solver* solver, const Summary& summary, std::vector<ZoneLine>& out);

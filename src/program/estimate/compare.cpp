@@ -38,7 +38,7 @@ double length_of(const Values& a, const Values& b, size_t first) {
 // Integrals over one state: per body and element, per zone.
 struct Sums {
   std::vector<std::vector<double>> pressure, energy;
-  std::vector<double> norm, off;
+  std::vector<double> norm, off, own;
 };
 
 class Comparer {
@@ -61,7 +61,7 @@ private:
   std::vector<double> largest_;                          // of each zone: of the integral of |t'|
   double work_ = 0;
   std::vector<std::vector<std::vector<double>>> pressure_, energy_; // per state, body and element
-  std::vector<std::vector<double>> zone_difference_;                // per zone and state
+  std::vector<std::vector<std::array<double, 2>>> zone_difference_; // per zone and state: in all, of its elements
 };
 
 Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overlaps)
@@ -140,13 +140,14 @@ void Comparer::add_overlap(size_t b, const Overlap& o, const Nodal& nodes, size_
     for (const int32_t z : zones_[b][e]) {
       sums.norm[static_cast<size_t>(z)] += w * std::hypot(fine[kTx], fine[kTy]);
       sums.off[static_cast<size_t>(z)] += w * off;
+      sums.own[static_cast<size_t>(z)] += w * t;
     }
   }
 }
 
 void Comparer::add(size_t state) {
   Sums sums;
-  sums.norm.assign(coarse_.zones.size(), 0), sums.off = sums.norm;
+  sums.norm.assign(coarse_.zones.size(), 0), sums.off = sums.own = sums.norm;
   for (const auto& lengths : coarse_.lengths) sums.pressure.push_back(std::vector<double>(lengths.size(), 0.0));
   sums.energy = sums.pressure;
   for (size_t b = 0; b < overlaps_.size(); ++b) {
@@ -160,7 +161,7 @@ void Comparer::add(size_t state) {
   }
   for (size_t z = 0; z < sums.norm.size(); ++z) {
     largest_[z] = std::max(largest_[z], sums.norm[z]);
-    zone_difference_[z].push_back(sums.off[z]);
+    zone_difference_[z].push_back({sums.off[z], sums.own[z]});
   }
   work_ = std::max({work_, std::fabs(fine_.states[state].work), std::fabs(fine_.states[state].elastic)});
   pressure_.push_back(std::move(sums.pressure));
@@ -192,10 +193,11 @@ Distance Comparer::run() {
     if (work_ > 0) out.energy = std::max(out.energy, weight * sum / work_);
   }
   for (size_t z = 0; z < largest_.size(); ++z) {
-    out.pressure.push_back(0);
+    out.pressure.push_back(0), out.own.push_back(0);
     for (size_t state = 0; state < common; ++state) {
       if (largest_[z] == 0 || (!fine_.states[state].turn && state + 1 != common)) continue;
-      out.pressure[z] = std::max(out.pressure[z], zone_difference_[z][state] / largest_[z]);
+      out.pressure[z] = std::max(out.pressure[z], zone_difference_[z][state][0] / largest_[z]);
+      out.own[z] = std::max(out.own[z], zone_difference_[z][state][1] / largest_[z]);
     }
   }
   return out;

@@ -26,6 +26,7 @@ struct Distance {
   std::vector<std::vector<Share>> shares; // per body and coarse element
   std::vector<double> pressure;           // of each zone: relative, L1, the largest of the turns
   double energy = 0;                      // sum of the shares of the state where it is largest
+  std::vector<double> own;                // of `pressure` what a zone's elements cannot follow: finer ones there mend it
 };
 Distance distance(const Trial& coarse, const Trial& fine, const Overlaps& overlaps);
 

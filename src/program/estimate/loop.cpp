@@ -18,10 +18,12 @@ namespace {
 
 constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr double kStalls = 0.7; // of the distance of the round before
+constexpr double kOwn = 0.5;    // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
 constexpr int kMostRounds = 14;
 constexpr double kWantedDoubt = 0.2; // as doubt() of error.cpp, of stresses
 constexpr double kSettles = 0.8;     // of the error before: more is none that falls
 constexpr int kPatience = 3;
+constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
 constexpr double kOfElements = 2.6; // the power of their number that time goes with
 constexpr double kOfPlaces = 0.75;  // if nothing but places are off
 constexpr double kOfEnergy = 8;     // energy that elements cannot follow, over the tolerance
@@ -39,7 +41,9 @@ class Loop {
 public:
   Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
        TrialKeeper* keeper)
-      : s_(sketch), demand_(demand), told_(told), keeper_(keeper) {}
+      : s_(sketch), demand_(demand), told_(told), keeper_(keeper) {
+    demand_.drawn = true;
+  }
   Adapted run();
 
 private:
@@ -50,6 +54,7 @@ private:
   bool all_met() const;
   void watch();
   void tell_endless();
+  sketch::Mesh with_finer_contacts(const sketch::Mesh& mesh) const;
   Level next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
   double aim() const;
   double energy_aim() const;
@@ -60,7 +65,7 @@ private:
   bool take(Level& level, const std::string& why);
 
   const sketch::Sketch& s_;
-  const Demand& demand_;
+  Demand demand_;
   const std::function<void(const app::MeshRound&)>& told_;
   TrialKeeper* keeper_;
   Adapted out_;
@@ -230,13 +235,26 @@ bool is_local(const app::Stated& s) {
          std::any_of(std::begin(kLocal), std::end(kLocal), [&](Measure m) { return s.name == app::name_of(m); });
 }
 
+// A body that rests on too few pairs slides or turns off them: the same history may go on where there are more.
+sketch::Mesh Loop::with_finer_contacts(const sketch::Mesh& mesh) const {
+  sketch::Levels levels;
+  for (const auto& outlines : mesh.bodies) {
+    levels.push_back({});
+    for (const sketch::MeshedOutline& outline : outlines)
+      for (const sketch::MeshedCurve& curve : outline.curves)
+        levels.back().insert(levels.back().end(), curve.elements(), curve.curve->contact >= 0 ? 1 : 0);
+  }
+  return sketch::refined(s_, without_far(mesh), levels, {});
+}
+
 // What is far by now left out, what adds most bisected, ends of elements at the ends of contact and stick.
 Level Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near) {
   sketch::Mesh mesh = coarse.mesh;
   mark_far(s_, coarse.trial, mesh);
-  double worst = 0;
-  for (const double p : distance.pressure) worst = std::max(worst, p);
-  if (worst > kStalls * worst_) rest_ /= 8;
+  double worst = 0, own = 0;
+  for (size_t z = 0; z < distance.pressure.size(); ++z)
+    if (distance.pressure[z] > worst) worst = distance.pressure[z], own = distance.own[z];
+  if (worst > kStalls * worst_ && own < kOwn * worst) rest_ /= 8;
   worst_ = worst;
   sketch::Levels levels = marks(distance, aim(), energy_aim());
   if (near) mark_places(s_, fine.trial, out_.loop.stated, mesh, levels);
@@ -287,6 +305,7 @@ void Loop::search() {
   Level coarse;
   Trial earlier; // on the fine mesh of the round before
   coarse.mesh = sketch::first_mesh(s_, kFirst);
+  int early = 0; // rounds whose history ended early
   for (int round = 0; round < kMostRounds; ++round) {
     coarse.trial = Trial();
     if (!solve_level(coarse, true)) return;
@@ -309,6 +328,11 @@ void Loop::search() {
     take(fine, "");
     if (is_cut_off(fine.trial, fine.mesh)) {
       coarse.mesh = without_far(coarse.mesh);
+      continue;
+    }
+    if (!history_.empty() && early++ < kEarlyRounds) {
+      coarse.mesh = with_finer_contacts(coarse.mesh);
+      if (!is_within_limits(coarse.mesh)) return;
       continue;
     }
     const bool near = is_near(between);

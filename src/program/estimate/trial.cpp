@@ -1,6 +1,7 @@
 #include "program/estimate/trial.hpp"
 
 #include "program/deck_file.hpp"
+#include "program/drawn_words.hpp"
 #include "program/interrupt.hpp"
 #include "program/progress.hpp"
 #include "program/workspace.hpp"
@@ -92,7 +93,7 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
 class History {
 public:
   History(c2d_solver* solver, const Demand& demand, Trial& out) : solver_(solver), demand_(demand), out_(out) {}
-  c2d_status describe(); // the model
+  c2d_status describe(const std::string& deck); // the model
   c2d_status follow();
 
 private:
@@ -138,7 +139,7 @@ c2d_status History::measure(int32_t body) {
   return status;
 }
 
-c2d_status History::describe() {
+c2d_status History::describe(const std::string& deck) {
   c2d_status status = app::get_summary(solver_, summary_);
   if (status != C2D_OK) return status;
   out_.nodes = summary_.function_nodes;
@@ -161,6 +162,7 @@ c2d_status History::describe() {
     out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
   }
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
+  if (demand_.drawn) app::mark_turned(deck, lines_);
   return status;
 }
 
@@ -184,6 +186,7 @@ c2d_status History::note_contact(State& state) {
   std::vector<c2d_zone_state> zones(static_cast<size_t>(summary_.zones), C2D_INIT(c2d_zone_state));
   for (int32_t z = 1; z <= summary_.zones && status == C2D_OK; ++z)
     status = c2d_get_zone_state(solver_, z, &zones[static_cast<size_t>(z) - 1]);
+  app::turn_forces(lines_, zones);
   if (status == C2D_OK)
     state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_);
   if (status == C2D_OK && state.turn) {
@@ -276,7 +279,7 @@ c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std:
   c2d_status status = solver.read(deck, demand, why);
   if (status != C2D_OK) return status;
   History history(solver.get(), demand, out);
-  status = history.describe();
+  status = history.describe(deck);
   if (status == C2D_OK) status = c2d_prepare(solver.get());
   if (status == C2D_OK) status = history.follow();
   if (status != C2D_OK) why = solver.words(status);

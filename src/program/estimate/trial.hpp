@@ -22,6 +22,7 @@ struct Place {
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
   std::vector<Place> points;
+  bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only where the loads turn and midway
   int32_t symmetry = 0, quadrature = 0, elimination = C2D_ELIMINATION_BY_SIZE; // as in c2d_options
 };

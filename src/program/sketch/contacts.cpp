@@ -304,7 +304,7 @@ size_t Cutter::side_of_pairs(const FacingPart& part) {
 Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
   Contact out;
   out.interface = part.interface;
-  out.ring = part.run.ring;
+  out.ring = part.run.ring, out.turned = pairs == 0;
   const std::vector<FacingPoints>& points = part.run.points;
   for (size_t k = 0; k < 2; ++k) {
     const size_t side = k == 1 ? pairs : 1 - pairs;

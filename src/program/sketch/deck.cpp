@@ -320,6 +320,7 @@ void Writer::zones() {
     for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
     if (zone.one.last < zone.one.first || zone.two.last < zone.two.first)
       text += " " + std::to_string(zone.one.count) + " " + std::to_string(zone.two.count);
+    if (zone.contact->turned) comment("zone " + told + ": side 2 is the first of its statement");
     if (!zone.matching) card(text);
     const std::string name =
         !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];

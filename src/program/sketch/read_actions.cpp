@@ -108,6 +108,22 @@ void Reader::load_case(Statement& s) {
   s_.cases.back().factors.assign(static_cast<size_t>(s_.pieces), 0); // of one behind the history
 }
 
+// Of forces and loads fx and fy; x and y are older words for them.
+size_t Reader::force_axis(Statement& s, const std::optional<double> value[2]) {
+  const size_t axis = s.is_next("x") || s.is_next("y") ? s.choice({"x", "y"}) : s.choice({"fx", "fy"});
+  if (value[axis]) s.fail(std::string(axis == 0 ? "fx" : "fy") + " is given twice");
+  return axis;
+}
+
+Point Reader::force_vector(Statement& s) {
+  std::optional<double> value[2];
+  do {
+    const size_t axis = force_axis(s, value);
+    value[axis] = s.number("its value");
+  } while (s.has_more());
+  return {value[0].value_or(0), value[1].value_or(0)};
+}
+
 void Reader::components(Statement& s, std::optional<double> value[2]) {
   do {
     const size_t axis = s.choice({"x", "y"});
@@ -137,9 +153,7 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   c.side = side(s, kind == Condition::kDisplacement ? &c.part : nullptr);
   if (kind == Condition::kDisplacement) components(s, c.value);
   while (kind == Condition::kTraction && (s.has_more() || (!c.value[0] && !c.value[1]))) {
-    const size_t axis = s.choice({"x", "y"});
-    if (c.value[axis]) s.fail(std::string(axis == 0 ? "x" : "y") + " is given twice");
-    field(s, c, axis, "its value");
+    field(s, c, force_axis(s, c.value), "its value");
   }
   s_.conditions.push_back(c);
 }
@@ -166,13 +180,7 @@ void Reader::force(Statement& s) {
   p.body = body_named(s.take("the name of a body"));
   if (!s.accept("at")) s.missing("at x y, and fx and fy");
   p.where = s.point("where it acts");
-  std::optional<double> value[2];
-  do { // x and y are older words for fx and fy
-    const size_t axis = s.choice({"fx", "fy", "x", "y"}) % 2;
-    if (value[axis]) s.fail(std::string(axis == 0 ? "fx" : "fy") + " is given twice");
-    value[axis] = s.number("its value");
-  } while (s.has_more());
-  p.force = {value[0].value_or(0), value[1].value_or(0)};
+  p.force = force_vector(s);
   s_.point_loads.push_back(p);
 }
 
@@ -190,9 +198,7 @@ BodyForce& Reader::body_force(Statement& s) {
 void Reader::weight(Statement& s) {
   BodyForce& f = body_force(s);
   if (f.weight.x != 0 || f.weight.y != 0) s.fail("the body has a weight in this load case already");
-  std::optional<double> value[2];
-  components(s, value);
-  f.weight = {value[0].value_or(0), value[1].value_or(0)};
+  f.weight = force_vector(s);
 }
 
 void Reader::spin(Statement& s) {

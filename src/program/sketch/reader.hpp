@@ -93,6 +93,8 @@ private:
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
   void components(Statement& s, std::optional<double> value[2]);
+  size_t force_axis(Statement& s, const std::optional<double> value[2]);
+  Point force_vector(Statement& s);
   void field(Statement& s, Condition& c, size_t axis, const std::string& what);
 
   // read_wants.cpp

@@ -68,6 +68,7 @@ struct Contact {
     double round = 0; // the length after which the outline begins again; 0 of an open one
   } side[2];
   bool ring = false;                      // all round both
+  bool turned = false;                    // side 1 is the first of the statement
   bool is_held[2] = {false, false};       // something prescribes displacements where side 1 begins, ends
   std::vector<std::array<double, 2>> map; // lengths that face each other, falling on side 0, rising on side 1
 };

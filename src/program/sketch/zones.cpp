@@ -101,20 +101,30 @@ Numbers Pairing::side(size_t k, int which) const {
   return in_a_row(all, numbers)[0];
 }
 
-// Lengths on side 0 between which it faces a row of elements of side 1.
+// The length on side 0 of what a length on side 1 faces.
+double opposite_on(const Contact& contact, double length) {
+  const auto above = std::find_if(contact.map.begin(), contact.map.end(), [&](const auto& p) { return p[1] >= length; });
+  if (above == contact.map.begin()) return contact.map.front()[0];
+  if (above == contact.map.end()) return contact.map.back()[0];
+  const std::array<double, 2>&p = *(above - 1), &q = *above;
+  return p[0] + (q[0] - p[0]) * (length - p[1]) / (q[1] - p[1]);
+}
+
+// Lengths on side 0 between which it faces a row of elements of side 1; of a ring they go on beyond its end.
 std::array<double, 2> Pairing::faced(size_t k, const Numbers& row) const {
   const Contact& contact = s_.contacts[k];
   const Contact::Strip& strip = contact.side[1];
-  const auto opposite = [&](double length) {
-    if (length < strip.from - kSame * (strip.to - strip.from)) length += strip.round; // round the begin of the outline
-    const auto above = std::find_if(contact.map.begin(), contact.map.end(), [&](const auto& p) { return p[1] >= length; });
-    if (above == contact.map.begin()) return contact.map.front()[0];
-    if (above == contact.map.end()) return contact.map.back()[0];
-    const std::array<double, 2>&p = *(above - 1), &q = *above;
-    return p[0] + (q[0] - p[0]) * (length - p[1]) / (q[1] - p[1]);
+  const auto turns = [&](double length) {
+    return strip.round > 0 ? std::floor((length - strip.from) / strip.round + kSame) : 0.0;
   };
-  const Elements& all = body(k, 1);
-  return {opposite(all[static_cast<size_t>(row.back())].end), opposite(all[static_cast<size_t>(row.front())].begin)};
+  const auto opposite = [&](double length) {
+    if (contact.ring && turns(length) > 0) return opposite_on(contact, length - strip.round) - contact.side[0].round;
+    return opposite_on(contact, length);
+  };
+  double begin = body(k, 1)[static_cast<size_t>(row.front())].begin, end = begin;
+  for (const int e : row) end += body(k, 1)[static_cast<size_t>(e)].end - body(k, 1)[static_cast<size_t>(e)].begin;
+  const double shift = strip.round * turns(begin);
+  return {opposite(end - shift), opposite(begin - shift)};
 }
 
 // What is far of side 1 is left out, unless all of it is, and of side 0 what lies opposite, but for a margin: its mean
@@ -136,7 +146,7 @@ void Pairing::add_pairs(size_t k) {
     for (size_t r = 0; r < rows.size(); ++r) {
       const std::array<double, 2> range = faced(k, rows[r]);
       const double margin = kBeside * (range[1] - range[0]);
-      for (const double round : {-1.0, 0.0, 1.0}) {
+      for (const double round : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
         const double shift = round * contact.side[0].round;
         const double common = std::min(own.end + shift, range[1] + margin) - std::max(own.begin + shift, range[0] - margin);
         if (common > most) most = common, best = r;
