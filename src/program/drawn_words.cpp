@@ -13,7 +13,7 @@ constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CO
                                   C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
 
 struct Phrase {
-  const char *of_mesh, *of_drawing;
+  const char *of_mesh, *of_drawing; // `#` stands for a number
 };
 constexpr Phrase kPhrases[] = {
     {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone",
@@ -25,11 +25,35 @@ constexpr Phrase kPhrases[] = {
     {"the friction of all pairs that hold ", "the friction of all that holds "},
     {"the place that moves the pairs least", "the place that moves the surfaces least"},
     {"order of pairs", "order of places"},
-    {"refine at edges and corners of the contact where pairs slip", "ask for dissipation, or a smaller tolerance"}};
+    {"refine at edges and corners of the contact where pairs slip", "ask for dissipation, or a smaller tolerance"},
+    {"; last pair #", ""},
+    {" at pair #, the loads close", ", the loads close"},
+    {" away from element #, less than its length #, and loses force", " away from the boundary, so near that it loses force"},
+    {"the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions hold at nodes "
+     "only; refine, or use linear functions",
+     "the pressure falls below -1 % of the highest in places: ask for a smaller tolerance, or take linear functions"},
+    {"overlaps smaller than what the elements leave open of the surfaces, pairs: #, most at",
+     "overlaps smaller than what the mesh leaves open of the surfaces, most at"},
+    {"and grow as elements get shorter; trust them from a few elements away", "and have no bound; trust them some way off"},
+    {", supports too close together, or elements of very unlike size", " or supports too close together"},
+    {"or *INTERFERENCE", "or interference"}};
 
-void replace(std::string& text, const std::string& what, const std::string& with) {
-  for (size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
-    text.replace(at, what.size(), with);
+// How much of a text a phrase takes from a place on; 0: it does not stand there.
+size_t length_of(const char* phrase, const std::string& text, size_t at) {
+  const size_t begin = at;
+  for (char c = *phrase; c != 0; c = *++phrase) {
+    if (c != '#' && (at >= text.size() || text[at] != c)) return 0;
+    if (c != '#')
+      ++at;
+    else
+      at = std::min(text.find_first_not_of("0123456789.e+-", at), text.size());
+  }
+  return at - begin;
+}
+
+void replace(std::string& text, const Phrase& phrase) {
+  for (size_t at = 0; at < text.size(); ++at)
+    if (const size_t length = length_of(phrase.of_mesh, text, at); length > 0) text.replace(at, length, phrase.of_drawing);
 }
 
 bool accept(const std::string& text, size_t& at, const std::string& word) {
@@ -123,9 +147,7 @@ std::string in_words_of_drawing(const std::string& text, const std::string& deck
     else
       out += text[at++];
   }
-  if (const size_t last = out.find("; last pair "); last != std::string::npos)
-    out.erase(last, out.find_first_not_of("0123456789", last + std::string("; last pair ").size()) - last);
-  for (const Phrase& phrase : kPhrases) replace(out, phrase.of_mesh, phrase.of_drawing);
+  for (const Phrase& phrase : kPhrases) replace(out, phrase);
   if (const size_t coarse = out.find("coarse contact: "); coarse != std::string::npos)
     out.replace(
         coarse, std::string::npos,

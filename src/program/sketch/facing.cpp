@@ -209,7 +209,7 @@ std::vector<FacingRun> Search::runs() {
   return out;
 }
 
-// (8.3), of a run. Its second side is run through backwards.
+// METHOD 8.3, of a run. Its second side is run through backwards.
 double part_of_normal(const FacingRun& run) {
   double curvature[2];
   for (size_t side = 0; side < 2; ++side) {

@@ -24,6 +24,7 @@ constexpr double kLargest = 0.1;     // the size, of the outline's
 constexpr double kTouching = 2e-3;   // the least size by gaps, of the shorter side's length
 constexpr double kAlongSide = 0.025; // the same, of the length that lies on the other side already
 constexpr double kTied = 0.08;       // the size along a bond, of its length
+constexpr double kOfLoad = 0.2;      // the size beside a force at a point, of its distance
 constexpr int kSamplesOfSide = 160;  // of sizes, on a curve
 
 // Sizes wanted along a curve, at equal steps of its length.
@@ -41,6 +42,7 @@ public:
 private:
   void sample(const MeshedOutline& outline);
   void thin_walls(size_t body);
+  void point_loads(size_t body);
   void gaps(size_t contact);
   void spread(const MeshedOutline& outline, size_t first);
   void divide(MeshedCurve& curve, const Sizes& sizes) const;
@@ -132,6 +134,18 @@ void Mesher::thin_walls(size_t body) {
   }
 }
 
+// A force inside is followed by what the boundary bears of it.
+void Mesher::point_loads(size_t body) {
+  size_t curve = 0;
+  for (size_t b = 0; b < body; ++b)
+    for (const MeshedOutline& outline : mesh_.bodies[b]) curve += outline.curves.size();
+  for (const MeshedOutline& outline : mesh_.bodies[body])
+    for (size_t i = 0; i < outline.curves.size(); ++i, ++curve)
+      for (const PointLoad& load : s_.point_loads)
+        for (size_t k = 0; k < sizes_[curve].at.size() && load.body == static_cast<int>(body); ++k)
+          sizes_[curve].h[k] = std::min(sizes_[curve].h[k], kOfLoad * length(load.where - sizes_[curve].at[k]));
+}
+
 // Where surfaces that may touch are near, elements are small beside the way along which the gap opens.
 void Mesher::gaps(size_t contact) {
   const bool tied = s_.interfaces[s_.contacts[contact].interface].tied;
@@ -217,7 +231,7 @@ Mesh Mesher::run() {
   }
   for (const auto& outlines : mesh_.bodies)
     for (const MeshedOutline& outline : outlines) sample(outline);
-  for (size_t b = 0; b < mesh_.bodies.size(); ++b) thin_walls(b);
+  for (size_t b = 0; b < mesh_.bodies.size(); ++b) thin_walls(b), point_loads(b);
   const auto spread_all = [&] {
     size_t first = 0;
     for (const auto& outlines : mesh_.bodies)
