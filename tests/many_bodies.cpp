@@ -356,12 +356,12 @@ uint64_t bytes_of_tapes(const c2d_limits& limits, uint64_t workspace) {
 }
 } // namespace
 
-void Machine::create(c2d_limits& limits) {
+void Machine::create(c2d_limits& limits, uint64_t bytes) {
   uint64_t minimum = 0, in_core = 0;
   c2d_error why = C2D_INIT(c2d_error);
   status = c2d_memory_need(&limits, &minimum, &in_core, &why);
   if (status != C2D_OK) return told.push_back(why);
-  memory_.resize(std::max(minimum, in_core));
+  memory_.resize(bytes == 0 ? std::max(minimum, in_core) : std::max(minimum, bytes));
   uint64_t tapes = 4 * in_core + (8u << 20);
   if (limits.touching > 0) tapes = bytes_of_tapes(limits, memory_.size());
   region_.resize(tapes);
@@ -377,7 +377,7 @@ void Machine::create(c2d_limits& limits) {
 Machine::Machine(const Model& m, int32_t keep_factors, int32_t stepping) {
   std::vector<c2d_body_limits> list;
   c2d_limits limits = limits_of(m, list);
-  create(limits);
+  create(limits, m.bytes);
   if (status != C2D_OK) return;
   c2d_options options = C2D_INIT(c2d_options);
   options.keep_factors = keep_factors;

@@ -27,7 +27,7 @@ c2d_status write_unfinished(const ContactTape& tape, Real* basis);
 // May the model have the open form? Supports hold every body that does not keep its equations, and nothing is tied.
 inline bool has_open_form(const Model& m) {
   return !kSmallCode && has_basis(m.head->contact) && m.head->border == 0 && m.head->motions <= kMostHeld &&
-         m.head->path_unknowns == m.head->contact;
+         m.head->path_unknowns == m.head->contact && further_unknowns(m) == 0;
 }
 // How much farther a slot gives way to a traction of its own than what its neighbours in the zone make of a straight line, in a
 // column of A: what the surface does there, without what shifts, turns or bends it. At the ends of the zone only what shifts it

@@ -90,28 +90,12 @@ c2d_status factor_held(BodyEquations& e) {
   return lu_panel({r.engine, n, held, n, r.first, n, r.pivots, r.strip, &stats}) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
-// |z|, U^T z = f, with f = +-1 so that z grows: how much larger round-off of S_u, whose entries are of size one, is in the
-// displacements of a body that is held as above, METHOD 10.2.
-double growth_of(const BodyEquations& e) {
-  Real* const z = e.strip(0);
-  double sum = 0.0;
-  for (int32_t j = 0; j < e.held(); ++j) {
-    const Real* const column = e.r.first + static_cast<int64_t>(j) * e.n;
-    const double above = static_cast<double>(product(column, z, j)), f = above > 0.0 ? -1.0 : 1.0;
-    z[j] = static_cast<Real>((f - above) / static_cast<double>(column[j]));
-    sum += static_cast<double>(z[j]) * static_cast<double>(z[j]);
-  }
-  return sqrt(sum);
-}
-
-// Of a body that is solved for beside one that keeps its equations, if only contact holds it.
+// Of a body that is solved for beside one that keeps its equations, if only contact holds it. Pressures lose up to 100 times as
+// much as its displacements, with linear functions no more.
 void note_growth(const BodyEquations& e) {
-  RoundOff* const noted = e.r.round_off;
-  if (kSmallCode || !noted || e.r.open || e.count == 0) return;
-  const double growth = growth_of(e);
-  if (growth <= noted->growth) return;
-  noted->growth = growth;
-  noted->body = e.b;
+  if (kSmallCode || !e.r.round_off || e.r.open || e.count == 0) return;
+  const double more = e.r.model.head->function_nodes > 2 ? 100.0 : 1.0;
+  e.r.round_off->note(more * growth_of(e.r.first, e.n, e.held(), e.held(), e.strip(0)), e.b);
 }
 
 // Behind the eliminated unknowns of a column come what is left of the equations; the holders' own places are among the others.
@@ -255,10 +239,21 @@ BodyEquations equations_of(const Reduction& r, int b) {
 
 } // namespace
 
+double growth_of(const Real* upper, int64_t ld, int32_t n, int32_t counted, Real* z) {
+  double sum = 0.0;
+  for (int32_t j = 0; j < n; ++j) {
+    const Real* const column = upper + j * ld;
+    const double above = static_cast<double>(product(column, z, j)), f = j >= counted ? 0.0 : above > 0.0 ? -1.0 : 1.0;
+    z[j] = static_cast<Real>((f - above) / static_cast<double>(column[j]));
+    sum += static_cast<double>(z[j]) * static_cast<double>(z[j]);
+  }
+  return sqrt(sum);
+}
+
 c2d_status find_compliance(const Reduction& r, int b) {
   if (is_rigid(r.model, b)) return kRigidPart.reduce_rigid(r, b);
   BodyEquations e = equations_of(r, b);
-  if (keeps_equations(r, b)) return find_kept(e);
+  if (keeps_equations(r, b) || has_displacements(r.model, b)) return find_kept(e);
   c2d_status status = factor_held(e);
   if (status == C2D_OK) note_growth(e);
   if (status == C2D_OK) status = find_motions(e);
@@ -272,7 +267,7 @@ c2d_status find_compliance(const Reduction& r, int b) {
 c2d_status find_load_response(const Reduction& r, int b) {
   if (is_rigid(r.model, b)) return kRigidPart.reduce_rigid(r, b);
   BodyEquations e = equations_of(r, b);
-  if (keeps_equations(r, b)) return balance_loads(e);
+  if (keeps_equations(r, b) || has_displacements(r.model, b)) return balance_loads(e);
   const c2d_status status = factor_held(e);
   return status == C2D_OK ? solve_loads(e) : status;
 }

@@ -33,7 +33,7 @@ bool next_pair_of(const Model& m, int b, PairSide& at) {
 }
 
 bool has_kept(const Model& m, int32_t zone) {
-  return m.body[m.zone[zone].body[0]].keeps_equations != 0 || m.body[m.zone[zone].body[1]].keeps_equations != 0;
+  return keeps_equations(m, m.zone[zone].body[0]) || keeps_equations(m, m.zone[zone].body[1]);
 }
 
 } // namespace c2d

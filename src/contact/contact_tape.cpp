@@ -16,8 +16,8 @@ struct Place {
 
 // What of a body's matrices is needed: on demand neither its equations nor F.
 enum class Needs { equations, flexibility_too, none };
-// Of a body with n unknowns, from its own first block on.
-Place place_of(BodyMatrix matrix, int64_t n, Needs needs, int64_t cases) {
+// Of a body with n unknowns, from its own first block on; `long_rows`: of F, which is X where the displacements are unknowns.
+Place place_of(BodyMatrix matrix, int64_t n, int64_t long_rows, Needs needs, int64_t cases) {
   Place at = {0, 0, n};
   for (int32_t i = 0; i <= static_cast<int32_t>(matrix); ++i) {
     at.first += at.columns;
@@ -32,6 +32,7 @@ Place place_of(BodyMatrix matrix, int64_t n, Needs needs, int64_t cases) {
     }
   }
   if (matrix == BodyMatrix::given) at.rows = kMostMotions;
+  if (matrix == BodyMatrix::flexibility) at.rows = long_rows;
   return at;
 }
 
@@ -59,7 +60,7 @@ Place place_of(ContactMatrix matrix, int64_t m, int64_t columns, int64_t motions
 
 Needs needs_of(const Model& m, int b) {
   if (is_on_demand(m)) return Needs::none;
-  return m.body[b].keeps_equations == 0 || has_open_form(m) ? Needs::flexibility_too : Needs::equations;
+  return !keeps_equations(m, b) || has_open_form(m) ? Needs::flexibility_too : Needs::equations;
 }
 
 Place place_of(const ContactTape& tape, ContactMatrix matrix) {
@@ -68,7 +69,8 @@ Place place_of(const ContactTape& tape, ContactMatrix matrix) {
 }
 Place place_of(const ContactTape& tape, int b, BodyMatrix matrix) {
   const Body& body = tape.model->body[b];
-  Place at = place_of(matrix, body.contact, needs_of(*tape.model, b), tape.model->head->load_cases);
+  const int32_t rows = has_displacements(*tape.model, b) ? tape.model->head->contact : body.contact;
+  Place at = place_of(matrix, body.contact, rows, needs_of(*tape.model, b), tape.model->head->load_cases);
   at.first += body.first_block;
   return at;
 }
@@ -112,7 +114,7 @@ int64_t place_contact_blocks(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b) {
     m.body[b].first_block = block;
     if (m.body[b].contact > 0)
-      block += place_of(BodyMatrix::count, m.body[b].contact, needs_of(m, b), m.head->load_cases).first;
+      block += place_of(BodyMatrix::count, m.body[b].contact, 0, needs_of(m, b), m.head->load_cases).first;
   }
   return m.head->contact > 0 ? block : 0;
 }

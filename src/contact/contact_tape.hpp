@@ -13,10 +13,11 @@ enum class BodyMatrix : int32_t {
   displacement, // S_u
   traction,     // S_t
   load,         // s: per load case
-  flexibility,  // F, of bodies that are solved for
-  response,     // v of those, and of rigid ones: per load case
-  given,        // g: per load case, a number for each motion of the body
-  motions,      // R, G and E: kMostMotions columns each
+  flexibility, // F, of bodies that are solved for; where displacements are unknowns, z = X w' + sum_k lambda_k x_k, a row of X,
+               // m numbers of the model, in each column
+  response,    // v of those, and of rigid ones, or x: per load case
+  given,       // g: per load case, a number for each motion of the body
+  motions,     // R, G and E: kMostMotions columns each
   resultants,
   equilibrium,
   count

@@ -13,22 +13,31 @@ namespace c2d {
 
 namespace {
 
-// The system [A C; G^T 0] for tau and x, in r.first.
+// The system [A C; G^T 0] for tau and x, in r.first. x: motions of the bodies, and behind them what a body where displacements
+// are unknowns has beyond them, u = z + R x. Its rows are S_t t - S_u z = 0, and R^T z = 0 in the place of G^T t = 0, which the
+// former say.
 struct Bordered {
   const Reduction& r;
-  int32_t m, border;
+  int32_t m, motions, border;
   int64_t n() const { return int64_t{m} + border; }
   int32_t rows() const { return m + border; }
+  int32_t first_displacement(int b) const { return m + motions + further_unknowns(r.model, b); } // of such a body
   Real* column(int64_t j) const { return r.first + j * n(); }
   int64_t strip_length() const { return r.strip_length; }
   Real* strip(int32_t j) const { return r.strip + j * strip_length(); }
 };
-Bordered bordered(const Reduction& r) { return Bordered{r, contact_unknowns(r.tape), border_motions(r.tape)}; }
+Bordered bordered(const Reduction& r) {
+  const int32_t motions = border_motions(r.tape);
+  return Bordered{r, contact_unknowns(r.tape), motions, motions + further_unknowns(r.model)};
+}
 
 // Solved for, or rigid: its displacements are F t + R x, or R x.
 bool gives_way(const Reduction& r, int b) { return r.model.body[b].contact > 0 && !keeps_equations(r, b); }
+bool is_unknown(const Reduction& r, int b) { return has_displacements(r.model, b); }
 bool keeps_in_zone(const Reduction& r, int32_t zone) { return (kSmallCode || !r.open) && has_kept(r.model, zone); }
-int32_t flexible_columns(const Reduction& r, int b) { return is_rigid(r.model, b) ? 0 : r.model.body[b].contact; }
+int32_t flexible_columns(const Reduction& r, int b) {
+  return is_rigid(r.model, b) || is_unknown(r, b) ? 0 : r.model.body[b].contact;
+}
 
 // visit(b) for those bodies until it fails.
 template <class Visit> c2d_status for_bodies(const Reduction& r, bool (*which)(const Reduction&, int), Visit visit) {
@@ -177,12 +186,12 @@ c2d_status add_equations(const Bordered& s, int b) {
   });
 }
 
-// C, orthonormal, to the tape.
+// C of the motions, orthonormal, to the tape.
 c2d_status keep_border(const Bordered& s) {
   Real* c = s.r.second;
-  for (int32_t k = 0; k < s.border; ++k)
+  for (int32_t k = 0; k < s.motions; ++k)
     for (int32_t i = 0; i < s.m; ++i) c[static_cast<int64_t>(k) * s.m + i] = s.column(s.m + k)[i];
-  if (!orthonormalise(s.r.engine, s.m, s.border, c, 0, nullptr, c + static_cast<int64_t>(s.border) * s.m))
+  if (!orthonormalise(s.r.engine, s.m, s.motions, c, 0, nullptr, c + static_cast<int64_t>(s.motions) * s.m))
     return C2D_ERR_SINGULAR;
   return write_matrix(s.r.tape, ContactMatrix::border, c, s.m);
 }
@@ -221,7 +230,7 @@ c2d_status close_equations(const Bordered& s, int b, int32_t k, Real* h) {
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < n; ++i) v[i] = 0;
   for (int other = 0; other < r.model.head->bodies && status == C2D_OK; ++other) {
-    if (!meets(r.model, b, other)) continue;
+    if (!meets(r.model, b, other) || is_unknown(r, other)) continue;
     status = read_column(r.tape, other, BodyMatrix::response, k, column);
     take_over(r, b, other, column, v);
   }
@@ -248,7 +257,7 @@ c2d_status close_pairs(const Bordered& s, int32_t k, Real* h) {
   c2d_status status = C2D_OK;
   double terms = 0.0;
   for (int b = 0; b < r.model.head->bodies && status == C2D_OK; ++b) {
-    if (!gives_way(r, b)) continue;
+    if (!gives_way(r, b) || is_unknown(r, b)) continue;
     status = read_column(r.tape, b, BodyMatrix::response, k, s.strip(1));
     add_to_pairs(r, b, s.strip(1), 1.0, h);
     if (!kSmallCode && r.open) terms = fmax(terms, largest_of(s.strip(1), r.model.body[b].contact));
@@ -296,13 +305,58 @@ template <class To> c2d_status add_motions(const Bordered& s, Real factor, To to
   });
 }
 
+// ---- bodies whose displacements are unknowns ---------------------------------------------------------------------------
+
+// What one of them makes of the pairs' own rows and of the equations that other bodies keep.
+c2d_status add_displacements(const Bordered& s, int b) {
+  const Reduction& r = s.r;
+  const int32_t first = s.first_displacement(b);
+  c2d_status status = C2D_OK;
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count; ++i) {
+      Real* const column = s.column(first + range.own + i);
+      if (keeps_equations(r, range.other)) {
+        if (status == C2D_OK) status = read_column(r.tape, range.other, BodyMatrix::displacement, range.other_own + i, r.strip);
+        if (status == C2D_OK) add_in_place(r, range.other, r.strip, -1.0, column);
+      } else {
+        column[range.all + i] += static_cast<Real>(range.sign());
+      }
+    }
+  });
+  return status;
+}
+
+// Its equations.
+c2d_status add_own_equations(const Bordered& s, int b) {
+  const Reduction& r = s.r;
+  const int32_t first = s.first_displacement(b), n = r.model.body[b].contact;
+  c2d_status status = C2D_OK;
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+      const int32_t own = range.own + j;
+      status = read_column(r.tape, b, BodyMatrix::displacement, own, r.strip);
+      Real* at = s.column(first + own) + first;
+      for (int32_t i = 0; i < n; ++i) at[i] -= r.strip[i];
+      if (slides(r, range.all + j) || status != C2D_OK) continue;
+      status = read_column(r.tape, b, BodyMatrix::traction, own, r.strip);
+      at = s.column(range.all + j) + first;
+      for (int32_t i = 0; i < n; ++i) at[i] += signed_on(range.side, r.strip[i]);
+    }
+  });
+  for (int32_t k = 0; k < r.model.body[b].free_motions && status == C2D_OK; ++k) {
+    status = read_column(r.tape, b, BodyMatrix::motions, k, r.strip);
+    for (int32_t i = 0; i < n; ++i) s.column(first + i)[s.m + r.model.body[b].first_border + k] = r.strip[i];
+  }
+  return status;
+}
+
 // G^T below A, of the bodies whose motions are x, and the factors of all. Columns of q make room for those of w_t.
 c2d_status factor_bordered(const Reduction& r) {
   const Bordered s = bordered(r);
   c2d_status status = for_bodies(r, gives_way, [&](int b) {
     const Body& body = r.model.body[b];
     c2d_status done = C2D_OK;
-    for (int32_t k = 0; k < body.free_motions && done == C2D_OK; ++k) {
+    for (int32_t k = 0; k < body.free_motions && !is_unknown(r, b) && done == C2D_OK; ++k) {
       const int64_t row = s.m + body.first_border + k;
       done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
       for_ranges(r.model, b, [&](const UnknownRange& range) {
@@ -314,8 +368,17 @@ c2d_status factor_bordered(const Reduction& r) {
   });
   if (!kSmallCode && r.sliding && status == C2D_OK)
     status = add_motions(s, Real(-1), [&](int32_t dof) { return slides(r, dof) ? s.column(dof) : nullptr; });
+  if (status == C2D_OK)
+    status = for_bodies(r, is_unknown, [&](int b) {
+      const c2d_status done = add_displacements(s, b);
+      return done == C2D_OK ? add_own_equations(s, b) : done;
+    });
   if (status != C2D_OK) return status;
-  return lu_factor(r.engine, s.rows(), r.first, s.n(), r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
+  if (lu_factor(r.engine, s.rows(), r.first, s.n(), r.pivots, r.strip, nullptr) != 0) return C2D_ERR_SINGULAR;
+  int b = 0;
+  while (b < r.model.head->bodies && !is_unknown(r, b)) ++b;
+  if (b < r.model.head->bodies && r.round_off) r.round_off->note(growth_of(r.first, s.n(), s.rows(), s.m, r.strip), b);
+  return C2D_OK;
 }
 
 // For new loads: A and C from the tape.
@@ -325,14 +388,17 @@ c2d_status read_compliance(const Reduction& r) {
   return read_matrix(r.tape, ContactMatrix::compliance, r.first, s.n());
 }
 
-// g of the motions that are unknowns.
+// g of the motions that are unknowns, and s of the bodies whose displacements are.
 c2d_status read_given(const Bordered& s, int32_t k, Real* out) {
-  return for_bodies(s.r, gives_way, [&](int b) {
+  const c2d_status read = for_bodies(s.r, is_unknown, [&](int b) {
+    return read_column(s.r.tape, b, BodyMatrix::load, k, out + s.first_displacement(b) - s.m);
+  });
+  return read != C2D_OK ? read : for_bodies(s.r, gives_way, [&](int b) {
     const Body& body = s.r.model.body[b];
     Real g[kMostMotions];
     if (body.free_motions == 0) return c2d_status{C2D_OK};
     const c2d_status status = read_column(s.r.tape, b, BodyMatrix::given, k, g);
-    for (int32_t j = 0; j < body.free_motions; ++j) out[body.first_border + j] = g[j];
+    for (int32_t j = 0; j < body.free_motions; ++j) out[body.first_border + j] = is_unknown(s.r, b) ? Real(0) : g[j];
     return status;
   });
 }
@@ -347,8 +413,23 @@ bool all_zero(const Real* x, int32_t n) {
 c2d_status only_moves(const Bordered& s, const Real* h, bool* out) {
   Real* rest = s.strip(2);
   for (int32_t i = 0; i < s.m; ++i) rest[i] = h[i];
-  const c2d_status status = take_out(s.r.tape, ContactMatrix::border, s.border, nullptr, rest, s.strip(3));
+  const c2d_status status = take_out(s.r.tape, ContactMatrix::border, s.motions, nullptr, rest, s.strip(3));
   *out = largest_of(rest, s.m) <= kNothing * largest_of(h, s.m);
+  return status;
+}
+
+// The same where slender bodies bend too easily for that to show in h: is what the tractions make of the equations nothing
+// against h?
+c2d_status only_bends(const Bordered& s, int32_t k, const Real* tau, bool* out) {
+  Real* const column = s.strip(3);
+  double most = 0.0;
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < s.m && status == C2D_OK; ++j) {
+    status = read_column(s.r.tape, ContactMatrix::compliance, j, column);
+    most = fmax(most, largest_of(column, s.m));
+  }
+  if (status == C2D_OK) status = read_column(s.r.tape, ContactMatrix::closing, k, column);
+  *out = most * largest_of(tau, s.m) <= kNothing * largest_of(column, s.m);
   return status;
 }
 
@@ -364,11 +445,17 @@ c2d_status form_rates(const Reduction& r) {
     if (status == C2D_OK) status = only_moves(s, b, &moves);
     if (status == C2D_OK) status = read_given(s, k, b + s.m);
     if (status != C2D_OK) break;
+    const bool unloaded = all_zero(given, free_motions(r.tape)) && all_zero(b + s.m, s.border);
     moves = moves && all_zero(given, free_motions(r.tape));
     for (int32_t i = 0; i < s.rows(); ++i) b[i] = -b[i];
     lu_solve(r.engine, s.rows(), 1, r.first, s.n(), r.pivots, b, s.n());
+    if (unloaded && s.border > s.motions) status = only_bends(s, k, b, &moves);
     for (int32_t i = 0; i < s.m && moves; ++i) b[i] = 0;
-    if (s.border > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
+    if (s.motions > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
+    if (status == C2D_OK)
+      status = for_bodies(r, is_unknown, [&](int body) {
+        return write_column(r.tape, body, BodyMatrix::response, k, b + s.first_displacement(body));
+      });
     if (status == C2D_OK) status = balance_rate(r, given);
     if (status == C2D_OK) status = write_column(r.tape, ContactMatrix::stiffness_load, k, b);
   }
@@ -389,17 +476,27 @@ c2d_status form_right_sides(const Bordered& s) {
   return add_motions(s, Real(1), [&](int32_t dof) { return solved_column(s, dof); });
 }
 
-// Rows of X, which stand below T, to the tape.
-c2d_status write_motions(const Bordered& s) {
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < s.border && status == C2D_OK; ++k) {
-    for (int32_t j = 0; j < s.m; ++j) {
-      const Real* const column = solved_column(s, j);
-      s.r.strip[j] = column ? column[s.m + k] : Real(0);
-    }
-    status = write_column(s.r.tape, ContactMatrix::motion, k, s.r.strip);
+// A row of X, which stands below T, to the strip.
+const Real* row_of_motion(const Bordered& s, int64_t row) {
+  for (int32_t j = 0; j < s.m; ++j) {
+    const Real* const column = solved_column(s, j);
+    s.r.strip[j] = column ? column[row] : Real(0);
   }
-  return status;
+  return s.r.strip;
+}
+
+// X to the tape.
+c2d_status write_motions(const Bordered& s) {
+  const Reduction& r = s.r;
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < s.motions && status == C2D_OK; ++k)
+    status = write_column(r.tape, ContactMatrix::motion, k, row_of_motion(s, s.m + k));
+  return status != C2D_OK ? status : for_bodies(r, is_unknown, [&](int b) {
+    c2d_status done = C2D_OK;
+    for (int32_t i = 0; i < r.model.body[b].contact && done == C2D_OK; ++i)
+      done = write_column(r.tape, b, BodyMatrix::flexibility, i, row_of_motion(s, s.first_displacement(b) + i));
+    return done;
+  });
 }
 
 c2d_status write_stiffness(const Bordered& s) {

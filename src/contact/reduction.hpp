@@ -3,6 +3,8 @@
 // on side 1 of every pair and w' = u_1 - u_0 = w - (gap, 0):
 //   bodies that keep their equations   S_u u = S_t t + sum_k lambda_k s_k,
 //   the others                         u = F t + sum_k lambda_k v_k + R x,   0 = G^T t + sum_k lambda_k g_k,
+//   or, of slender ones that float,    u = z + R x, z a part of x,           0 = S_t t - S_u z + sum_k lambda_k s_k,  R^T z =
+//   0,
 // the latter put into the former (contact/reduction_plan.hpp), and into w' of pairs between two of them, make
 //   A tau + C x = B w' - sum_k lambda_k h_k,   0 = G^T tau + sum_k lambda_k g_k,
 // x the motions of bodies that supports do not hold. Row i is the i-th equation of a body that keeps them, in the place of its
@@ -19,20 +21,26 @@
 
 namespace c2d {
 
-// The body whose contact displacements lose most digits when it is solved for, and by how much round-off grows there.
+// By how much round-off grows in the pressures, at most, where slender bodies are reduced (METHOD 10.2), and a body there.
 struct RoundOff {
   double growth = 0.0;
-  int body = -1; // none is solved for
+  int body = -1; // there is none
+
+  void note(double found, int b) {
+    if (found <= growth) return;
+    growth = found;
+    body = b;
+  }
 };
 
 struct Reduction {
   ContactTape tape;
   Model model;
-  Real* first;          // (m + motions)^2; motions are never fewer than those of x
-  Real* second;         // (m + motions) * m
+  Real* first;          // (m + border)^2, border the motions, never fewer than those of x, and displacements that are unknowns
+  Real* second;         // (m + border) * m
   Real* strip;          // strip_length * kStripColumns
-  int32_t* pivots;      // m + motions
-  int64_t strip_length; // of a column of the strip: all contact unknowns of the model or of a body, and motions
+  int32_t* pivots;      // m + border
+  int64_t strip_length; // of a column of the strip: all contact unknowns of the model or of a body, and border
   void* watch_context;
   c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
   Engine engine;                     // of the dense kernels
@@ -55,9 +63,7 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t lo
 c2d_status reduce_rigid(const Reduction& r, int b);
 
 // Does the body keep its equations in this form?
-inline bool keeps_equations(const Reduction& r, int b) {
-  return r.model.body[b].keeps_equations != 0 && (kSmallCode || !r.open);
-}
+inline bool keeps_equations(const Reduction& r, int b) { return keeps_equations(r.model, b) && (kSmallCode || !r.open); }
 
 // Reads the matrices of the bodies, writes the others. Pairs whose normals do not hold the bodies, or hardly, stick, `sliding`
 // or not; `open` where the model may have it and no body bends too much. C2D_ERR_SINGULAR if a pivot is unusable.

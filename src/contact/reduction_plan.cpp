@@ -8,12 +8,14 @@ namespace {
 
 constexpr int32_t kUndecided = -1;
 constexpr int32_t kFarMore = 4, kMostSlender = 100000000;
+// More slender ones that float lose digits when they are solved for: with linear functions a hundred times fewer.
+constexpr int32_t kSlender = 30, kSlenderLinear = 1000;
 
 // A body that meets itself is as good as one that meets another.
 bool meets_kept(const Model& m, int b) {
   for (int32_t i = 0; i < m.head->zones; ++i)
     for (int side = 0; side < 2; ++side)
-      if (m.zone[i].body[side] == b && (m.zone[i].body[1 - side] == b || m.body[m.zone[i].body[1 - side]].keeps_equations == 1))
+      if (m.zone[i].body[side] == b && (m.zone[i].body[1 - side] == b || keeps_equations(m, m.zone[i].body[1 - side])))
         return true;
   return false;
 }
@@ -39,6 +41,12 @@ bool goes_before(const Model& m, int a, int b) {
   return shear_modulus(m, a) < shear_modulus(m, b);
 }
 
+// Would digits be lost if it were solved for? first_border is its slenderness.
+bool bends_much(const Model& m, int b) {
+  return !kSmallCode && m.body[b].free_motions > 0 &&
+         m.body[b].first_border > (m.head->function_nodes > 2 ? kSlender : kSlenderLinear);
+}
+
 // The body to decide on next; -1: all are.
 int next_body(const Model& m) {
   int best = -1;
@@ -51,14 +59,15 @@ int next_body(const Model& m) {
 
 void plan_reduction(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b)
-    m.body[b].keeps_equations = m.body[b].contact == 0 || is_rigid(m, b) ? 0 : kUndecided;
+    m.body[b].keeps_equations = m.body[b].contact == 0 || is_rigid(m, b) ? kSolvedFor : kUndecided;
   for (int b = 0; !kSmallCode && b < m.head->bodies; ++b) // stands there until the plan is made
     if (m.body[b].keeps_equations == kUndecided) m.body[b].first_border = slenderness(m, b);
-  for (int b = next_body(m); b >= 0; b = next_body(m)) m.body[b].keeps_equations = meets_kept(m, b) ? 0 : 1;
+  for (int b = next_body(m); b >= 0; b = next_body(m))
+    m.body[b].keeps_equations = !meets_kept(m, b) ? kKept : bends_much(m, b) ? kDisplacements : kSolvedFor;
   m.head->border = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
     m.body[b].first_border = m.head->border;
-    if (m.body[b].contact > 0 && m.body[b].keeps_equations == 0) m.head->border += m.body[b].free_motions;
+    if (m.body[b].contact > 0 && !keeps_equations(m, b)) m.head->border += m.body[b].free_motions;
   }
 }
 

@@ -142,6 +142,13 @@ C2D_AS_LISTED(RigidMotion);
 C2D_AS_LISTED(PointSet);
 C2D_AS_LISTED(Curve);
 
+// How a body enters the contact system, Body::keeps_equations (contact/reduction_plan.hpp).
+enum Enters : int8_t {
+  kSolvedFor = 0,     // its displacements are F tau + ... + R x
+  kKept = 1,          // its equations are rows; its displacements follow from those of the bodies it meets
+  kDisplacements = 2, // its equations are further rows, its displacements z + R x, z further unknowns
+};
+
 // Bodies and what belongs to each are lists in the workspace.
 struct Body {
   int32_t element_nodes, elements, geometry_nodes, regions;
@@ -157,7 +164,7 @@ struct Body {
   int8_t rigid;           // 1: it has no equations, it moves as the load cases say,
   int8_t free_rigidly;    // but for these motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
   int8_t has_force;       // 1: body forces
-  int8_t keeps_equations; // 1: its displacements follow from those of the bodies it meets (contact/reduction_plan.hpp)
+  int8_t keeps_equations; // how it enters the contact system: Enters, contact/reduction_plan.hpp
   int8_t lines;           // of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
   int8_t on_demand;       // 1: nodes in contact are as others, and tractions of theirs right-hand sides (METHOD 10.12)
   double youngs_modulus, poisson_ratio;
@@ -317,6 +324,11 @@ inline int32_t motions_held(const Model& m, int b) {
   return kSmallCode || m.body[b].on_demand == 0 ? 0 : m.body[b].free_motions;
 }
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
+inline bool keeps_equations(const Model& m, int b) { return m.body[b].keeps_equations == kKept; }
+inline bool has_displacements(const Model& m, int b) { return !kSmallCode && m.body[b].keeps_equations == kDisplacements; }
+// Displacements of such bodies: further unknowns of the contact system, of all bodies or of those before one.
+int32_t further_unknowns(const Model& m, int end);
+inline int32_t further_unknowns(const Model& m) { return kSmallCode ? 0 : further_unknowns(m, m.head->bodies); }
 // A platen (c2d_add_platen): a rigid body tied to elements of another. These are its side of the zone as well: the arrays of
 // its mesh are those of that body, but it counts no elements, nodes or regions, so that none is looked at as its own.
 inline bool is_platen(const Model& m, int b) { return m.body[b].elements == 0; }

@@ -111,6 +111,13 @@ void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]) {
   for (int c = 0; c < 2; ++c) unknown[c] = find_unknown(m, b, node, at, c);
 }
 
+int32_t further_unknowns(const Model& m, int end) {
+  int32_t count = 0;
+  for (int b = 0; b < end; ++b)
+    if (has_displacements(m, b)) count += m.body[b].contact;
+  return count;
+}
+
 double shear_modulus(const Model& m, int b) {
   const Body& body = body_of(m, b);
   return body.youngs_modulus / (2 * (1 + body.poisson_ratio));

@@ -291,7 +291,9 @@ int Run::library_failed(c2d_status status) {
   c2d_error last = C2D_INIT(c2d_error);
   if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
   const int exit = session_.failed(status);
-  if (status == C2D_ERR_MEMORY && options_.elimination == C2D_ELIMINATION_BY_SIZE && session_.limits.touching == 0)
+  const bool compressed = elimination_of(session_.limits, options_.elimination) == C2D_ELIMINATION_COMPRESSED;
+  if (status == C2D_ERR_MEMORY && options_.elimination != C2D_ELIMINATION_COMPRESSED && compressed &&
+      session_.limits.touching == 0)
     session_.messages.note("compressed was chosen by size: --elimination dense takes less memory, and more time");
   if (status < C2D_ERR_STORE_OPEN || status > C2D_ERR_STORE_STALE) return exit;
   const std::string file = store_.file_of(last.tape);

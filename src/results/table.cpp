@@ -3,6 +3,7 @@
 
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
+#include "contact/orthonormal.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {
@@ -11,17 +12,23 @@ C2D_USES(CompressedPart);
 
 namespace {
 
-// x = X w' + sum of lambda_k x_k, w' = w - (gap, 0) as in the tableau; it stands in area.u[0] meanwhile.
-c2d_status find_motions(const Session& session) {
+// w' = w - (gap, 0) as in the tableau.
+void put_motion(const Session& session, Real* motion) {
   const Follower& f = session.follower;
-  const int32_t m = f.t->m, motions = session.model.head->border;
-  Real *motion = session.area.u[0], *column = session.area.column, *x = session.area.motion;
-  for (int32_t i = 0; i < session.model.head->pairs && motions > 0; ++i) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
     motion[pair.dof] = static_cast<Real>(now.wn - pair.gap / f.t->length_unit);
     if (pair.tangential) motion[pair.dof + 1] = static_cast<Real>(now.wt);
   }
+}
+
+// x = X w' + sum of lambda_k x_k; w' stands in area.u[0] meanwhile.
+c2d_status find_motions(const Session& session) {
+  const Follower& f = session.follower;
+  const int32_t m = f.t->m, motions = session.model.head->border;
+  Real *motion = session.area.u[0], *column = session.area.column, *x = session.area.motion;
+  if (motions > 0) put_motion(session, motion);
   for (int32_t j = 0; j < motions; ++j) {
     const c2d_status status = read_column(session.tape, ContactMatrix::motion, j, column);
     if (status != C2D_OK) return status;
@@ -74,10 +81,26 @@ c2d_status add_compliance(const Session& session, int b) {
   return C2D_OK;
 }
 
+// X w' in the place of F t where displacements are unknowns; w' stands in area.own.
+c2d_status add_unknowns(const Session& session, int b) {
+  const Model& m = session.model;
+  Real* const column = session.area.column;
+  c2d_status status = C2D_OK;
+  for_ranges(m, b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+      status = read_column(session.tape, b, BodyMatrix::flexibility, range.own + i, column);
+      session.area.u[range.side][range.all + i] = static_cast<Real>(product(column, session.area.own, m.head->contact));
+    }
+  });
+  return status;
+}
+
 // u = F t + sum of lambda_k v_k + R x.
 c2d_status add_body(const Session& session, int b) {
   const Body& body = session.model.body[b];
-  c2d_status status = is_rigid(session.model, b) ? c2d_status{C2D_OK} : add_compliance(session, b);
+  c2d_status status = is_rigid(session.model, b)            ? c2d_status{C2D_OK}
+                      : has_displacements(session.model, b) ? add_unknowns(session, b)
+                                                            : add_compliance(session, b);
   for (int32_t k = 0; k < session.follower.t->cases && status == C2D_OK; ++k)
     status = add_from_tape(session, b, BodyMatrix::response, k, session.follower.load[k]);
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j)
@@ -183,13 +206,14 @@ c2d_status displacements_on_demand(const Session& session) {
 c2d_status contact_displacements(Session& session) {
   const Model& m = session.model;
   c2d_status status = find_motions(session);
+  if (further_unknowns(m) > 0) put_motion(session, session.area.own);
   for (Real* u : session.area.u)
     for (int32_t i = 0; i < m.head->contact; ++i) u[i] = 0;
   if (is_on_demand(m)) return status == C2D_OK ? displacements_on_demand(session) : status;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (m.body[b].contact > 0 && m.body[b].keeps_equations == 0) status = add_body(session, b);
+    if (m.body[b].contact > 0 && !keeps_equations(m, b)) status = add_body(session, b);
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (m.body[b].keeps_equations != 0) follow_others(session, b);
+    if (keeps_equations(m, b)) follow_others(session, b);
   return status;
 }
 

@@ -78,21 +78,53 @@ void remove_kept(Adjoint& a) {
   });
 }
 
-// Those of another body: u = F t + sum lambda_k v_k + R x.
-c2d_status remove_displacements(Adjoint& a) {
-  const Model& m = a.model();
-  const Body& body = m.body[a.b];
+// The coefficients of a body's displacements; false: all are zero.
+bool gather_displacements(Adjoint& a) {
   bool any = false;
-  for_ranges(m, a.b, [&](const UnknownRange& range) {
+  for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
     for (int32_t i = 0; i < range.count; ++i) {
       a.u[range.own + i] = a.session.area.u[range.side][range.all + i];
       any = any || a.u[range.own + i] != Real(0);
     }
   });
-  if (!any) return C2D_OK;
+  return any;
+}
+
+// Of a functional of motions: what the overlaps make of it that a load case closes.
+double overlap_part(const Model& m, const Real* motions) {
+  double sum = 0.0;
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    sum += static_cast<double>(motions[m.pair[i].dof]) * m.pair[i].overlap / m.head->length_unit;
+  return sum;
+}
+
+// So much of a row of X (w' - overlaps closed).
+void add_motion_row(Adjoint& a, Real part, const Real* row) {
+  const ModelHeader& head = *a.model().head;
+  for (int32_t i = 0; i < head.contact; ++i) a.jump[i] += part * row[i];
+  if (head.interference != 0) a.lambda[head.interference - 1] -= static_cast<double>(part) * overlap_part(a.model(), row);
+}
+
+// Where displacements are unknowns X w' stands in the place of F t.
+c2d_status add_unknowns(Adjoint& a) {
+  Real* column = a.session.area.column;
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < a.model().body[a.b].contact && status == C2D_OK; ++i) {
+    if (a.u[i] == Real(0)) continue;
+    status = read_column(a.session.tape, a.b, BodyMatrix::flexibility, i, column);
+    if (status == C2D_OK) add_motion_row(a, a.u[i], column);
+  }
+  return status;
+}
+
+// Those of another body: u = F t + sum lambda_k v_k + R x.
+c2d_status remove_displacements(Adjoint& a) {
+  const Model& m = a.model();
+  const Body& body = m.body[a.b];
+  if (!gather_displacements(a)) return C2D_OK;
   const ContactTape& tape = a.session.tape;
   Real* column = a.session.area.column;
-  c2d_status status = is_rigid(m, a.b) ? c2d_status{C2D_OK} : add_compliance(a);
+  c2d_status status = is_rigid(m, a.b) ? c2d_status{C2D_OK} : has_displacements(m, a.b) ? add_unknowns(a) : add_compliance(a);
   for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
     status = read_column(tape, a.b, BodyMatrix::response, k, column);
     if (status == C2D_OK) a.lambda[k] += product(column, a.u, body.contact);
@@ -143,14 +175,6 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   return status;
 }
 
-// Of a functional of motions: what the overlaps make of it that a load case closes.
-double overlap_part(const Model& m, const Real* motions) {
-  double sum = 0.0;
-  for (int32_t i = 0; i < m.head->pairs; ++i)
-    sum += static_cast<double>(motions[m.pair[i].dof]) * m.pair[i].overlap / m.head->length_unit;
-  return sum;
-}
-
 // Motions of the bodies out of the functional: x = X (w' - overlaps closed) + sum lambda_k x_k.
 c2d_status remove_motions(Adjoint& a) {
   const ModelHeader& head = *a.model().head;
@@ -163,8 +187,7 @@ c2d_status remove_motions(Adjoint& a) {
     any = true;
     const c2d_status status = read_column(a.session.tape, ContactMatrix::motion, j, column);
     if (status != C2D_OK) return status;
-    for (int32_t i = 0; i < head.contact; ++i) a.jump[i] += part * column[i];
-    if (head.interference != 0) a.lambda[head.interference - 1] -= static_cast<double>(part) * overlap_part(a.model(), column);
+    add_motion_row(a, part, column);
   }
   for (int32_t k = 0; k < head.load_cases && any; ++k) {
     const c2d_status status = read_column(a.session.tape, ContactMatrix::motion_load, k, column);
@@ -188,9 +211,9 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* c
   c2d_status status = C2D_OK;
   for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
   for (a.b = 0; a.b < head.bodies; ++a.b)
-    if (session.model.body[a.b].keeps_equations != 0) remove_kept(a);
+    if (keeps_equations(session.model, a.b)) remove_kept(a);
   for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b)
-    if (session.model.body[a.b].contact > 0 && session.model.body[a.b].keeps_equations == 0) status = remove_displacements(a);
+    if (session.model.body[a.b].contact > 0 && !keeps_equations(session.model, a.b)) status = remove_displacements(a);
   return status == C2D_OK ? remove_motions(a) : status;
 }
 

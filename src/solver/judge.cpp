@@ -123,7 +123,7 @@ c2d_status project_motions(const Session& session, Real* out) {
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < m.head->contact; ++i) out[i] = v[i];
   for (int b = 0; b < m.head->bodies; ++b) {
-    if (m.body[b].keeps_equations == 0 || session.solver->open != 0) continue;
+    if (!keeps_equations(m, b) || session.solver->open != 0) continue;
     Real* own = session.area.motion; // v' by the body's equations
     for_ranges(m, b, [&](const UnknownRange& range) {
       for (int32_t i = 0; i < range.count; ++i) own[range.own + i] = v[range.all + i];
@@ -134,6 +134,57 @@ c2d_status project_motions(const Session& session, Real* out) {
         out[range.all + j] = static_cast<Real>(signed_on(range.side, product(own, session.area.column, m.body[b].contact)));
       }
     });
+  }
+  return status;
+}
+
+// v'.C of what displacements of body b, where these are unknowns, have beyond its motions, to `out`; v' stands in y.
+c2d_status project_displacements(const Session& session, int b, Real* out) {
+  const Model& m = session.model;
+  const Real* v = session.area.y;
+  Real *own = session.area.own, *column = session.area.column;
+  c2d_status status = C2D_OK;
+  for_ranges(m, b, [&](const UnknownRange& range) {
+    if (!keeps_equations(m, range.other)) {
+      for (int32_t i = 0; i < range.count; ++i) out[range.own + i] = signed_on(range.side, v[range.all + i]);
+      return;
+    }
+    for_ranges(m, range.other, [&](const UnknownRange& of_other) { // v' by the other body's equations
+      for (int32_t i = 0; i < of_other.count; ++i) own[of_other.own + i] = v[of_other.all + i];
+    });
+    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+      status = read_column(session.tape, range.other, BodyMatrix::displacement, range.other_own + i, column);
+      out[range.own + i] = static_cast<Real>(-product(own, column, m.body[range.other].contact));
+    }
+  });
+  return status;
+}
+
+// The body's own equations, S_t t - S_u z + sum lambda_k s_k = 0, join the check, with signs for v', and z, which is known by
+// X w' + sum lambda_k x_k, goes out of it.
+c2d_status join_own_equations(const Session& session, const Book& book, int b) {
+  const Model& m = session.model;
+  const int32_t n = m.body[b].contact;
+  Real *g = session.area.motion, *own = session.area.own, *column = session.area.column;
+  c2d_status status = project_displacements(session, b, g);
+  for (int32_t i = 0; i < n; ++i) own[i] = static_cast<Real>(sign_of(i));
+  for_ranges(m, b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+      status = read_column(session.tape, b, BodyMatrix::displacement, range.own + i, column);
+      g[range.own + i] -= static_cast<Real>(product(own, column, n));
+      if (status == C2D_OK) status = read_column(session.tape, b, BodyMatrix::traction, range.own + i, column);
+      book.equation_tau[range.all + i] += static_cast<Real>(signed_on(range.side, product(own, column, n)));
+    }
+  });
+  for (int32_t i = 0; i < n && status == C2D_OK; ++i) {
+    status = read_column(session.tape, b, BodyMatrix::flexibility, i, column);
+    for (int32_t j = 0; j < m.head->contact; ++j) book.equation_w[j] -= g[i] * column[j];
+  }
+  for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
+    status = read_column(session.tape, b, BodyMatrix::load, k, column);
+    book.equation_load[k] += product(own, column, n);
+    if (status == C2D_OK) status = read_column(session.tape, b, BodyMatrix::response, k, column);
+    book.equation_load[k] += product(g, column, n);
   }
   return status;
 }
@@ -228,10 +279,12 @@ c2d_status build_judge(c2d_solver* s) {
   else if (status == C2D_OK)
     status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
+  for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
+    if (has_displacements(session.model, b)) status = join_own_equations(session, book, b);
   for (int32_t k = 0; k < cases; ++k) book.equation_terms[k] = 0.0;
   for (int b = 0; b < s->model.bodies; ++b) {
     const Body& body = session.model.body[b];
-    if (status == C2D_OK && body.contact > 0 && (body.keeps_equations == 0 || form.open))
+    if (status == C2D_OK && body.contact > 0 && (body.keeps_equations == kSolvedFor || form.open))
       status = add_terms(session, b, book.equation_w, book.equation_terms);
     if (!floats(body)) continue;
     find_moments(session.model, b, book.moment);

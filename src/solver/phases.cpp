@@ -63,6 +63,7 @@ PhaseSizes model_sizes(const Model& m) {
   PhaseSizes s{};
   s.m = s.widest = s.columns = m.head->contact;
   s.motions = m.head->motions;
+  s.further = further_unknowns(m);
   s.cases = m.head->load_cases;
   s.bodies = m.head->bodies;
   s.model = &m;
@@ -71,7 +72,8 @@ PhaseSizes model_sizes(const Model& m) {
     s.nodes += body.nodes;
     if (body.contact > s.widest) s.widest = body.contact;
     s.ends += static_cast<int64_t>(body.elements) * m.head->function_nodes;
-    if (!is_rigid(m, b) && body.keeps_equations == 0) s.flexibility += static_cast<int64_t>(body.contact) * body.contact;
+    if (!is_rigid(m, b) && body.keeps_equations == kSolvedFor)
+      s.flexibility += static_cast<int64_t>(body.contact) * body.contact;
   }
   s.square = s.widest;
   if (is_on_demand(m)) {
@@ -136,9 +138,9 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
   PhaseCarver carver(base);
   ReductionArea area{};
-  const uint64_t m = static_cast<uint64_t>(s.widest), motions = static_cast<uint64_t>(s.motions);
+  const uint64_t m = static_cast<uint64_t>(s.widest), border = static_cast<uint64_t>(s.motions + s.further);
   const uint64_t columns = static_cast<uint64_t>(s.square);
-  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, columns, motions)
+  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, columns, border)
   if (out) *out = area;
   return carver.total();
 }
@@ -209,7 +211,8 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
 
 uint64_t scratch_bytes(const PhaseSizes& s) {
   if (kSmallCode) return 0; // plain products take none
-  int64_t most = full_scratch(s.widest + s.motions, s.widest + s.motions);
+  const int64_t system = s.widest + s.motions + s.further;
+  int64_t most = full_scratch(system, system);
   for (int b = 0; b < s.bodies; ++b) {
     const BodyPhase body = s.of(b);
     const int64_t numbers = full_scratch(body.outer, body.outer + 2 * body.contact + s.cases);
@@ -332,6 +335,18 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
          (plan.keep_lower == 0 || plan.keep_lower == 1);
 }
 
+namespace {
+
+// Slender bodies that float upon each other (contact/reduction_plan.hpp) are three bodies and more with what holds them; in
+// layers every other one's displacements are unknowns, and of a contact unknown one side's.
+uint64_t slender_need(const PhaseSizes& s) {
+  PhaseSizes slender = s;
+  slender.further = !kSmallCode && s.bodies > 2 ? s.square : 0;
+  return reduction_area(slender, nullptr, nullptr);
+}
+
+} // namespace
+
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
   const PhaseSizes s = phase_sizes(sizes);
   *minimum = use_of(s, PlanRule{0, sizes.panel_columns}, false);
@@ -341,7 +356,7 @@ c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) 
   const PlanRule all = {UINT64_MAX - 1, sizes.panel_columns};
   if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
   if (!in_core) return C2D_OK;
-  *in_core = larger(use_of(s, all, true), on_demand);
+  *in_core = larger(larger(use_of(s, all, true), slender_need(s)), on_demand);
   const uint64_t scratch = scratch_bytes(s);
   if (*in_core >= UINT64_MAX - scratch) return C2D_ERR_OVERFLOW; // (without scratch, too: of what does not fit the sum is that)
   *in_core += round_up(scratch);

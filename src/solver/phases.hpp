@@ -36,6 +36,7 @@ struct BodyPhase {
 };
 struct PhaseSizes {
   int64_t m, motions, cases;
+  int64_t further;     // displacements that are unknowns of the contact system (Enters)
   int64_t widest;      // contact unknowns of the model or of a body: one that meets itself has two for each of the model's
   int64_t columns;     // of the tableau: m, or as many as there is room for on demand
   int64_t square;      // contact unknowns of matrices that are reduced; on demand none are

@@ -375,12 +375,21 @@ bool is_frictionless(c2d_solver* s, const Model& m) {
   return session.free_body.slides == 0;
 }
 
-// Pressures lose up to 100 times as much as displacements of the body held at some of its contact unknowns, with linear
-// functions no more (METHOD 10.2). Beyond the limit the model is refused: nothing in a state shows such errors.
+// Displacements that are unknowns of the contact system ask for more than the least memory, METHOD 10.2.
+[[gnu::noinline]] c2d_status tell_system(c2d_solver* s, const PhaseSizes& sizes) {
+  c2d_error e = blank_error();
+  e.bytes_needed = s->layout.persistent + reduction_area(sizes, nullptr, nullptr) + kAlignment - 1;
+  char what[160];
+  Text text = text_in(what);
+  put_all(text, status_text(C2D_ERR_MEMORY), " for slender bodies upon each other: ", e.bytes_needed, " bytes would do");
+  return fail_with(s, e, C2D_ERR_MEMORY, what);
+}
+
+// Beyond the limit the model is refused: nothing in a state shows such errors (METHOD 10.2).
 [[gnu::noinline]] c2d_status check_round_off(c2d_solver* s, const Model& m, const RoundOff& found) {
   constexpr double kMost = sizeof(Real) == 8 ? 2.5e-8 : 1e-1;
-  const double condition = (m.head->function_nodes > 2 ? 100.0 : 1.0) * found.growth, loss = kDigit * condition;
-  s->condition = fmax(s->condition, condition);
+  const double loss = kDigit * found.growth;
+  s->condition = fmax(s->condition, found.growth);
   if (!(loss > kMost)) return C2D_OK;
   char what[300];
   Text text = text_in(what);
@@ -398,6 +407,7 @@ using Tick = c2d_status (*)(void* context);
   if (!kSmallCode) s->made = 0;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
+  if (sizes.further > 0 && bytes > s->bytes - s->layout.persistent) return tell_system(s, sizes); // (restored into less)
   const double start = clock_now(s);
   int64_t scratch = 0;
   RoundOff round_off;
@@ -407,7 +417,7 @@ using Tick = c2d_status (*)(void* context);
                             area.second,
                             area.strip,
                             area.pivots,
-                            sizes.widest + sizes.motions,
+                            sizes.widest + sizes.motions + sizes.further,
                             s,
                             tick,
                             engine_beside(s, sizes, s->instructions, bytes, &scratch),
@@ -451,6 +461,7 @@ int32_t keeps_factors(const c2d_solver* s) {
 [[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
+  if (sizes.further > 0 && reduction_area(sizes, nullptr, nullptr) > bytes) return tell_system(s, sizes);
   EliminationPlan* const plans = &plan_of(s, 0);
   plan_phases(sizes_of(s), sizes, bytes, plans);
   if (!kSmallCode && s->options.elimination == C2D_ELIMINATION_COMPRESSED) {
@@ -564,7 +575,7 @@ c2d_status prepare_once(c2d_solver* s) {
   if (status == C2D_ERR_SINGULAR && s->has_fault != 0) return status; // told where it was found
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
-  if (!kSmallCode && status == C2D_ERR_MEMORY) return tell_need(s);
+  if (!kSmallCode && status == C2D_ERR_MEMORY && s->has_fault == 0) return tell_need(s);
   if (!kSmallCode && status == C2D_ERR_LIMIT) return tell_contact(s);
   return fail(s, status, status_text(status));
 }

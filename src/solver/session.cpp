@@ -160,7 +160,7 @@ void close_session(Session& session) {
 namespace {
 
 int64_t flexibility_numbers(const Model& m, int b) {
-  const int64_t n = is_on_demand(m) || is_rigid(m, b) || m.body[b].keeps_equations != 0 ? 0 : m.body[b].contact;
+  const int64_t n = is_on_demand(m) || is_rigid(m, b) || m.body[b].keeps_equations != kSolvedFor ? 0 : m.body[b].contact;
   return n * n;
 }
 
