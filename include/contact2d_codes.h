@@ -117,7 +117,12 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do ab
   C2D_WARN_ENERGY = 223,           /* between turns of the loads work and friction differ by more than 10 % */
   C2D_WARN_UNHELD = 224,           /* motions of bodies that no support, tie or possible contact prevents  */
   C2D_WARN_TIE_END = 225,          /* stresses are singular where a tie of unlike materials ends           */
-  C2D_WARN_COMPRESSED = 226        /* by its residual compressed elimination may be off by more than 1e-9  */
+  C2D_WARN_COMPRESSED = 226,       /* by its residual compressed elimination may be off by more than 1e-9  */
+  C2D_WARN_BETWEEN = 227,          /* free zone: the bodies overlap between the nodes of side 2             */
+  C2D_WARN_SHIFTED = 228,          /* nodes of pairs are shifted along the surface by up to half an element */
+  C2D_WARN_OVERLAPPING = 229,      /* bodies lie inside each other where no zone is between them           */
+  C2D_WARN_SIDEWAYS = 230,         /* a pair moved sideways by more than an element before it touched      */
+  C2D_WARN_ROTATION = 231          /* rotations above 0.1: the results are for small ones                  */
 };
 
 #endif

@@ -248,6 +248,40 @@ TEST_CASE("halved: where new boundary points lie") {
   }
 }
 
+TEST_CASE("halved: flats between chamfers and arcs stay flat") {
+  const auto all_lie_on = [](const std::vector<std::pair<double, double>>& corners, double low, double high, double y) {
+    int on = 0;
+    for (const auto& [px, py] : Model(halved(polygon(corners))).points(1))
+      if (px > low && px < high && std::fabs(py - y) < 0.2) {
+        CHECK(py == y);
+        ++on;
+      }
+    return on;
+  };
+  // The flat's two elements, a chamfer and an element of the slope beside it lie on one circle; then the chamfers' own points.
+  const double a = 0.5 + 0.15 * std::sqrt(3), b = a + 0.25, c = b + 0.25, down = 0.25 * std::sqrt(3);
+  const std::vector<std::pair<double, double>> foot = {
+      {-c, 3},   {-c, 0.15 + 2 * down}, {-b, 0.15 + down},    {-a, 0.15}, {-0.5, 0}, {0, 0}, {0.5, 0},
+      {a, 0.15}, {b, 0.15 + down},      {c, 0.15 + 2 * down}, {c, 3},     {0, 3}};
+  CHECK(all_lie_on(foot, -0.4, 0.4, 0) == 3);
+  const auto points = Model(halved(polygon(foot))).points(1);
+  const auto middle = [&](size_t i) {
+    const auto &p = foot[i], &q = foot[(i + 1) % foot.size()];
+    return std::hypot(points[2 * i + 1].first - (p.first + q.first) / 2, points[2 * i + 1].second - (p.second + q.second) / 2);
+  };
+  for (size_t i = 0; i < foot.size(); ++i) CHECK(middle(i) < 1e-14);
+  // A flat of one element between arcs that it is tangent to: each of its neighbours is as long as the other.
+  std::vector<std::pair<double, double>> pad;
+  for (int i = 0; i <= 4; ++i) pad.emplace_back(-1 + std::cos(kPi * (1 + i / 8.0)), 1 + std::sin(kPi * (1 + i / 8.0)));
+  for (int i = 0; i <= 4; ++i) pad.emplace_back(1 + std::cos(kPi * (1.5 + i / 8.0)), 1 + std::sin(kPi * (1.5 + i / 8.0)));
+  pad.emplace_back(2, 3);
+  pad.emplace_back(-2, 3);
+  const auto rounded = Model(halved(polygon(pad))).points(1);
+  CHECK(all_lie_on(pad, -0.9, 0.9, 0) == 1);
+  CHECK(std::hypot(rounded[1].first + 1, rounded[1].second - 1) == doctest::Approx(1).epsilon(1e-12)); // the arc's first chord
+  CHECK(std::hypot(rounded[7].first + 1, rounded[7].second - 1) == doctest::Approx(1).epsilon(1e-12)); // and its last
+}
+
 TEST_CASE("halved: conditions between the ends of an element") {
   const std::vector<std::pair<double, double>> square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
   const std::string deck = polygon(square,

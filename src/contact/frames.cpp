@@ -4,6 +4,7 @@
 #include "contact/ties.hpp"
 #include "memory/hostile.hpp"
 #include "memory/parts.hpp"
+#include "model/body_overlaps.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 #include "model/rigid.hpp"
@@ -28,6 +29,7 @@ constexpr double kDegree = 0.017453292519943295;
 constexpr double kGapTolerance = 1e-5;
 constexpr double kExactGap = 1e-9;
 constexpr double kOffset = 0.5;      // of the element length: nodes shifted further do not face each other
+constexpr double kShift = 0.02;      // those shifted by more, and by more than their gap, do not quite
 constexpr double kAlongNormal = 0.5; // least cosine between the average normal and a symmetric pair's frame
 
 double dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
@@ -209,16 +211,24 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Zone
 
 // Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
 struct Offsets {
-  int32_t count, pair; // pairs beyond half an element; the worst
-  double size;
+  struct Worst {
+    int32_t count, pair;
+    double size;
+    void add(const Model& m, int32_t of_pair, double offset) {
+      if (count++ > 0 && offset * m.pair[pair].length <= size * m.pair[of_pair].length) return;
+      pair = of_pair;
+      size = offset;
+    }
+  };
+  Worst far, near; // pairs beyond half an element, and others
   void add(const Model& m, int32_t of_pair, const double g[2]) {
     double across[2];
     to_frame(m.pair[of_pair], g[0], g[1], across);
     const double offset = fabs(across[1]), length = m.pair[of_pair].length;
-    if (offset <= kOffset * length) return;
-    if (count++ > 0 && offset * m.pair[pair].length <= size * length) return;
-    pair = of_pair;
-    size = offset;
+    if (offset > kOffset * length)
+      far.add(m, of_pair, offset);
+    else if (!kSmallCode && offset > kShift * length + fabs(across[0]))
+      near.add(m, of_pair, offset);
   }
 };
 
@@ -322,7 +332,21 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
   }
 }
 
-void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
+// Tractions of one side act where the other has them, METHOD (9.1): by so much off.
+void warn_shift(const Model& m, int32_t zone, const Offsets::Worst& offsets, Reporter& reporter) {
+  if (offsets.count == 0) return;
+  const double part = 100 * offsets.size / m.pair[offsets.pair].length;
+  ZoneFinding f(C2D_WARN_SHIFTED, m, zone, offsets.pair);
+  say(f, ": the nodes do not quite face each other at ", offsets.count, offsets.count == 1 ? " pair, " : " pairs, most at ");
+  say_pair(f, m, offsets.pair);
+  say(f, ": they are shifted by ", offsets.size, " along the surface; pressures there may be off by as large a part as of the ",
+      "element, ");
+  put(f.text, part, 2);
+  say(f, " %: mesh both sides alike, or use a free zone");
+  report(reporter, f);
+}
+
+void report_offsets(const Model& m, int32_t zone, const Offsets::Worst& offsets, Reporter& reporter) {
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
   ZoneFinding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, m, zone, offsets.pair);
@@ -465,7 +489,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
-    ZoneFindings of{{0, 0, 0.0}, {{0, 0, 0.0, 0.0}, {0, 0, 0.0, 0.0}}, {0, 0, {0.0, 0.0}}, {0, 0, 0.0}};
+    ZoneFindings of{{0, 0, 0.0}, {{0, 0, 0.0, 0.0}, {0, 0, 0.0, 0.0}}, {0, 0, {0.0, 0.0}}, {{0, 0, 0.0}, {0, 0, 0.0}}};
     for (int32_t k = 0; k < z.pairs; ++k) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
@@ -482,7 +506,8 @@ bool build_frames(const Model& m, Reporter& reporter) {
       close_tie(m, i, reporter);
     else
       close_gaps(m, z);
-    report_offsets(m, i, of.offsets, reporter);
+    report_offsets(m, i, of.offsets.far, reporter);
+    if (of.offsets.far.count == 0) warn_shift(m, i, of.offsets.near, reporter);
     warn_spread(m, i, of.spread, reporter);
     if (z.is_tied == 0) report_overlaps(m, i, of.overlaps, reporter);
     warn_lengths(m, i, of.lengths, reporter);
@@ -535,6 +560,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   const bool frames = sound && build_frames(m, reporter);
   validate_conditions(m, frames, reporter);
   if (reporter.faults != before) return false;
+  warn_overlapping_bodies(m, reporter);
   place_bodies(m);
   return true;
 }

@@ -54,6 +54,15 @@ bool read_joined_codes(Cards& cards, int32_t codes[4]) {
   return true;
 }
 
+// A value of something unknown would be ignored: it is meant to be known, or belongs to another field.
+bool read_value(Cards& cards, int32_t column, const char* name, int32_t code, double* value) {
+  if (!real(cards, column, name, value)) return false;
+  if (code == 0 || *value == 0.0) return true;
+  field_fault(cards, column, column + 9, "the ", name, " is ", *value,
+              ", but its code is 1 (unknown), expected 0, or the code 0");
+  return false;
+}
+
 ConditionCard read_condition(Deck& deck, int b) {
   static const char* const kCode[4] = {
       "code of the x traction (0 known, 1 unknown)", "code of the y traction (0 known, 1 unknown)",
@@ -77,7 +86,7 @@ ConditionCard read_condition(Deck& deck, int b) {
     if (!integer(cards, 12 + i, 1, kCode[i], 0, 1, &card.codes[i])) card.values_sound = false;
   unused_column(cards, 16);
   for (int32_t i = 0; i < 4; ++i)
-    if (!real(cards, 17 + 10 * i, kValue[i], &card.values[i])) card.values_sound = false;
+    if (!read_value(cards, 17 + 10 * i, kValue[i], card.codes[i], &card.values[i])) card.values_sound = false;
   end_of_fields(cards, 57);
   return card;
 }

@@ -72,7 +72,7 @@ void append_force(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
   o.number("applied", s.force_applied);
   o.number("contact", s.force_contact);
-  o.number("error", s.force_error);
+  if (s.force_error >= 0.0) o.number("error", s.force_error);
   o.key("bodies") += '[';
   for (int32_t b = 0; b < s.bodies; ++b) {
     out += b == 0 ? "\n    " : ",\n    ";

@@ -17,12 +17,17 @@ Weight weight_of(int32_t kind) {
   case C2D_WARN_STRAIN:
   case C2D_WARN_FRICTION:
   case C2D_WARN_FAR:
+  case C2D_WARN_BETWEEN:
+  case C2D_WARN_OVERLAPPING:
+  case C2D_WARN_SIDEWAYS:
+  case C2D_WARN_ROTATION:
   case C2D_WARN_SURFACE: return Weight::kContact;
   case C2D_WARN_FEW_PAIRS:
   case C2D_WARN_NORMALS:
   case C2D_WARN_KINK:
   case C2D_WARN_TENSION:
   case C2D_WARN_OFFSET:
+  case C2D_WARN_SHIFTED:
   case C2D_WARN_CONSTANT:
   case C2D_WARN_SIZES: return Weight::kMesh;
   case C2D_WARN_POINT_LOAD:

@@ -4,11 +4,13 @@
 
 #include "contact/let_go.hpp"
 #include "memory/text.hpp"
+#include "model/body_overlaps.hpp"
 #include "model/geometry.hpp"
 #include "model/shape.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate_finding.hpp"
 #include "results/back.hpp"
+#include "results/between_nodes.hpp"
 #include "results/coarse_contact.hpp"
 #include "results/facing_meshes.hpp"
 #include "results/friction_work.hpp"
@@ -92,6 +94,50 @@ void warn_friction_work(Session& session, bool at_end) {
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
   if (tell_friction_work(session, at_end, text)) warn(session, C2D_WARN_ENERGY, 0, 0, room);
+}
+
+double closed_length(const Session& session, const Zone& z) {
+  double sum = 0.0;
+  for (int32_t i = z.first_pair; i < z.first_pair + z.pairs; ++i)
+    if (is_closed(session.model.pair[i])) sum += session.model.pair[i].weight * session.model.head->length_unit;
+  return sum;
+}
+
+// What is closed at a pair that has moved on is where the surfaces were made to face each other, not where they do.
+void warn_sideways(Session& session) {
+  if (kSmallCode || (session.solver->warned & bit_of(C2D_WARN_SIDEWAYS)) != 0) return;
+  const double unit = session.model.head->length_unit;
+  double most = 1.0, moved = 0.0;
+  int32_t worst = -1;
+  for (int32_t i = 0; i < session.model.head->path_pairs; ++i) {
+    const Pair& pair = session.model.pair[i];
+    if (!is_closed(pair) || pair.tangential == 0) continue;
+    const double way = fabs(pair_state(*session.follower.t, i, session.follower.y).wt) * unit;
+    const double slipped = fabs(slip_sum(session.follower, i)) * unit;
+    if (way - slipped <= most * pair.length) continue;
+    most = (way - slipped) / pair.length;
+    moved = way;
+    worst = i;
+  }
+  constexpr double kMatters = 0.05; // of what touches: on fine meshes more than an element may be nothing
+  if (worst < 0 || moved <= kMatters * closed_length(session, session.model.zone[session.model.pair[worst].zone])) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put(text, "the bodies have moved sideways by ");
+  put(text, moved, 3);
+  put(text, ", ");
+  put(text, moved / session.model.pair[worst].length, 2);
+  put(text, " elements, most of it before they touched: contact is found where they faced each other at the start; place them "
+            "where they touch");
+  warn(session, C2D_WARN_SIDEWAYS, session.model.pair[worst].zone + 1, worst + 1, room);
+}
+
+void warn_between_nodes(Session& session) {
+  if (kSmallCode || (session.solver->warned & bit_of(C2D_WARN_BETWEEN)) != 0) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  int32_t zone = 0, pair = 0;
+  if (tell_between_nodes(session, text, &zone, &pair)) warn(session, C2D_WARN_BETWEEN, zone + 1, pair + 1, room);
 }
 
 void warn_slip(Session& session) {
@@ -205,13 +251,61 @@ double tension_ratio(const Session& session) {
   return most > 0.0 ? least / most : 0.0;
 }
 
+namespace {
+
+// The largest number of any element, and where.
+struct Largest {
+  double size = 0.0;
+  int body = 0;
+  int32_t element = 0;
+  void add(double number, int b, int32_t e) {
+    if (number <= (1.0 + 1e-9) * size) return; // the first of images, whatever their last digits
+    size = number;
+    body = b;
+    element = e;
+  }
+};
+
+void tell_largest(Session& session, int32_t number, const Largest& most, const char* what, const char* limit) {
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_all(text, what, " reach ");
+  put(text, most.size, 2);
+  put_all(text, " at element ", most.element + 1, " of body ", body_named(session.model, most.body), limit);
+  warn(session, number, 0, 0, room);
+}
+
+// Where an element begins at the load reached.
+void start_moved(const void* context, const Model& m, int b, int32_t element, double p[2]) {
+  double u[2];
+  get_displacement(*static_cast<const Session*>(context), b, functional_node(m, b, element, 0), u);
+  start_as_made(context, m, b, element, p);
+  for (int c = 0; c < 2; ++c) p[c] += u[c];
+}
+
+// Bodies that the loads have driven into each other, beside zones or where there are none.
+void warn_overlapping(Session& session) {
+  constexpr double kDriven = 0.5, kOfBody = 1e-3; // of an element, of the smaller body
+  constexpr double kMore = 1.5;                   // times what lay inside at the start, and was told then
+  const Model& m = session.model;
+  const BodyOverlap now = deepest_overlap(m, start_moved, &session, kDriven, kOfBody, false);
+  if (now.depth == 0.0) return;
+  const BodyOverlap before = deepest_overlap(m, start_as_made, nullptr, 0.0, 0.0, true);
+  if (now.depth <= kMore * before.depth) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_overlap(text, m, now);
+  put(text, " at the load reached");
+  warn(session, C2D_WARN_OVERLAPPING, 0, 0, room);
+}
+
+} // namespace
+
 // Along the boundary and across it, where displacements and tractions are those of the load reached.
 void warn_strains(Session& session) {
   const Model& m = session.model;
   const int32_t nf = m.head->function_nodes;
-  double most = 0.0;
-  int body = 0;
-  int32_t at = 0;
+  Largest strain, rotation;
   for (int b = 0; b < m.head->bodies; ++b)
     for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.body[b].elements; ++e) {
       double x[kElementNodes], y[kElementNodes], u[2], v[2], t[2];
@@ -225,20 +319,14 @@ void warn_strains(Session& session) {
       const double along = ((v[0] - u[0]) * dx + (v[1] - u[1]) * dy) / square;
       const double pull = (t[0] * dy - t[1] * dx) / sqrt(square), nu = strain_poisson_ratio(m, b);
       const double across = ((1.0 - 2.0 * nu) * pull / (2.0 * shear_modulus(m, b)) - nu * along) / (1.0 - nu);
-      const double strain = fmax(fabs(along), fabs(across));
-      if (strain <= (1.0 + 1e-9) * most) continue; // the first of images, whatever their last digits
-      most = strain;
-      body = b;
-      at = e;
+      strain.add(fmax(fabs(along), fabs(across)), b, e);
+      rotation.add(fabs(dx * (v[1] - u[1]) - dy * (v[0] - u[0])) / square, b, e);
     }
-  if (!(most > 0.05)) return;
-  char room[sizeof(c2d_error::text)];
-  Text text = text_in(room);
-  put_all(text, "strains reach ");
-  put(text, most, 2);
-  put_all(text, " at element ", at + 1, " of body ", body_named(session.model, body),
-          ": the results are for small strains, below 0.05");
-  warn(session, C2D_WARN_STRAIN, 0, 0, room);
+  if (strain.size > 0.05)
+    tell_largest(session, C2D_WARN_STRAIN, strain, "strains", ": the results are for small strains, below 0.05");
+  else if (!kSmallCode && rotation.size > 0.1)
+    tell_largest(session, C2D_WARN_ROTATION, rotation, "rotations", ": the results are for small rotations, below 0.1");
+  if (!kSmallCode) warn_overlapping(session);
 }
 
 void warn_contact(Session& session, Moment moment) {
@@ -248,9 +336,11 @@ void warn_contact(Session& session, Moment moment) {
   warn_zone_ends(session, moment != Moment::between);
   if (moment != Moment::between) warn_coarse_contact(session, moment);
   if (moment != Moment::between) warn_surfaces(session);
+  if (moment != Moment::between) warn_between_nodes(session);
   warn_friction_work(session, moment != Moment::between);
   note_open_pairs(session);
   warn_slip(session);
+  warn_sideways(session);
   warn_friction(session);
   const double ratio = tension_ratio(session);
   if (ratio < s->tension_ratio) s->tension_ratio = ratio;

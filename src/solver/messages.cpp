@@ -61,6 +61,11 @@ const Word kStatusWords[] = {
     {C2D_WARN_UNHELD, "nothing holds some motions of bodies"},
     {C2D_WARN_TIE_END, "stresses are singular where a tie of unlike materials ends"},
     {C2D_WARN_COMPRESSED, "inexact compression"},
+    {C2D_WARN_BETWEEN, "overlap between nodes"},
+    {C2D_WARN_SHIFTED, "nodes of pairs are shifted a little"},
+    {C2D_WARN_OVERLAPPING, "bodies overlap where no zone is"},
+    {C2D_WARN_SIDEWAYS, "moved sideways before it touched"},
+    {C2D_WARN_ROTATION, "large rotations"},
     {C2D_WARN_ENERGY, "the work of friction is not certain enough"},
 };
 

@@ -53,16 +53,16 @@ struct Row {
   std::vector<Point> points;
   std::vector<int32_t> curve; // of the chord that begins at a point
   bool open;
-  // The points from `first` on, if they are there and one curve, or none, goes through them.
-  bool take(int32_t first, Point out[4]) const {
+  // So many points from `first` on, if they are there and one curve, or none, goes through them.
+  bool take(int32_t first, int32_t wanted, Point* out) const {
     const int32_t count = static_cast<int32_t>(points.size()), chords = static_cast<int32_t>(curve.size());
     int32_t same = 0;
-    for (int32_t i = 0; i < 4; ++i) {
+    for (int32_t i = 0; i < wanted; ++i) {
       int32_t at = first + i;
       if (open && (at < 0 || at >= count)) return false;
       at = (at % count + count) % count;
       out[i] = points[CutBody::at(at)];
-      if (i == 3) break;
+      if (i == wanted - 1) break;
       if (at >= chords) return false;
       if (i > 0 && curve[CutBody::at(at)] != same) return false;
       same = curve[CutBody::at(at)];
@@ -85,12 +85,38 @@ Row row_of(const CutBody& body, int32_t region) {
   return row;
 }
 
+// What a fifth point, beside four on a circle, says of it.
+enum class Beside { nothing, fits, is_straight, turns_more };
+// The last of these points, of which the others are the nearest two; `own`: how far the chords turn within the four.
+Beside beside(const Circle& circle, const Point p[3], double own) {
+  const double angle = turn(p[0], p[1], p[2]);
+  if (std::fabs(angle) < kStraight) return Beside::is_straight;
+  if (std::fabs(angle) > kCorner || angle * own <= 0) return Beside::nothing; // there the curve ends
+  if (std::fabs(distance(circle.centre, p[2]) - circle.radius) <= kOnCircle * distance(p[1], p[2])) return Beside::fits;
+  return std::fabs(angle) > (1 + kOnCircle) * std::fabs(own) ? Beside::turns_more : Beside::nothing;
+}
+
+// Any chord between two of one length that turn alike is one of a circle: a flat between the arcs of its ends, too. So one that
+// goes straight on is no arc's, and neither are those that turn less than what is beside them.
+bool is_arc(const Row& row, int32_t first, const Point p[4], const Circle& circle) {
+  Point five[5];
+  Beside before = Beside::nothing, after = Beside::nothing;
+  if (row.take(first - 1, 5, five)) {
+    const Point back[3] = {p[1], p[0], five[0]};
+    before = beside(circle, back, -turn(p[0], p[1], p[2]));
+  }
+  if (row.take(first, 5, five)) after = beside(circle, five + 2, turn(p[1], p[2], p[3]));
+  if (before == Beside::is_straight || after == Beside::is_straight) return false;
+  if (before == Beside::fits || after == Beside::fits) return true;
+  return before != Beside::turns_more && after != Beside::turns_more;
+}
+
 // The circle on which an element of so many chords lies, with a boundary point beside it at least; `chord` is its first.
 Circle circle_around(const Row& row, int32_t chord, int32_t chords) {
   for (const int32_t before : {1, 0, 2}) {
     Point p[4];
-    if (before + chords > 3 || !row.take(chord - before, p)) continue;
-    if (const Circle found = circle_of(p); found.radius > 0) return found;
+    if (before + chords > 3 || !row.take(chord - before, 4, p)) continue;
+    if (const Circle found = circle_of(p); found.radius > 0 && is_arc(row, chord - before, p, found)) return found;
   }
   return {{0, 0}, 0};
 }

@@ -249,7 +249,7 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
   if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
   hold(region, element, local, out.codes, values);
-  for (size_t i = 0; i < 4; ++i) out.values[i] = number(values[i]);
+  for (size_t i = 0; i < 4; ++i) out.values[i] = number(out.codes[i] == 1 ? 0.0 : values[i]); // what is unknown has none
   return out;
 }
 

@@ -202,7 +202,10 @@ void Writer::conditions(size_t b) {
     std::string text = " ";
     for (size_t i = 0; i < 2; ++i) text += all[k].held[i] ? '1' : '0';
     for (size_t i = 0; i < 2; ++i) text += all[k].known[i] ? '0' : '1';
-    for (const double v : all[k].values[0]) text += number(v);
+    for (size_t i = 0; i < 4; ++i) { // what is unknown has no value
+      const bool known = i < 2 ? !all[k].held[i] : static_cast<bool>(all[k].known[i - 2]);
+      text += number(known ? all[k].values[0][i] : 0.0);
+    }
     return text;
   };
   const std::string free = " 0011 0 0 0 0";
