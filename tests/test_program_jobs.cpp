@@ -273,9 +273,9 @@ TEST_CASE("jobs: what the steps have left is of another model, and tapes are cut
   std::string error, text;
   int records = 0;
   for (const char* name : {"path0", "path1"}) {
-    if (app::read_sealed(store + name, "contact2d path 1", text, error) != app::Sealed::kWhole) continue;
+    if (app::read_sealed(store + name, "contact2d path 2", text, error) != app::Sealed::kWhole) continue;
     ++records;
-    REQUIRE(app::write_sealed(store + name, "contact2d path 1", text.substr(0, text.find('\n') + 1) + "junk", error));
+    REQUIRE(app::write_sealed(store + name, "contact2d path 2", text.substr(0, text.find('\n') + 1) + "junk", error));
   }
   REQUIRE(records > 0);
   for (const char* cut : {"", "tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d"}) {
@@ -351,9 +351,9 @@ TEST_CASE("jobs: one that goes on has its meshes and its files, with every mesh 
     REQUIRE(fs::exists(store + "/mesh1"));
     std::string error, text;
     if (foreign) {
-      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 1", text, error) == app::Sealed::kWhole);
+      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 2", text, error) == app::Sealed::kWhole);
       for (const std::string& other : {std::string("junk"), "1\nx\n" + text}) {
-        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 1", other, error));
+        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 2", other, error));
         estimate::TrialKeeper keeper;
         keeper.begin(store, "job", 0);
         estimate::Trial trial;

@@ -4,6 +4,7 @@
 
 #include "interface/entry.hpp"
 #include "memory/hostile.hpp"
+#include "results/approach.hpp"
 #include "solver/energy.hpp"
 
 using namespace c2d;
@@ -30,6 +31,9 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
   } else {
     refresh(session.follower);
     fill_zone_state(session, z, ours);
+    const InsideStep inside(s);
+    const c2d_status status = s->busy ? c2d_status{C2D_OK} : find_approach(session, z, ours);
+    if (status != C2D_OK) return fail_store(s, status);
   }
   if (s->keeps_energy) ours.dissipated = rubbed(s)[zone - 1];
   copy_out(&ours, sizeof ours, out);

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-const char kPathKind[] = "contact2d path 1";
+const char kPathKind[] = "contact2d path 2";
 constexpr double kWork = 60; // of its time for every part that saving takes
 
 } // namespace

@@ -124,6 +124,12 @@ void append_wanted(std::string& out, const RunRecord& record, const Summary& sum
   }
 }
 
+// Of what the number is.
+std::string name_for(const Quantity& q, const Summary& summary) {
+  if (q.is_of_body()) return summary.body_name[static_cast<size_t>(q.item) - 1];
+  return q.zone > 0 ? summary.zone_name[static_cast<size_t>(q.zone) - 1] : std::string();
+}
+
 } // namespace
 
 void append_summary(std::string& out, const RunRecord& record, const Summary& summary) {
@@ -135,7 +141,7 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
       for (const Quantity& q : c.steps[i].quantities) {
         out += head_of(c, c.steps[i]);
         add(out, int64_t{q.zone});
-        add_name(out, q.zone > 0 ? summary.zone_name[static_cast<size_t>(q.zone) - 1] : std::string());
+        add_name(out, name_for(q, summary));
         add_name(out, name_of(q.what));
         add(out, int64_t{q.item});
         add(out, q.value);

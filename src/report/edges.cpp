@@ -47,7 +47,7 @@ double root_of(const std::vector<EdgeSample>& v, size_t first, size_t last) {
   return root;
 }
 
-// Where the two-thirds power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
+// Where the inverse power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
 // one that the mesh disturbs most, and is left out. A root through pairs k to k + 2 is off by about the square of the inverse
 // of their distance: from two of them follows a better one.
 double best_root(const std::vector<EdgeSample>& v) {
@@ -74,6 +74,18 @@ double limited_root(const std::vector<EdgeSample>& v, double before) {
 
 const int32_t kSamples = 5, kAdvancedSamples = 3;
 
+// The power with which the gap opens: 3/2, but where unlike bodies slide. Body 1 yields along under a pressure, which friction on
+// it towards the open side adds to.
+double gap_power(const LineState& state, int32_t last, int direction) {
+  const ZoneLine& line = state.line;
+  const auto i = static_cast<size_t>(last), n = line.size();
+  if (line.beta == 0 || n < 2 || state.status[i] != C2D_SLIP || !(state.tn[i] > 0)) return 1.5;
+  const size_t a = i > 0 ? i - 1 : i, b = i > 0 ? i : i + 1; // along t = (ny, -nx), or against it?
+  const double along = (line.x[b] - line.x[a]) * state.ny[i] - (line.y[b] - line.y[a]) * state.nx[i];
+  const double outwards = std::copysign(direction, along * direction) * state.tt[i]; // on side 2
+  return 1.5 - std::atan(line.beta * outwards / state.tn[i]) / std::acos(-1.0);
+}
+
 // Where a stretch of contact ends whose last pair is `last`, as one goes on in `direction`.
 ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   const ZoneLine& line = state.line;
@@ -87,9 +99,10 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   while (open < most && view.at(open + 1) >= 0 && !touches(state.status[static_cast<size_t>(view.at(open + 1))])) ++open;
   const bool more = view.at(open + 1) >= 0;
   const int32_t use = std::min(more ? (open + 1) / 2 : open, kSamples); // up to the middle between two stretches
+  const double power = gap_power(state, last, direction);
   std::vector<EdgeSample> samples;
   for (int32_t k = 1; k <= use; ++k)
-    samples.push_back({view.distance(k), std::cbrt(std::pow(std::max(state.gap[static_cast<size_t>(view.at(k))], 0.0), 2))});
+    samples.push_back({view.distance(k), std::pow(std::max(state.gap[static_cast<size_t>(view.at(k))], 0.0), 1 / power)});
   edge.s += direction * limited_root(samples, kBefore);
   return edge;
 }
@@ -97,12 +110,13 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
 } // namespace
 
 LineState line_state(const ZoneLine& line, const double* table, int64_t stride, const std::vector<double>& slip_at_turn) {
-  LineState state{line, {}, {}, {}, {}, {}};
+  LineState state{line, {}, {}, {}, {}, {}, {}, {}};
   for (const int32_t pair : line.pair) {
     const double* row = table + pair * stride;
     const size_t p = static_cast<size_t>(pair);
     state.status.push_back(static_cast<int32_t>(row[C2D_STATUS]));
     state.tn.push_back(row[C2D_TN]), state.tt.push_back(row[C2D_TT]), state.gap.push_back(row[C2D_GAP]);
+    state.nx.push_back(row[C2D_NX]), state.ny.push_back(row[C2D_NY]);
     state.slip.push_back(row[C2D_SLIP_SUM] - (p < slip_at_turn.size() ? slip_at_turn[p] : 0.0));
   }
   return state;
@@ -191,6 +205,18 @@ std::vector<double> find_stick_borders(const LineState& state) {
     }
   }
   return out;
+}
+
+EdgeSlip edge_slip(const LineState& state, const ContactEdge& edge) {
+  const View view(state.line, edge.last, -edge.direction);
+  if (edge.at_corner || run_of(state, view, 0, 1, C2D_SLIP) < 3) return {};
+  const auto s = [&](int32_t k) { return state.slip[static_cast<size_t>(view.at(k))]; };
+  const auto at_edge = [&](int32_t k) { // by the line through pairs k and k + 1
+    const double a = view.distance(k), b = view.distance(k + 1),
+                 edge_at = edge.direction * (state.line.s[static_cast<size_t>(edge.last)] - edge.s);
+    return s(k) + (s(k + 1) - s(k)) * (edge_at - a) / (b - a);
+  };
+  return {std::fabs(at_edge(0)), std::fabs(at_edge(0) - at_edge(1))};
 }
 
 namespace {

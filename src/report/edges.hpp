@@ -15,6 +15,7 @@ struct LineState {
   const ZoneLine& line;
   std::vector<int32_t> status;
   std::vector<double> tn, tt, gap;
+  std::vector<double> nx, ny;
   std::vector<double> slip; // of the present piece of the load path
 };
 // `slip_at_turn`: of all pairs where the loads last turned; empty: nothing is known of it, or it was 0.
@@ -31,6 +32,13 @@ std::vector<ContactEdge> find_contact_edges(const LineState& state);
 
 // Where stick meets slip within a stretch of contact, in the order of s.
 std::vector<double> find_stick_borders(const LineState& state);
+
+// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner. `doubt`: what it changes
+// without the last pair.
+struct EdgeSlip {
+  double size = 0, doubt = 0;
+};
+EdgeSlip edge_slip(const LineState& state, const ContactEdge& edge);
 
 // L of p = L sqrt(d), d the distance inside, and K of tt = K / sqrt(d) where the contact sticks up to its edge. NaN: too few
 // pairs near the edge, a corner, or no such state.

@@ -102,6 +102,8 @@ std::string unit_of(Measure what, const Scene& scene) {
   case Measure::kStickBorder:
   case Measure::kApproach:
   case Measure::kSlipRange:
+  case Measure::kMotionX:
+  case Measure::kMotionY:
   case Measure::kShift: return scene.length_unit;
   case Measure::kFrictionForce:
   case Measure::kForceX:

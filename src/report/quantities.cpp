@@ -110,7 +110,8 @@ double mean_spacing(const LineState& state, const std::vector<ContactEdge>& edge
 }
 
 void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
-  for (size_t i = 0; i < edges.size(); ++i) add_between(state.line, Measure::kContactEdge, edges[i].s, i, out);
+  for (size_t i = 0; i < edges.size(); ++i)
+    add_between(state.line, Measure::kContactEdge, edges[i].s, i, out).at_corner = edges[i].at_corner;
   const std::vector<double> borders = find_stick_borders(state);
   for (size_t i = 0; i < borders.size(); ++i) {
     Quantity& q = add_between(state.line, Measure::kStickBorder, borders[i], i, out);
@@ -123,20 +124,40 @@ void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Co
     }
 }
 
-// Where nothing has slipped there is none.
-void add_slip_range(const LineState& state, Collector& out) {
+// Where nothing has slipped there is none. It is largest at an edge as a rule, between nodes.
+void add_slip_range(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
   size_t most = 0;
-  double range = 0;
+  EdgeSlip largest;
   for (size_t i = 0; i < state.slip.size(); ++i)
-    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > range) most = i, range = std::fabs(state.slip[i]);
-  if (range > 0) add_place(state.line, state.line.s[most], out.add(Measure::kSlipRange, range));
+    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > largest.size) most = i, largest.size = std::fabs(state.slip[i]);
+  if (largest.size == 0) return;
+  double at = state.line.s[most];
+  for (const ContactEdge& edge : edges)
+    if (const EdgeSlip slip = edge_slip(state, edge); slip.size > largest.size) largest = slip, at = edge.s;
+  Quantity& q = out.add(Measure::kSlipRange, largest.size);
+  q.doubt = largest.doubt;
+  add_place(state.line, at, q);
+}
+
+// How rigid bodies and platens moved, and without a contact how far along the force that drives them.
+void add_motions(const std::vector<c2d_body_state>& bodies, bool contact, Collector& out) {
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    const c2d_body_state& state = bodies[b];
+    const auto item = static_cast<int32_t>(b) + 1;
+    if (state.is_rigid == 0) continue;
+    const double force = std::hypot(state.contact[0], state.contact[1]);
+    if (!contact && force > 0) // its contact holds against what drives it
+      out.add(Measure::kApproach, -(state.motion[0] * state.contact[0] + state.motion[1] * state.contact[1]) / force, item);
+    const Measure of[] = {Measure::kMotionX, Measure::kMotionY, Measure::kRotation};
+    for (size_t i = 0; i < 3; ++i) out.add(of[i], state.motion[i], item);
+  }
 }
 
 } // namespace
 
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
                                     const std::vector<c2d_zone_state>& states, double dissipated,
-                                    const std::vector<double>& slip_at_turn) {
+                                    const std::vector<double>& slip_at_turn, const std::vector<c2d_body_state>& bodies) {
   std::vector<Quantity> out;
   for (size_t z = 0; z < lines.size(); ++z) {
     Collector zone(lines[z].zone, out);
@@ -147,18 +168,20 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
       const std::vector<ContactEdge> edges = find_contact_edges(state);
       add_pressures(state, edges, zone);
       add_edges(state, edges, zone);
-      add_slip_range(state, zone);
+      add_slip_range(state, edges, zone);
     }
     if (z >= states.size()) continue;
     zone.add(Measure::kForceX, states[z].force[0]);
     zone.add(Measure::kForceY, states[z].force[1]);
     zone.add(Measure::kMoment, states[z].moment);
     if (!lines[z].tied) zone.add(Measure::kDissipated, states[z].dissipated);
-    if (!contact) continue;
+    if (!contact || lines[z].self) continue;
     zone.add(Measure::kApproach, states[z].approach);
     zone.add(Measure::kShift, states[z].shift);
   }
-  if (!lines.empty()) Collector(0, out).add(Measure::kDissipated, dissipated);
+  Collector all(0, out);
+  if (!lines.empty()) all.add(Measure::kDissipated, dissipated);
+  add_motions(bodies, std::any_of(lines.begin(), lines.end(), [](const ZoneLine& line) { return !line.tied; }), all);
   return out;
 }
 
@@ -178,6 +201,9 @@ const char* name_of(Measure what) {
   case Measure::kEdgeFriction: return "edge friction";
   case Measure::kSlipRange: return "slip range";
   case Measure::kFrictionForce: return "friction force";
+  case Measure::kMotionX: return "motion x";
+  case Measure::kMotionY: return "motion y";
+  case Measure::kRotation: return "rotation";
   }
   return "";
 }

@@ -110,7 +110,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
   for (const CrackTip& tip : tips) now.cracks.push_back(stress_intensity(tip, step.table, step.stride));
   if (solver != nullptr)
-    now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn);
+    now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn, now.bodies);
   c.steps.push_back(now);
 }
 

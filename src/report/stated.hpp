@@ -22,9 +22,15 @@ struct Stated {
   double tolerance = NAN;               // NaN: it was not asked for
   double at[2] = {NAN, NAN};
   bool endless = false; // it does not settle as the mesh becomes finer: it may have no bound
+  bool confirmed = true; // what another round, or another way to tell the error, says as well
+  // For the round after: how far the two meshes had it apart; the error by what it changed before; what another way to find it
+  // on the same mesh is apart.
+  double apart = NAN, error_by_before = NAN, doubt = 0;
+  int way = 0; // how it was found: more is better
   bool has_value() const { return name != kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
-  bool is_met() const { return std::isnan(tolerance) || error <= tolerance * scale; }
+  bool is_within() const { return std::isnan(tolerance) || error <= tolerance * scale; }
+  bool is_met() const { return is_within() && (confirmed || std::isnan(tolerance)); }
 };
 
 // Where the elements of a curve begin and end, in their order; closed: round an outline, the first is the last.

@@ -216,11 +216,30 @@ void PlaceFinder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w)
   if (curve(zone.side1.body).elements() > 0) compare_ends(line, zone, w, walk(zone.side1));
 }
 
+// What a body's surface yields to a pressure, and moves along under it.
+struct Yields {
+  double normal = 0, along = 0;
+  Yields(const Summary& s, int32_t body) {
+    const c2d_body_result& b = s.body[body - 1];
+    if (!(b.youngs_modulus > 0) || b.unknowns == 0) return; // a rigid one
+    const double nu = b.poisson_ratio, kappa = s.plane == C2D_PLANE_STRESS ? (3 - nu) / (1 + nu) : 3 - 4 * nu;
+    normal = (kappa + 1) * (1 + nu) / (2 * b.youngs_modulus), along = (kappa - 1) * (1 + nu) / (2 * b.youngs_modulus);
+  }
+};
+
+double dundurs_beta(const Summary& s, const c2d_zone& zone) {
+  const Yields one(s, zone.side1.body), two(s, zone.side2.body);
+  const double sum = one.normal + two.normal;
+  return sum > 0 ? (one.along - two.along) / sum : 0;
+}
+
 ZoneLine PlaceFinder::line_of(int32_t number) const {
   const c2d_zone& zone = s_.zone[static_cast<size_t>(number) - 1];
   ZoneLine line;
   line.zone = number;
   line.tied = (zone.kind & C2D_ZONE_TIED) != 0;
+  line.self = zone.side1.body == zone.side2.body;
+  line.beta = dundurs_beta(s_, zone);
   const Walk w = walk(zone.side2);
   if (w.elements.front() == 0 || w.elements.back() == 0) return line;
   for (const int32_t e : w.elements) {

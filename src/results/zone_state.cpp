@@ -50,16 +50,13 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   const Model& m = session.model;
   const Follower& f = session.follower;
   Largest largest{0.0, 0.0};
-  double length = 0.0, friction = 0.0;
+  double friction = 0.0;
   for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
     const Pair& pair = m.pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
     largest.p = larger(largest.p, now.p);
     largest.gap = larger(largest.gap, now.wn);
     friction = larger(friction, fabs(now.q));
-    length += pair.weight;
-    out.approach -= pair.weight * (now.wn - effective_gap(*m.head, pair, f.load) / m.head->length_unit);
-    out.shift += pair.weight * now.wt;
     if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
     if (pair.status == C2D_OPEN)
       ++out.open;
@@ -70,10 +67,6 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   }
   for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs && zone.is_tied == 0; ++i)
     out.near_change += is_near(m.pair[i], pair_state(*f.t, i, f.y), largest);
-  if (length > 0.0) {
-    out.approach *= m.head->length_unit / length;
-    out.shift *= m.head->length_unit / length;
-  }
   out.largest_pressure = largest.p * m.head->stress_unit;
   out.largest_friction = friction * m.head->stress_unit;
   const int side = zone.is_free != 0 ? 1 : 0;

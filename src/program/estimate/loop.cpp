@@ -20,7 +20,6 @@ constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr double kStalls = 0.7; // of the distance of the round before
 constexpr double kOwn = 0.5;    // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
 constexpr int kMostRounds = 14;
-constexpr double kWantedDoubt = 0.2; // as doubt() of error.cpp, of stresses
 constexpr double kSettles = 0.8;     // of the error before: more is none that falls
 constexpr int kPatience = 3;
 constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
@@ -50,7 +49,7 @@ private:
   void search();
   bool solve_level(Level& level, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
-  void judge(const Level& coarse, const Level& fine, const Distance& between, const Trial* earlier);
+  void judge(const Level& coarse, const Level& fine, const Distance& between);
   bool all_met() const;
   void watch();
   void tell_endless();
@@ -75,6 +74,7 @@ private:
   };
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
       watched_; // by name, zone, item, body, which of these
+  Round before_; // what was stated in the round before
   double seconds_ = 0;
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
   std::string history_;                // why it ended early, of the last mesh
@@ -187,19 +187,18 @@ double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
   return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
 }
 
-void Loop::judge(const Level& coarse, const Level& fine, const Distance& between, const Trial* earlier) {
+void Loop::judge(const Level& coarse, const Level& fine, const Distance& between) {
   std::vector<app::Stated>& stated = out_.loop.stated;
-  stated = state_numbers(coarse.trial, fine.trial, between, earlier);
+  const Round* before = before_.stated.empty() ? nullptr : &before_;
+  stated = state_numbers(coarse.trial, fine.trial, between, before);
   for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
-  double worst = 0;
-  for (const double p : between.pressure) worst = std::max(worst, p);
-  const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, coarse.mesh, coarse.trial);
-  for (size_t i = 0; i < now.size(); ++i) {
-    stated.push_back(now[i]);
-    if (i < then.size()) // else the history ended early there: no error can be told
-      stated.back().error = stated_error(std::fabs(now[i].value - then[i].value), kWantedDoubt * worst * now[i].scale);
-  }
+  for (const app::Stated& s : state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial),
+                                           between, before))
+    stated.push_back(s);
+  drop_unknown(stated);
+  confirm(stated, fine.trial, before);
   out_.loop.rounds.back().stated = stated;
+  before_ = {stated, between.pressure, fine.trial.states.empty() ? std::vector<double>() : fine.trial.states.back().loads};
 }
 
 // Numbers at one place whose errors no longer fall though the mesh there becomes finer: at a sharp corner there may be no
@@ -208,7 +207,7 @@ void Loop::watch() {
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
     const int which = seen[{s.name, s.zone, s.item, s.body}]++;
-    if (s.is_met() || !is_place(s)) continue;
+    if (s.is_within() || !is_place(s)) continue;
     Watched& w = watched_[{s.name, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
@@ -279,7 +278,7 @@ bool Loop::is_near(const Distance& d) const {
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
   for (const app::Stated& s : out_.loop.stated) {
-    if (s.is_met() || s.endless) continue;
+    if (s.is_within() || s.endless) continue;
     double& worst = is_local(s) ? contact : rest;
     worst = std::min(worst, is_place(s) ? kOfPlaces : s.tolerance * s.scale / s.error);
   }
@@ -303,7 +302,6 @@ bool Loop::take(Level& level, const std::string& why) {
 
 void Loop::search() {
   Level coarse;
-  Trial earlier; // on the fine mesh of the round before
   coarse.mesh = sketch::first_mesh(s_, kFirst);
   int early = 0; // rounds whose history ended early
   for (int round = 0; round < kMostRounds; ++round) {
@@ -324,7 +322,7 @@ void Loop::search() {
     const Distance between = distance_of(coarse, fine);
     tell_distance(between, fine.trial, out_.loop.rounds.back());
     told_(out_.loop.rounds.back());
-    judge(coarse, fine, between, earlier.states.empty() ? nullptr : &earlier);
+    judge(coarse, fine, between);
     take(fine, "");
     if (is_cut_off(fine.trial, fine.mesh)) {
       coarse.mesh = without_far(coarse.mesh);
@@ -340,7 +338,6 @@ void Loop::search() {
     if (all_met()) return tell_endless();
     if (near) tighten(between);
     coarse = next_mesh(coarse, fine, between, near);
-    earlier = std::move(fine.trial);
     if (!is_within_limits(coarse.mesh)) return;
   }
   out_.loop.stopped = "after " + std::to_string(kMostRounds) + " rounds";

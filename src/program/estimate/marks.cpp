@@ -57,7 +57,7 @@ sketch::Levels marks(const Distance& distance, double pressure, double energy) {
 void mark_places(const sketch::Sketch& sketch, const Trial& trial, const std::vector<app::Stated>& stated, sketch::Mesh& mesh,
                  sketch::Levels& levels) {
   for (const app::Stated& s : stated) {
-    if (s.is_met() || !is_place(s)) continue;
+    if (s.is_within() || !is_place(s)) continue;
     const int32_t at = s.zone > 0 ? trial.zones[static_cast<size_t>(s.zone) - 1][1].body : s.body - 1;
     const auto body = static_cast<size_t>(at);
     const sketch::Located place = sketch::locate(sketch, {at, {s.at[0], s.at[1]}}, s.zone > 0, mesh);

@@ -150,6 +150,7 @@ c2d_status History::describe(const std::string& deck) {
     out_.equations += summary_.body[b - 1].unknowns;
     const double nu = summary_.body[b - 1].poisson_ratio;
     out_.stiffness.push_back(summary_.body[b - 1].youngs_modulus / (1 - nu * nu));
+    out_.across.push_back(summary_.plane == C2D_PLANE_STRESS ? nu : nu / (1 - nu));
     status = measure(b);
   }
   for (const c2d_zone& zone : summary_.zone) {
@@ -187,8 +188,12 @@ c2d_status History::note_contact(State& state) {
   for (int32_t z = 1; z <= summary_.zones && status == C2D_OK; ++z)
     status = c2d_get_zone_state(solver_, z, &zones[static_cast<size_t>(z) - 1]);
   app::turn_forces(lines_, zones);
+  std::vector<c2d_body_state> bodies(static_cast<size_t>(summary_.bodies), C2D_INIT(c2d_body_state));
+  for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b)
+    status = c2d_get_body_state(solver_, b, &bodies[static_cast<size_t>(b) - 1]);
   if (status == C2D_OK)
-    state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_);
+    state.quantities =
+        app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_, bodies);
   if (status == C2D_OK && state.turn) {
     slip_at_turn_.clear();
     for (size_t k = C2D_SLIP_SUM; k < table.size(); k += C2D_PAIR_FIELDS) slip_at_turn_.push_back(table[k]);

@@ -47,6 +47,7 @@ struct Trial {
   int32_t nodes = 0;                        // functional ones of an element
   std::vector<std::vector<double>> lengths; // of every body's elements
   std::vector<double> stiffness;            // of every body: E / (1 - nu^2)
+  std::vector<double> across;               // of every body: stress along its surface by one of 1 across, at no strain along it
   std::vector<std::array<Side, 2>> zones;
   std::vector<char> tied;                 // of each zone
   std::vector<std::vector<char>> touched; // of each body, per element end: at the end of any increment

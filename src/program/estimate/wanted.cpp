@@ -1,5 +1,6 @@
 #include "program/estimate/wanted.hpp"
 
+#include "program/estimate/hoop.hpp"
 #include "program/sketch/cycle.hpp"
 
 #include <algorithm>
@@ -10,7 +11,8 @@ namespace {
 
 using sketch::Want;
 
-constexpr const char* kStresses[3] = {"stress xx", "stress yy", "stress xy"};
+constexpr const char *kStresses[3] = {"stress xx", "stress yy", "stress xy"},
+                     *kDisplacements[2] = {"displacement x", "displacement y"};
 
 app::Stated number(const std::string& name, size_t body, double value, double scale, double tolerance) {
   app::Stated s;
@@ -46,43 +48,30 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
   }
 }
 
-// A value along curves and where it is.
-struct Along {
-  double value;
-  sketch::Point at;
-};
+// Displacements at a place at the end.
+void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t body, sketch::Point at, size_t place,
+                       double tolerance) {
+  double largest = 0;
+  for (const State& state : trial.states) largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
+  for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
+    out.push_back(number(kDisplacements[c], body, trial.states.back().inside[place][c], largest, tolerance));
+    out.back().at[0] = at.x, out.back().at[1] = at.y;
+  }
+}
 
-// The largest and the smallest stress along curves from the state `first` on, and the largest range at one place; of a cycle
-// this alone.
+// Of a cycle the range alone.
 void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want, double tolerance,
               size_t first) {
-  const auto body = static_cast<size_t>(want.side->body);
-  Along high{-HUGE_VAL, {}}, low{HUGE_VAL, {}}, widest{-1, {}};
-  size_t element = 0;
-  for (const sketch::MeshedOutline& outline : mesh.bodies[body])
-    for (const sketch::MeshedCurve& curve : outline.curves)
-      for (size_t e = 0; e < curve.elements(); ++e, ++element) {
-        if (!want.side->has(curve.curve->name)) continue;
-        for (int32_t i = 0; i < trial.nodes; ++i) {
-          const double f = trial.nodes == 1 ? 0.5 : static_cast<double>(i) / (trial.nodes - 1);
-          const double s = curve.ends[e] + f * (curve.ends[e + 1] - curve.ends[e]);
-          const sketch::Point p = curve.curve->shape->at(curve.measure.u_at(s));
-          const size_t end = element * static_cast<size_t>(trial.nodes) + static_cast<size_t>(i);
-          Range range;
-          for (size_t k = first; k < trial.states.size(); ++k) range.take(trial.states[k].ends[body][kHoop][end]);
-          if (range.high > high.value) high = {range.high, p};
-          if (range.low < low.value) low = {range.low, p};
-          if (range.size() > widest.value) widest = {range.size(), p};
-        }
-      }
-  if (widest.value < 0) return;
+  const Hoop hoop = find_hoop(mesh, trial, *want.side, first);
+  if (!hoop.any) return;
   const auto add = [&](const char* name, const Along& a) {
-    const double scale = std::max(std::fabs(high.value), std::fabs(low.value));
-    out.push_back(number(name + want.side->names[0], body, a.value, scale, tolerance));
-    out.back().at[0] = a.at.x, out.back().at[1] = a.at.y;
+    const double scale = std::max(std::fabs(hoop.high.value), std::fabs(hoop.low.value));
+    out.push_back(number(name + want.side->names[0], static_cast<size_t>(want.side->body), a.value, scale, tolerance));
+    out.back().at[0] = a.at.x, out.back().at[1] = a.at.y, out.back().doubt = a.doubt, out.back().way = a.way;
   };
-  if (want.cycle) return add("cycle range of stress along ", widest);
-  add("largest stress along ", high), add("smallest stress along ", low), add("range of stress along ", widest);
+  if (want.cycle) return add("cycle range of stress along ", hoop.widest);
+  add("largest stress along ", hoop.high), add("smallest stress along ", hoop.low);
+  add("range of stress along ", hoop.widest);
 }
 
 // The state at which the history's last cycle begins; behind the last one if it ended before the cycle did.
@@ -94,6 +83,33 @@ size_t state_of_cycle(const sketch::Sketch& sketch, const Trial& trial) {
   return trial.states.size();
 }
 
+// Points that a statement of stress has alone, without a tolerance.
+std::vector<sketch::WantedPoint> not_wanted(const sketch::Sketch& sketch) {
+  std::vector<sketch::WantedPoint> out;
+  for (const sketch::WantedPoint& p : sketch.points)
+    if (std::none_of(sketch.wants.begin(), sketch.wants.end(), [&](const Want& w) {
+          return w.kind == Want::kStress && w.body == p.body && w.where.x == p.at.x && w.where.y == p.at.y;
+        }))
+      out.push_back(p);
+  return out;
+}
+
+// Stresses and displacements at the end there, which no tolerance was asked for.
+void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, const Trial& trial, size_t place) {
+  for (const sketch::WantedPoint& p : not_wanted(sketch)) {
+    const auto body = static_cast<size_t>(p.body);
+    add_displacements(out, trial, body, p.at, place, NAN);
+    double largest = 0;
+    for (const State& state : trial.states)
+      for (size_t c = 2; c < 5; ++c) largest = std::max(largest, std::fabs(state.inside[place][c]));
+    for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
+      out.push_back(number(kStresses[c], body, trial.states.back().inside[place][c + 2], largest, NAN));
+      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y;
+    }
+    ++place;
+  }
+}
+
 } // namespace
 
 void ask(const sketch::Sketch& sketch, Demand& demand) {
@@ -101,6 +117,7 @@ void ask(const sketch::Sketch& sketch, Demand& demand) {
     if (want.kind == Want::kStress) demand.points.push_back({want.body + 1, want.where.x, want.where.y});
     demand.all_steps = demand.all_steps || want.kind == Want::kStress || want.kind == Want::kHoop;
   }
+  for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
 }
 
 // Cycles come last: a history that ends early has none, and the others keep their places.
@@ -114,9 +131,12 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
       if (want.kind == Want::kStress) ++places;
       if (want.cycle != cycle) continue;
       const double tolerance = want.tolerance.value_or(sketch.tolerance);
+      if (want.kind == Want::kStress && !cycle)
+        add_displacements(out, trial, static_cast<size_t>(want.body), want.where, place, tolerance);
       if (want.kind == Want::kStress) add_place(out, trial, want, place, tolerance, first);
       if (want.kind == Want::kHoop) add_hoop(out, mesh, trial, want, tolerance, first);
     }
+    if (!cycle) add_points(out, sketch, trial, places);
   }
   return out;
 }

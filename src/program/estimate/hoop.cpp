@@ -1,0 +1,274 @@
+#include "program/estimate/hoop.hpp"
+
+#include "program/sketch/place_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estimate {
+namespace {
+
+// Elements from an edge inwards that are asked: all of them, or fewer where slip ends before. The mesh disturbs the first two.
+constexpr size_t kBehind = 8, kFewer = 6, kDisturbed = 2;
+constexpr double kSameBound = 0.1; // friction over pressure in them, if they slip
+constexpr double kPressed = 1e-3;  // of the largest pressure: less is none
+constexpr size_t kShadow = 2;        // elements beside an edge whose own values count for nothing
+
+struct HoopElement {
+  const sketch::MeshedCurve* curve;
+  double from, to;
+  size_t before, after; // neighbours on its outline; its own number where there is none
+  bool wanted;
+  double length() const { return to - from; }
+  sketch::Point at(double f) const { return curve->curve->shape->at(curve->measure.u_at(from + f * (to - from))); }
+};
+
+// A place where contact ends, seen from inside.
+struct HoopEdge {
+  size_t element; // that it lies in
+  double s;       // along that one's curve
+  bool up;        // contact lies behind it in the order of the elements
+};
+
+// A stress of an edge in one state.
+struct EdgeStress {
+  HoopEdge edge;
+  Along stress;
+};
+
+class HoopFinder {
+public:
+  HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
+  Hoop run();
+
+private:
+  double field(size_t state, Field f, size_t element, double at) const;
+  double pressure(size_t state, size_t element, double at, double* friction = nullptr) const;
+  double smooth_part(size_t state, size_t element) const;
+  size_t next(size_t element, bool up) const { return up ? elements_[element].after : elements_[element].before; }
+  std::vector<HoopEdge> edges_of(size_t state) const;
+  bool is_inside(size_t state, const HoopEdge& edge, bool up) const;
+  bool find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const;
+  void find_edges();
+  void take_nodes(Hoop& out) const;
+  void take_edges(Hoop& out) const;
+  double value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const;
+
+  const Trial& trial_;
+  const size_t body_, first_;
+  std::vector<HoopElement> elements_;
+  std::vector<double> largest_;                 // pressure of each state
+  std::vector<std::vector<EdgeStress>> stress_; // of each state
+  std::vector<char> shadowed_;                  // elements beside edges whose stresses are known
+};
+
+HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first)
+    : trial_(trial), body_(static_cast<size_t>(side.body)), first_(first) {
+  for (const sketch::MeshedOutline& outline : mesh.bodies[body_]) {
+    const size_t begin = elements_.size();
+    for (const sketch::MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) {
+        const size_t i = elements_.size();
+        elements_.push_back({&curve, curve.ends[e], curve.ends[e + 1], i == begin ? i : i - 1, i + 1, side.has(curve.curve->name)});
+      }
+    if (elements_.size() == begin) continue;
+    const size_t last = elements_.size() - 1;
+    elements_[last].after = outline.open ? last : begin;
+    if (!outline.open) elements_[begin].before = last;
+  }
+  shadowed_.assign(elements_.size(), 0);
+}
+
+// Of an element's functions, at a place from 0 to 1: linear between the two nodes beside it.
+double HoopFinder::field(size_t state, Field f, size_t element, double at) const {
+  const std::vector<double>& v = trial_.states[state].ends[body_][f];
+  const auto n = static_cast<size_t>(trial_.nodes);
+  if (n == 1) return v[element];
+  const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(n - 1);
+  const size_t i = std::min(static_cast<size_t>(place), n - 2);
+  const double part = place - static_cast<double>(i);
+  return (1 - part) * v[element * n + i] + part * v[element * n + i + 1];
+}
+
+double HoopFinder::pressure(size_t state, size_t element, double at, double* friction) const {
+  const sketch::Point along = elements_[element].at(1) - elements_[element].at(0), t{field(state, kTx, element, at),
+                                                                                       field(state, kTy, element, at)};
+  const double size = sketch::length(along);
+  if (friction != nullptr) *friction = sketch::dot(t, along) / size;
+  return std::fabs(sketch::cross(along, t)) / size;
+}
+
+// The mean over an element of the stress along the surface plus the pressure. Strain is a mean as it is; the pressure, whose
+// square is nearly linear beside an edge, is taken so, both in what the stress has of it and beside it.
+double HoopFinder::smooth_part(size_t state, size_t element) const {
+  const double p = pressure(state, element, 0.5), a = pressure(state, element, 0), b = pressure(state, element, 1),
+               mean = trial_.nodes == 1 ? p : 2.0 / 3 * (a * a + a * b + b * b) / (a + b), across = trial_.across[body_];
+  return field(state, kHoop, element, 0.5) + across * p + (1 - across) * mean;
+}
+
+bool HoopFinder::is_inside(size_t state, const HoopEdge& edge, bool up) const {
+  const size_t e = next(edge.element, up);
+  return pressure(state, e, 0.5) > kPressed * largest_[state] && e != edge.element;
+}
+
+// Those of this body's contacts, on the curves that are wanted.
+std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
+  std::vector<HoopEdge> out;
+  for (const app::Quantity& q : trial_.states[state].quantities) {
+    if (q.what != app::Measure::kContactEdge || q.at_corner || std::isnan(q.at[0])) continue;
+    const auto& zone = trial_.zones[static_cast<size_t>(q.zone) - 1];
+    if (zone[0].body != static_cast<int32_t>(body_) && zone[1].body != static_cast<int32_t>(body_)) continue;
+    const sketch::Point at{q.at[0], q.at[1]};
+    double least = HUGE_VAL;
+    HoopEdge edge{elements_.size(), 0, false};
+    const sketch::MeshedCurve* curve = nullptr;
+    double s = 0, off = 0;
+    for (size_t e = 0; e < elements_.size(); ++e) {
+      if (!elements_[e].wanted) continue;
+      if (elements_[e].curve != curve) {
+        curve = elements_[e].curve;
+        s = sketch::nearest_length(*curve, at);
+        off = sketch::length(curve->curve->shape->at(curve->measure.u_at(s)) - at);
+      }
+      if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, edge = {e, s, false};
+    }
+    if (edge.element == elements_.size()) continue;
+    const bool up = is_inside(state, edge, true), down = is_inside(state, edge, false);
+    if (up != down) edge.up = up, out.push_back(edge);
+  }
+  return out;
+}
+
+// The value at 0 of the parabola, or the straight line, that fits y(x) best.
+double value_at_zero(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree) {
+  double a[3][4] = {};
+  const int n = degree + 1;
+  const double unit = x[count - 1]; // so that nothing is badly scaled
+  for (size_t k = 0; k < count; ++k)
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) a[i][j] += std::pow(x[k] / unit, i + j);
+      a[i][3] += std::pow(x[k] / unit, i) * y[k];
+    }
+  for (int i = n - 1; i > 0; --i) // the constant last
+    for (int k = 0; k < i; ++k) {
+      const double f = a[k][i] / a[i][i];
+      for (int j = 0; j < i; ++j) a[k][j] -= f * a[i][j];
+      a[k][3] -= f * a[i][3];
+    }
+  return a[0][3] / a[0][0];
+}
+
+// Stress along the surface and pressure together are smooth inside a contact that slips up to its edge, where the pressure ends:
+// a parabola through the means over elements behind it tells what is there. False: the contact sticks in them.
+bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const {
+  const HoopElement& own = elements_[edge.element];
+  double begin = edge.up ? own.to - edge.s : edge.s - own.from; // of the next element, from the edge
+  const bool with_own = begin > 0.5 * own.length();
+  if (with_own) begin -= own.length();
+  size_t e = with_own ? edge.element : next(edge.element, edge.up);
+  std::vector<double> x, y;
+  double bound = 0;
+  for (size_t k = 0; k < kBehind; ++k, e = next(e, edge.up)) {
+    double friction = 0;
+    const double p = pressure(state, e, 0.5, &friction), length = elements_[e].length();
+    if (k == 1) bound = friction / p;
+    const bool slips = k == 0 || std::fabs(friction / p - bound) <= kSameBound * std::fabs(bound) + kPressed;
+    if (!(p > kPressed * largest_[state]) || (k > 0 && e == edge.element) || !slips) break;
+    if (k >= kDisturbed) x.push_back(begin + length / 2), y.push_back(smooth_part(state, e));
+    begin += length;
+  }
+  if (x.size() < kFewer - kDisturbed) return false;
+  const bool all = x.size() == kBehind - kDisturbed;
+  const double value = value_at_zero(x, y, all ? x.size() : kFewer - kDisturbed, 2);
+  const double other = value_at_zero(x, y, kFewer - kDisturbed, all ? 2 : 1);
+  out = {edge, {value, std::fabs(value - other), own.at((edge.s - own.from) / own.length()),
+                static_cast<int>(x.size())}};
+  return true;
+}
+
+void HoopFinder::find_edges() {
+  for (size_t state = 0; state < trial_.states.size(); ++state) {
+    largest_.push_back(0);
+    stress_.emplace_back();
+    for (const app::Quantity& q : trial_.states[state].quantities)
+      if (q.what == app::Measure::kPeakPressure) largest_.back() = std::max(largest_.back(), q.value);
+    if (state < first_) continue;
+    for (const HoopEdge& edge : edges_of(state)) {
+      EdgeStress stress;
+      if (!find_stress(state, edge, stress)) continue;
+      stress_.back().push_back(stress);
+      for (const bool up : {false, true}) {
+        size_t e = edge.element;
+        for (size_t k = 0; k <= kShadow; ++k, e = next(e, up)) shadowed_[e] = 1;
+      }
+    }
+  }
+}
+
+void HoopFinder::take_nodes(Hoop& out) const {
+  const auto n = static_cast<size_t>(trial_.nodes);
+  for (size_t e = 0; e < elements_.size(); ++e)
+    for (size_t i = 0; i < n && elements_[e].wanted && shadowed_[e] == 0; ++i) {
+      const sketch::Point p = elements_[e].at(n == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1));
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (size_t k = first_; k < trial_.states.size(); ++k) {
+        const double v = trial_.states[k].ends[body_][kHoop][e * n + i];
+        low = std::min(low, v), high = std::max(high, v);
+      }
+      if (high > out.high.value) out.high = {high, 0, p};
+      if (low < out.low.value) out.low = {low, 0, p};
+      if (high - low > out.widest.value) out.widest = {high - low, 0, p};
+      out.any = true;
+    }
+}
+
+// The stress of a state at the place of an edge of another one, which may be an edge there, too.
+double HoopFinder::value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const {
+  const HoopElement& own = elements_[edge.element];
+  for (const EdgeStress& s : stress_[state])
+    if (s.edge.up == edge.up && elements_[s.edge.element].curve == own.curve && std::fabs(s.edge.s - edge.s) < own.length()) {
+      *doubt += s.stress.doubt, *way = s.stress.way;
+      return s.stress.value;
+    }
+  *way = 0;
+  return field(state, kHoop, edge.element, (edge.s - own.from) / own.length());
+}
+
+void HoopFinder::take_edges(Hoop& out) const {
+  for (size_t state = first_; state < trial_.states.size(); ++state)
+    for (const EdgeStress& s : stress_[state]) {
+      if (s.stress.value > out.high.value) out.high = s.stress;
+      if (s.stress.value < out.low.value) out.low = s.stress;
+      out.any = true;
+      if (!trial_.states[state].turn) continue;
+      double low = HUGE_VAL, high = -HUGE_VAL, doubt_low = 0, doubt_high = 0;
+      int way_low = 0, way_high = 0;
+      for (size_t k = first_; k < trial_.states.size(); ++k) {
+        double doubt = 0;
+        int way = 0;
+        const double v = value_at(k, s.edge, &doubt, &way);
+        if (v < low) low = v, doubt_low = doubt, way_low = way;
+        if (v > high) high = v, doubt_high = doubt, way_high = way;
+      }
+      if (high - low > out.widest.value)
+        out.widest = {high - low, doubt_low + doubt_high, s.stress.at, std::min(way_low, way_high)};
+    }
+}
+
+Hoop HoopFinder::run() {
+  Hoop out;
+  out.high.value = -HUGE_VAL, out.low.value = HUGE_VAL, out.widest.value = -1;
+  if (first_ >= trial_.states.size()) return out;
+  find_edges();
+  take_nodes(out);
+  take_edges(out);
+  return out;
+}
+
+} // namespace
+
+Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first) {
+  return HoopFinder(mesh, trial, side, first).run();
+}
+
+} // namespace estimate

@@ -1,0 +1,25 @@
+// Stresses along the surface of a body on one mesh: at the nodes, and at edges of contacts that slip, where they have their peaks
+// and elements say too little of them.
+#pragma once
+
+#include "program/estimate/trial.hpp"
+#include "program/sketch/mesh.hpp"
+
+namespace estimate {
+
+// A stress along the surface, and where it is. `doubt`: what it changes if it is found with fewer of the elements behind an edge,
+// `way`: how many these are, 0 at a node.
+struct Along {
+  double value = 0, doubt = 0;
+  sketch::Point at = {};
+  int way = 0;
+};
+
+// The largest and the smallest stress along curves from the state `first` on, and the largest range at one place.
+struct Hoop {
+  Along high, low, widest;
+  bool any = false; // false: the curves have no elements, or there is no such state
+};
+Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
+
+} // namespace estimate

@@ -1,0 +1,108 @@
+// How far bodies come closer and past each other, and how rigid ones move: motions of the bodies, whatever the mesh.
+#include "callable.hpp"
+#include "program/estimate/loop.hpp"
+#include "program/estimate/trial.hpp"
+#include "sketches.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using app::Measure;
+
+namespace {
+
+estimate::Trial solved(const std::string& text, double fineness = 1) {
+  estimate::Trial out;
+  std::string why;
+  const c2d_status status = estimate::solve(sketches::deck(text, fineness), {}, out, why);
+  REQUIRE_MESSAGE(status == C2D_OK, why);
+  REQUIRE(out.outcome == C2D_REACHED);
+  return out;
+}
+
+double value_of(const estimate::Trial& trial, Measure what, int32_t zone, int32_t item = 0) {
+  for (const app::Quantity& q : trial.states.back().quantities)
+    if (q.what == what && q.zone == zone && q.item == item) return q.value;
+  return NAN;
+}
+
+// Modulus 1000, height 1, pressure 10 above: it becomes lower by 0.01.
+const char kLower[] = "body lower E 1000 nu 0\nfrom 0 0\nline floor to 2 0\nline e to 2 1\nline top to 0 1\nline w close\n"
+                      "fix lower.floor\n";
+const char kUpper[] = "body upper E 1000 nu 0\nfrom 0 1\nline face to 2 1\nline e to 2 3\nline lid to 0 3\nline w close\n"
+                      "contact lower.top upper.face mu 1\n";
+
+} // namespace
+
+TEST_CASE("motions: a loaded body's is that of its loaded curve, another one's the mean over its outline") {
+  // Upper block of height 2: its lid goes down by 0.03; the outline of the lower one by (2 * 0.01 + 2 * 0.005) / 6.
+  for (const double fineness : {1.0, 3.0}) {
+    const estimate::Trial t = solved(std::string(kLower) + kUpper + "traction upper.lid y -10\n", fineness);
+    CHECK(value_of(t, Measure::kApproach, 1) == doctest::Approx(0.03 - 0.005).epsilon(1e-9));
+    CHECK(std::fabs(value_of(t, Measure::kShift, 1)) < 1e-12);
+  }
+  // By a platen alike.
+  const estimate::Trial t = solved(std::string(kLower) + kUpper + "platen upper.lid about 1 3 force 0 -20 turn 0\n");
+  CHECK(value_of(t, Measure::kApproach, 1) == doctest::Approx(0.03 - 0.005).epsilon(1e-9));
+  CHECK(value_of(t, Measure::kMotionY, 0, 3) == doctest::Approx(-0.03).epsilon(1e-9));
+  CHECK(std::fabs(value_of(t, Measure::kRotation, 0, 3)) < 1e-12);
+  CHECK(std::isnan(value_of(t, Measure::kApproach, 0, 3))); // of models without a contact
+}
+
+TEST_CASE("motions: a rigid body's is its own; signs are those of gap and slip") {
+  const std::string rigid = "body lid rigid\nfrom 2 1.5\nline up to 0 1.5\nline left to 0 1\nline face to 2 1\nline right close\n";
+  const char* const contacts[] = {"contact lower.top lid.face mu 0.5\n", "contact lid.face lower.top mu 0.5\n"};
+  for (const char* contact : contacts) {
+    const std::string text = std::string(kLower) + rigid + contact +
+                             "case press\ndrive lid about 1 1 fx 0 fy -20 turn 0\n"
+                             "case pull\ndrive lid about 1 1 fx 4\nhistory press 1; pull 1\n";
+    const estimate::Trial t = solved(text);
+    CAPTURE(contact);
+    const double down = value_of(t, Measure::kMotionY, 0, 2), right = value_of(t, Measure::kMotionX, 0, 2);
+    CHECK(right > 0);
+    CHECK(down < 0);
+    // Both bodies' motions go in; the block's is between that of its floor and of its top.
+    const double approach = value_of(t, Measure::kApproach, 1), shift = value_of(t, Measure::kShift, 1);
+    CHECK(approach > 0.3 * -down);
+    CHECK(approach < -down);
+    // t runs to the left of the lower body as its top does, to the left of the lid's face alike: (u2 - u1).t has one sign.
+    CHECK(std::fabs(shift) > 0.3 * right);
+    CHECK(std::fabs(shift) < right);
+    double slip = 0;
+    for (const app::Quantity& q : t.states.back().quantities)
+      if (q.what == Measure::kFrictionForce) slip = q.value;
+    CHECK(slip * shift < 0); // friction on body 2 is against its motion past body 1
+  }
+}
+
+TEST_CASE("motions: of a zone that goes all round along its force, which a press fit has not") {
+  const std::string ring = "body hub E 1000 nu 0.3\nfrom 3 0\narc rim to -3 0 centre 0 0\narc under close centre 0 0\nhole\n"
+                           "from 1 0\narc bore to -1 0 centre 0 0 right\narc below close centre 0 0 right\n"
+                           "body shaft E 1000 nu 0.3\nfrom 1.001 0\narc face to -1.001 0 centre 0 0\narc back close centre 0 0\n"
+                           "contact hub.bore+below shaft.face+back mu 0.5\ninterference\nfix hub.rim+under\n";
+  const estimate::Trial t = solved(ring);
+  CHECK(value_of(t, Measure::kPeakPressure, 1) > 0.1);
+  CHECK(std::fabs(value_of(t, Measure::kApproach, 1)) < 1e-6);
+}
+
+TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's beam") {
+  // Cantilever of length 100, height 10, nu 0, with the force that bends it by 1: and 0.6 (h/L)^2 by shear.
+  const sketch::Sketch s = sketches::sound(
+      "parameter L 100 h 10 Y 1000 I {h^3/12}\nplane stress\nbody beam E Y nu 0\nfrom 0 0\nline under to L 0\nline tip to L h\n"
+      "line top to 0 h\nline root close\nfix beam.root\nplaten beam.tip about L {h/2} force 0 {-3*Y*I/L^3}\nwant approach 1 %\n"
+      "functions quadratic\n");
+  const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
+  int wanted = 0, told = 0;
+  for (const app::Stated& number : found.loop.stated) {
+    if (number.name == "approach") {
+      ++wanted;
+      CHECK(number.value == doctest::Approx(1.006).epsilon(0.004));
+      CHECK(number.is_met());
+      CHECK(number.error >= 0.8 * (std::fabs(number.value - 1.006) - 2e-3)); // the root is held in both directions
+    }
+    if (number.name == "motion y" || number.name == "rotation") ++told, CHECK(std::isfinite(number.error));
+  }
+  CHECK(wanted == 1);
+  CHECK(told == 2);
+  CHECK(found.loop.stopped.empty());
+}
