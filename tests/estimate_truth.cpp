@@ -98,7 +98,8 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
     row.value = s.value, row.asked = row.wanted ? s.tolerance : tolerance;
     double error = NAN;
     for (const Known& k : problem.known)
-      if (k.name == s.name) error = k.places.empty() ? std::fabs(s.value - k.value) : distance_to(k.places, s.at);
+      if (k.name == s.name) // the nearest of several
+        error = std::fmin(error, k.places.empty() ? std::fabs(s.value - k.value) : distance_to(k.places, s.at));
     if (s.name == estimate::kTractions && problem.tractions) error = off_tractions(problem, found.mesh, trial);
     if (by_mesh) error = error_by(reference, s);
     row.error = error / s.scale, row.stated = s.error / s.scale;

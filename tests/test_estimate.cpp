@@ -6,7 +6,7 @@
 namespace {
 
 // Blocks are finite: closed forms for half planes hold to this share.
-constexpr double kKnownTo = 3e-4;
+constexpr double kKnownTo = 1e-4;
 
 void check(const truth::Problem& problem, double tolerance) {
   const truth::Judged j = truth::judge(problem, tolerance, false);

@@ -50,7 +50,8 @@ TEST_CASE("motions: a loaded body's is that of its loaded curve, another one's t
 }
 
 TEST_CASE("motions: a rigid body's is its own; signs are those of gap and slip") {
-  const std::string rigid = "body lid rigid\nfrom 2 1.5\nline up to 0 1.5\nline left to 0 1\nline face to 2 1\nline right close\n";
+  const std::string rigid =
+      "body lid rigid\nfrom 2 1.5\nline up to 0 1.5\nline left to 0 1\nline face to 2 1\nline right close\n";
   const char* const contacts[] = {"contact lower.top lid.face mu 0.5\n", "contact lid.face lower.top mu 0.5\n"};
   for (const char* contact : contacts) {
     const std::string text = std::string(kLower) + rigid + contact +
@@ -76,10 +77,11 @@ TEST_CASE("motions: a rigid body's is its own; signs are those of gap and slip")
 }
 
 TEST_CASE("motions: of a zone that goes all round along its force, which a press fit has not") {
-  const std::string ring = "body hub E 1000 nu 0.3\nfrom 3 0\narc rim to -3 0 centre 0 0\narc under close centre 0 0\nhole\n"
-                           "from 1 0\narc bore to -1 0 centre 0 0 right\narc below close centre 0 0 right\n"
-                           "body shaft E 1000 nu 0.3\nfrom 1.001 0\narc face to -1.001 0 centre 0 0\narc back close centre 0 0\n"
-                           "contact hub.bore+below shaft.face+back mu 0.5\ninterference\nfix hub.rim+under\n";
+  const std::string ring =
+      "body hub E 1000 nu 0.3\nfrom 3 0\narc rim to -3 0 centre 0 0\narc under close centre 0 0\nhole\n"
+      "from 1 0\narc bore to -1 0 centre 0 0 right\narc below close centre 0 0 right\n"
+      "body shaft E 1000 nu 0.3\nfrom 1.001 0\narc face to -1.001 0 centre 0 0\narc back close centre 0 0\n"
+      "contact hub.bore+below shaft.face+back mu 0.5\ninterference\nfix hub.rim+under\n";
   const estimate::Trial t = solved(ring);
   CHECK(value_of(t, Measure::kPeakPressure, 1) > 0.1);
   CHECK(std::fabs(value_of(t, Measure::kApproach, 1)) < 1e-6);

@@ -30,7 +30,7 @@ std::vector<double> steps(size_t count, double h = 1) {
 }
 // A contact from a to b on it, with a gap of (3/2) power beyond and a pressure of (1/2) power inside.
 LineState state_of(const ZoneLine& line, double a, double b) {
-  LineState state{line, {}, {}, {}, {}, {}};
+  LineState state{line, {}, {}, {}, {}, {}, {}, {}};
   for (double s : line.s) {
     if (line.round && s < a - (line.length - (b - a)) / 2) s += line.length;
     const bool in = s >= a && s <= b;
@@ -56,6 +56,45 @@ TEST_CASE("quantities: a gap of the power 3/2 gives the edge exactly, wherever i
     CHECK(edges[0].direction == -1);
     CHECK(edges[1].direction == 1);
   }
+}
+
+TEST_CASE("quantities: where unlike bodies slide the gap has another power, by the friction towards the open side") {
+  // A rigid body over an elastic one with nu 0: beta 1/2. Friction 0.8 of the pressure on body 2 along t, which runs with s or
+  // against it; on body 1 the other way, so that it yields towards that side (Bufler).
+  const double kBeta = 0.5, kFriction = 0.8, shift = std::atan(kBeta * kFriction) / kPi, a = 10.3, b = 25.6;
+  for (const int with : {-1, 1}) {
+    ZoneLine line = line_of(steps(40));
+    line.x = line.s, line.y.assign(line.size(), 0), line.beta = kBeta;
+    LineState state = state_of(line, a, b);
+    for (size_t i = 0; i < line.size(); ++i) {
+      state.nx.push_back(0), state.ny.push_back(with); // t = (ny, -nx)
+      state.tt[i] = kFriction * state.tn[i];
+      const double s = line.s[i], to_right = 1.5 - with * shift, to_left = 1.5 + with * shift;
+      if (s > b) state.gap[i] = std::pow(s - b, to_right);
+      if (s < a) state.gap[i] = std::pow(a - s, to_left);
+    }
+    const std::vector<ContactEdge> edges = find_contact_edges(state);
+    REQUIRE(edges.size() == 2);
+    CHECK(edges[0].s == doctest::Approx(a).epsilon(1e-10));
+    CHECK(edges[1].s == doctest::Approx(b).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("quantities: slip is largest at an edge, between nodes") {
+  const double a = 10.3, b = 25.6;
+  const ZoneLine line = line_of(steps(40));
+  LineState state = state_of(line, a, b);
+  std::vector<double> table;
+  for (size_t i = 0; i < line.size(); ++i) {
+    std::vector<double> row(C2D_PAIR_FIELDS, 0.0);
+    row[C2D_STATUS] = state.status[i], row[C2D_TN] = state.tn[i], row[C2D_GAP] = state.gap[i];
+    row[C2D_SLIP_SUM] = 0.01 * (line.s[i] - 15);
+    table.insert(table.end(), row.begin(), row.end());
+  }
+  const Quantity slip = Run::all(quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {}, 0), Measure::kSlipRange).at(0);
+  CHECK(slip.value == doctest::Approx(0.01 * (b - 15)));
+  CHECK(slip.doubt < 1e-12);
+  CHECK(slip.s == doctest::Approx(b));
 }
 
 TEST_CASE("quantities: few open pairs beyond an edge") {

@@ -28,7 +28,7 @@ std::string set(const char* name, double value) { return std::string("parameter 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
 const char* const kBlock = R"(
-parameter tolerance 0.01  L 60
+parameter tolerance 0.01  L 240
 body block E E nu nu
   from {-L} {-L}
   line bottom to L {-L}
@@ -87,12 +87,15 @@ Problem hertz(double shift) {
   const Hertz h(std::sqrt(1 + shift));
   Problem out;
   out.name = "Hertz " + brief(shift);
-  out.text = set("E", kE) + set("nu", kNu) + set("mu", 0) + set("R", kR) + set("P", h.P) + kBlock + kPad + kPressed;
+  out.text = set("E", kE) + set("nu", kNu) + set("mu", 0) + set("R", kR) + set("P", h.P) + kBlock + kPad + kPressed +
+             "want pressure edges forces approach  pressure at block.top 0.4 0 -0.8 0 1 %\n";
   out.known = {{"peak pressure", h.p0},
                {"mean pressure", h.P / (2 * h.a)},
                {"contact edge", 0, both(h.a)},
                {"force y", h.P},
-               {"edge pressure", h.p0 * std::sqrt(2 / h.a)}};
+               {"edge pressure", h.p0 * std::sqrt(2 / h.a)},
+               {"pressure on top", h.p0 * root(1 - 0.16 / h.a / h.a)},
+               {"pressure on top", h.p0 * root(1 - 0.64 / h.a / h.a)}};
   out.tractions = [h](double x) { return std::array<double, 2>{{0, -h.p0 * root(1 - x * x / h.a / h.a)}}; };
   out.half_width = h.a;
   return out;
@@ -104,7 +107,7 @@ Problem cattaneo(double share, bool back, double shift) {
   out.name = "Cattaneo " + brief(share) + (back ? " back " : " ") + brief(shift);
   out.text = set("E", kE) + set("nu", kNu) + set("mu", kMu) + set("R", kR) + set("P", h.P) + set("share", share) + kBlock +
              kPad + kPressed + kPushed + (back ? ", -1, 1\n" : "\n");
-  if (back) out.text += "want cycle range stress block -1 -0.1  cycle range hoop block.top 5 %\n";
+  if (back) out.text += "want cycle range stress block -1 -0.1  cycle range hoop block.top 1 %\n";
   const double c = h.a * std::sqrt(1 - share), k = 1 - share;
   const double cycle = 4 * kMu * kMu * h.P * h.P / (kPi * kStar) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
   out.known = {{"peak pressure", h.p0},
@@ -122,6 +125,7 @@ Problem cattaneo(double share, bool back, double shift) {
   if (!back) return out;
   const auto friction = [tractions = out.tractions](double x) { return tractions(x)[0]; };
   const std::array<double, 3> range = pushed(friction, h.a, -1, 0.1); // half of it: the tractions turn round
+  out.known.push_back({"dissipated in the last cycle", cycle});
   out.known.push_back({"cycle range of stress xx", 2 * std::fabs(range[0])});
   out.known.push_back({"cycle range of stress yy", 2 * std::fabs(range[1])});
   out.known.push_back({"cycle range of stress xy", 2 * std::fabs(range[2])});

@@ -6,7 +6,8 @@
 namespace app {
 
 template <class Archive> void members(Archive& a, Quantity& q) {
-  auto& [what, zone, item, value, at, s, spacing, error, at_corner, doubt] = q; // (all of them: with another this does not compile)
+  auto& [what, zone, item, value, at, s, spacing, error, at_corner, doubt] =
+      q; // (all of them: with another this does not compile)
   a(what), a(zone), a(item), a(value), a(at), a(s), a(spacing), a(error), a(at_corner), a(doubt);
 }
 

@@ -74,8 +74,8 @@ double limited_root(const std::vector<EdgeSample>& v, double before) {
 
 const int32_t kSamples = 5, kAdvancedSamples = 3;
 
-// The power with which the gap opens: 3/2, but where unlike bodies slide. Body 1 yields along under a pressure, which friction on
-// it towards the open side adds to.
+// The power with which the gap opens: 3/2, but where unlike bodies slide. Body 1 yields along under a pressure, which friction
+// on it towards the open side adds to.
 double gap_power(const LineState& state, int32_t last, int direction) {
   const ZoneLine& line = state.line;
   const auto i = static_cast<size_t>(last), n = line.size();

@@ -33,8 +33,8 @@ std::vector<ContactEdge> find_contact_edges(const LineState& state);
 // Where stick meets slip within a stretch of contact, in the order of s.
 std::vector<double> find_stick_borders(const LineState& state);
 
-// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner. `doubt`: what it changes
-// without the last pair.
+// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner. `doubt`: what it
+// changes without the last pair.
 struct EdgeSlip {
   double size = 0, doubt = 0;
 };

@@ -129,7 +129,8 @@ void add_slip_range(const LineState& state, const std::vector<ContactEdge>& edge
   size_t most = 0;
   EdgeSlip largest;
   for (size_t i = 0; i < state.slip.size(); ++i)
-    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > largest.size) most = i, largest.size = std::fabs(state.slip[i]);
+    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > largest.size)
+      most = i, largest.size = std::fabs(state.slip[i]);
   if (largest.size == 0) return;
   double at = state.line.s[most];
   for (const ContactEdge& edge : edges)

@@ -20,7 +20,7 @@ enum class Measure {
   kStickBorder,  // where stick meets slip, likewise
   kForceX,
   kForceY,
-  kMoment, // on side 2, the moment about the origin
+  kMoment,        // on side 2, the moment about the origin
   kApproach,      // c2d_zone_state; without a contact of a rigid body or platen, its item, along what drives it: zone 0
   kShift,         // c2d_zone_state
   kDissipated,    // since zero load; of zone 0 by the whole contact
@@ -40,9 +40,9 @@ struct Quantity {
   int32_t item = 0; // of several of a zone, from 1 along side 2; 0: a zone has one
   double value = 0;
   double at[2] = {NAN, NAN};
-  double s = NAN;       // the length along side 2, from its first pair, of that place
-  double spacing = NAN; // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
-  double error = NAN;   // stated, absolute; NaN: none is
+  double s = NAN;         // the length along side 2, from its first pair, of that place
+  double spacing = NAN;   // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
+  double error = NAN;     // stated, absolute; NaN: none is
   bool at_corner = false; // an edge: contact ends at a body's corner
   double doubt = 0;       // what another way to find it on this mesh is apart
   // Is it one of a rigid body or platen?

@@ -21,7 +21,7 @@ struct Stated {
   double scale = 0;                     // what the tolerance is relative to
   double tolerance = NAN;               // NaN: it was not asked for
   double at[2] = {NAN, NAN};
-  bool endless = false; // it does not settle as the mesh becomes finer: it may have no bound
+  bool endless = false;  // it does not settle as the mesh becomes finer: it may have no bound
   bool confirmed = true; // what another round, or another way to tell the error, says as well
   // For the round after: how far the two meshes had it apart; the error by what it changed before; what another way to find it
   // on the same mesh is apart.

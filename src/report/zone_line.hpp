@@ -27,10 +27,10 @@ struct ZoneLine {
   int32_t zone = 0;
   std::vector<int32_t> pair; // from 0: rows of a step's table
   std::vector<double> s;
-  std::vector<double> x, y; // on side 2
-  bool round = false;       // the side is a whole closed curve
-  double length = 0;        // of side 2; of a round one all of it
-  double beta = 0;          // how unlike the bodies are: of Dundurs, of body 1 over body 2; 0 of like ones
+  std::vector<double> x, y;        // on side 2
+  bool round = false;              // the side is a whole closed curve
+  double length = 0;               // of side 2; of a round one all of it
+  double beta = 0;                 // how unlike the bodies are: of Dundurs, of body 1 over body 2; 0 of like ones
   bool tied = false, self = false; // self: of a body with itself
   bool turned = false; // force and moment of the contact are given of side 1: the second of a sketch's statement
   ZoneEnd end[2];

@@ -15,7 +15,8 @@ constexpr double kExact = 1e-7;  // numbers nearer than that on both meshes are 
 constexpr double kRoundOff = 1e-9;
 constexpr int32_t kFewPairs = 6;
 constexpr double kSameEnd = 0.01; // of the loads where a history ended early
-constexpr double kWantedHides = 0.2, kEdgeHides = 0.05; // of the distance of the tractions: stresses; those found behind an edge
+constexpr double kWantedHides = 0.2,
+                 kEdgeHides = 0.05; // of the distance of the tractions: stresses; those found behind an edge
 constexpr double kOfDoubt = 2;
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
@@ -87,7 +88,7 @@ double error_of(app::Measure what, const Seen& s) {
   switch (what) {
   case Measure::kPeakPressure: return largest({s.apart, 0.15 * s.hidden});
   case Measure::kMeanPressure: return largest({0.8 * s.apart, 0.1 * s.before, s.doubt});
-  case Measure::kContactEdge: return largest({0.8 * s.apart, 0.1 * s.before, 0.2 * s.hidden});
+  case Measure::kContactEdge: return largest({0.8 * s.apart, 0.1 * s.before, 0.15 * s.hidden});
   case Measure::kStickBorder:
     return s.steady ? largest({0.8 * s.apart, 0.1 * s.before, 0.05 * s.hidden, 0.01 * s.spacing})
                     : largest({s.apart, 0.3 * s.before, 0.03 * s.hidden, 0.1 * s.spacing});
@@ -156,7 +157,8 @@ double pressing(const State& state, int32_t zone) {
 // Did contact change in the last piece of the history?
 bool is_steady(const Trial& trial, size_t last, int32_t zone) {
   size_t before = last;
-  while (before > 0 && !trial.states[--before].turn) {}
+  while (before > 0 && !trial.states[--before].turn) {
+  }
   if (before == last || !trial.states[before].turn) return false;
   const double now = pressing(trial.states[last], zone), then = pressing(trial.states[before], zone);
   return std::fabs(now - then) <= 0.01 * std::max(now, then);
@@ -232,7 +234,9 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     s.scale = scale_of(f, q);
     const double then = change_before(finder.find(s), before, between, q.zone);
     if (other != nullptr)
-      state(s, {apart(*other, q), 0, distance_of(between, q.zone) * s.scale, q.spacing, q.doubt, is_steady(halved, common - 1, q.zone)},
+      state(s,
+            {apart(*other, q), 0, distance_of(between, q.zone) * s.scale, q.spacing, q.doubt,
+             is_steady(halved, common - 1, q.zone)},
             then, [&](const Seen& seen) { return error_of(q.what, seen); });
     out.push_back(s);
   }
@@ -253,8 +257,9 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     // A value that was found in a worse way on the coarse mesh tells nothing.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
     const double hides = s.way > 0 ? kEdgeHides : kWantedHides;
-    state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then,
-          [&](const Seen& seen) { return std::max({seen.apart, 0.1 * seen.before, hides * seen.hidden, seen.doubt}); });
+    state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {
+      return std::max({seen.apart, 0.1 * seen.before, hides * seen.hidden, seen.doubt});
+    });
   }
   return fine;
 }

@@ -28,8 +28,8 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
 // What has no error is not told, unless it was asked for.
 void drop_unknown(std::vector<app::Stated>& stated);
 
-// Two numbers that happen to agree are no reason to end. Once tolerances are known: notes of each number whether it may count as
-// met, as it may where it was so in the round before, too, or where what it changed since then says the same. While contact
+// Two numbers that happen to agree are no reason to end. Once tolerances are known: notes of each number whether it may count
+// as met, as it may where it was so in the round before, too, or where what it changed since then says the same. While contact
 // hangs on a few pairs, or the history ended early, none may.
 void confirm(std::vector<app::Stated>& stated, const Trial& halved, const Round* before);
 

@@ -10,9 +10,10 @@ namespace {
 
 // Elements from an edge inwards that are asked: all of them, or fewer where slip ends before. The mesh disturbs the first two.
 constexpr size_t kBehind = 8, kFewer = 6, kDisturbed = 2;
+constexpr double kScatter = 2;     // how much more a value at the edge is off than those that it follows from
 constexpr double kSameBound = 0.1; // friction over pressure in them, if they slip
 constexpr double kPressed = 1e-3;  // of the largest pressure: less is none
-constexpr size_t kShadow = 2;        // elements beside an edge whose own values count for nothing
+constexpr size_t kShadow = 2;      // elements beside an edge whose own values count for nothing
 
 struct HoopElement {
   const sketch::MeshedCurve* curve;
@@ -40,6 +41,7 @@ class HoopFinder {
 public:
   HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
   Hoop run();
+  PressureAt pressure_at(sketch::Point near) const;
 
 private:
   double field(size_t state, Field f, size_t element, double at) const;
@@ -47,7 +49,6 @@ private:
   double smooth_part(size_t state, size_t element) const;
   size_t next(size_t element, bool up) const { return up ? elements_[element].after : elements_[element].before; }
   std::vector<HoopEdge> edges_of(size_t state) const;
-  bool is_inside(size_t state, const HoopEdge& edge, bool up) const;
   bool find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const;
   void find_edges();
   void take_nodes(Hoop& out) const;
@@ -59,7 +60,7 @@ private:
   std::vector<HoopElement> elements_;
   std::vector<double> largest_;                 // pressure of each state
   std::vector<std::vector<EdgeStress>> stress_; // of each state
-  std::vector<char> shadowed_;                  // elements beside edges whose stresses are known
+  std::vector<char> shadowed_;                  // elements beside edges at turns whose stresses are known
 };
 
 HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first)
@@ -69,7 +70,8 @@ HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketc
     for (const sketch::MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e) {
         const size_t i = elements_.size();
-        elements_.push_back({&curve, curve.ends[e], curve.ends[e + 1], i == begin ? i : i - 1, i + 1, side.has(curve.curve->name)});
+        elements_.push_back(
+            {&curve, curve.ends[e], curve.ends[e + 1], i == begin ? i : i - 1, i + 1, side.has(curve.curve->name)});
       }
     if (elements_.size() == begin) continue;
     const size_t last = elements_.size() - 1;
@@ -91,8 +93,8 @@ double HoopFinder::field(size_t state, Field f, size_t element, double at) const
 }
 
 double HoopFinder::pressure(size_t state, size_t element, double at, double* friction) const {
-  const sketch::Point along = elements_[element].at(1) - elements_[element].at(0), t{field(state, kTx, element, at),
-                                                                                       field(state, kTy, element, at)};
+  const sketch::Point along = elements_[element].at(1) - elements_[element].at(0),
+                      t{field(state, kTx, element, at), field(state, kTy, element, at)};
   const double size = sketch::length(along);
   if (friction != nullptr) *friction = sketch::dot(t, along) / size;
   return std::fabs(sketch::cross(along, t)) / size;
@@ -104,11 +106,6 @@ double HoopFinder::smooth_part(size_t state, size_t element) const {
   const double p = pressure(state, element, 0.5), a = pressure(state, element, 0), b = pressure(state, element, 1),
                mean = trial_.nodes == 1 ? p : 2.0 / 3 * (a * a + a * b + b * b) / (a + b), across = trial_.across[body_];
   return field(state, kHoop, element, 0.5) + across * p + (1 - across) * mean;
-}
-
-bool HoopFinder::is_inside(size_t state, const HoopEdge& edge, bool up) const {
-  const size_t e = next(edge.element, up);
-  return pressure(state, e, 0.5) > kPressed * largest_[state] && e != edge.element;
 }
 
 // Those of this body's contacts, on the curves that are wanted.
@@ -132,16 +129,21 @@ std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
       }
       if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, edge = {e, s, false};
     }
-    if (edge.element == elements_.size()) continue;
-    const bool up = is_inside(state, edge, true), down = is_inside(state, edge, false);
-    if (up != down) edge.up = up, out.push_back(edge);
+    if (edge.element == elements_.size() || least > elements_[edge.element].length()) continue; // elsewhere
+    edge.up = pressure(state, next(edge.element, true), 0.5) > pressure(state, next(edge.element, false), 0.5);
+    out.push_back(edge);
   }
   return out;
 }
 
-// The value at 0 of the parabola, or the straight line, that fits y(x) best.
-double value_at_zero(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree) {
-  double a[3][4] = {};
+// The parabola, or the straight line, that fits y(x) best: its value at 0, and how far the y are from it, as a mean.
+struct Fit {
+  double at_zero = 0, scatter = 0;
+  Fit(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree);
+};
+
+Fit::Fit(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree) {
+  double a[3][4] = {}, c[3] = {};
   const int n = degree + 1;
   const double unit = x[count - 1]; // so that nothing is badly scaled
   for (size_t k = 0; k < count; ++k)
@@ -155,11 +157,19 @@ double value_at_zero(const std::vector<double>& x, const std::vector<double>& y,
       for (int j = 0; j < i; ++j) a[k][j] -= f * a[i][j];
       a[k][3] -= f * a[i][3];
     }
-  return a[0][3] / a[0][0];
+  for (int i = 0; i < n; ++i) {
+    c[i] = a[i][3];
+    for (int j = 0; j < i; ++j) c[i] -= a[i][j] * c[j];
+    c[i] /= a[i][i];
+  }
+  at_zero = c[0];
+  for (size_t k = 0; k < count; ++k)
+    scatter += std::pow(y[k] - c[0] - (c[1] + c[2] * x[k] / unit) * x[k] / unit, 2) / static_cast<double>(count);
+  scatter = std::sqrt(scatter);
 }
 
-// Stress along the surface and pressure together are smooth inside a contact that slips up to its edge, where the pressure ends:
-// a parabola through the means over elements behind it tells what is there. False: the contact sticks in them.
+// Stress along the surface and pressure together are smooth inside a contact that slips up to its edge, where the pressure
+// ends: a parabola through the means over elements behind it tells what is there. False: the contact sticks in them.
 bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const {
   const HoopElement& own = elements_[edge.element];
   double begin = edge.up ? own.to - edge.s : edge.s - own.from; // of the next element, from the edge
@@ -179,10 +189,9 @@ bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out
   }
   if (x.size() < kFewer - kDisturbed) return false;
   const bool all = x.size() == kBehind - kDisturbed;
-  const double value = value_at_zero(x, y, all ? x.size() : kFewer - kDisturbed, 2);
-  const double other = value_at_zero(x, y, kFewer - kDisturbed, all ? 2 : 1);
-  out = {edge, {value, std::fabs(value - other), own.at((edge.s - own.from) / own.length()),
-                static_cast<int>(x.size())}};
+  const Fit fit(x, y, all ? x.size() : kFewer - kDisturbed, 2), other(x, y, kFewer - kDisturbed, all ? 2 : 1);
+  const double doubt = std::max(std::fabs(fit.at_zero - other.at_zero), kScatter * fit.scatter);
+  out = {edge, {fit.at_zero, doubt, own.at((edge.s - own.from) / own.length()), static_cast<int>(x.size())}};
   return true;
 }
 
@@ -198,6 +207,7 @@ void HoopFinder::find_edges() {
       if (!find_stress(state, edge, stress)) continue;
       stress_.back().push_back(stress);
       for (const bool up : {false, true}) {
+        if (!trial_.states[state].turn) break; // on the way edges pass over places that have their peak elsewhere
         size_t e = edge.element;
         for (size_t k = 0; k <= kShadow; ++k, e = next(e, up)) shadowed_[e] = 1;
       }
@@ -255,6 +265,21 @@ void HoopFinder::take_edges(Hoop& out) const {
     }
 }
 
+PressureAt HoopFinder::pressure_at(sketch::Point near) const {
+  PressureAt out;
+  const size_t last = trial_.states.size() - 1;
+  double least = HUGE_VAL;
+  for (size_t e = 0; e < elements_.size(); ++e) {
+    const HoopElement& element = elements_[e];
+    if (!element.wanted) continue;
+    out.largest = std::max({out.largest, pressure(last, e, 0), pressure(last, e, 1)});
+    const double s = std::clamp(sketch::nearest_length(*element.curve, near), element.from, element.to),
+                 f = (s - element.from) / element.length(), off = sketch::length(element.at(f) - near);
+    if (off < least) least = off, out.at = element.at(f), out.value = pressure(last, e, f);
+  }
+  return out;
+}
+
 Hoop HoopFinder::run() {
   Hoop out;
   out.high.value = -HUGE_VAL, out.low.value = HUGE_VAL, out.widest.value = -1;
@@ -266,6 +291,10 @@ Hoop HoopFinder::run() {
 }
 
 } // namespace
+
+PressureAt find_pressure(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, sketch::Point near) {
+  return HoopFinder(mesh, trial, side, 0).pressure_at(near);
+}
 
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first) {
   return HoopFinder(mesh, trial, side, first).run();

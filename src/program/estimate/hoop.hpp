@@ -1,5 +1,5 @@
-// Stresses along the surface of a body on one mesh: at the nodes, and at edges of contacts that slip, where they have their peaks
-// and elements say too little of them.
+// Stresses along the surface of a body on one mesh: at the nodes, and at edges of contacts that slip, where they have their
+// peaks and elements say too little of them.
 #pragma once
 
 #include "program/estimate/trial.hpp"
@@ -7,8 +7,8 @@
 
 namespace estimate {
 
-// A stress along the surface, and where it is. `doubt`: what it changes if it is found with fewer of the elements behind an edge,
-// `way`: how many these are, 0 at a node.
+// A stress along the surface, and where it is. `doubt`: what it changes if it is found with fewer of the elements behind an
+// edge, `way`: how many these are, 0 at a node.
 struct Along {
   double value = 0, doubt = 0;
   sketch::Point at = {};
@@ -20,6 +20,13 @@ struct Hoop {
   Along high, low, widest;
   bool any = false; // false: the curves have no elements, or there is no such state
 };
+// The pressure on a body at the place of its curves that is nearest to a point, at the end; `largest`: on all of them.
+struct PressureAt {
+  double value = 0, largest = 0;
+  sketch::Point at = {};
+};
+PressureAt find_pressure(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, sketch::Point near);
+
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
 
 } // namespace estimate

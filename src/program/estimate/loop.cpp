@@ -20,7 +20,7 @@ constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr double kStalls = 0.7; // of the distance of the round before
 constexpr double kOwn = 0.5;    // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
 constexpr int kMostRounds = 14;
-constexpr double kSettles = 0.8;     // of the error before: more is none that falls
+constexpr double kSettles = 0.8; // of the error before: more is none that falls
 constexpr int kPatience = 3;
 constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
 constexpr double kOfElements = 2.6; // the power of their number that time goes with
@@ -73,7 +73,7 @@ private:
     int stays = 0; // rounds in a row
   };
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
-      watched_; // by name, zone, item, body, which of these
+      watched_;  // by name, zone, item, body, which of these
   Round before_; // what was stated in the round before
   double seconds_ = 0;
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
@@ -192,8 +192,8 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   const Round* before = before_.stated.empty() ? nullptr : &before_;
   stated = state_numbers(coarse.trial, fine.trial, between, before);
   for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
-  for (const app::Stated& s : state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial),
-                                           between, before))
+  for (const app::Stated& s :
+       state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
   drop_unknown(stated);
   confirm(stated, fine.trial, before);

@@ -52,7 +52,8 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
 void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t body, sketch::Point at, size_t place,
                        double tolerance) {
   double largest = 0;
-  for (const State& state : trial.states) largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
+  for (const State& state : trial.states)
+    largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
   for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
     out.push_back(number(kDisplacements[c], body, trial.states.back().inside[place][c], largest, tolerance));
     out.back().at[0] = at.x, out.back().at[1] = at.y;
@@ -81,6 +82,24 @@ size_t state_of_cycle(const sketch::Sketch& sketch, const Trial& trial) {
   for (size_t i = 0; i < trial.states.size() && trial.outcome == C2D_REACHED; ++i)
     if (trial.states[i].turn && ++turns == start) return i;
   return trial.states.size();
+}
+
+// At the end.
+void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want,
+                  double tolerance) {
+  if (trial.states.empty()) return;
+  const PressureAt pressure = find_pressure(mesh, trial, *want.side, want.where);
+  out.push_back(number("pressure on " + want.side->names[0], static_cast<size_t>(want.side->body), pressure.value,
+                       pressure.largest, tolerance));
+  out.back().at[0] = pressure.at.x, out.back().at[1] = pressure.at.y;
+}
+
+// The energy that friction takes in the last cycle.
+void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t first) {
+  if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
+  const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
+  out.push_back(number("dissipated in the last cycle", 0, energy, trial.states.back().dissipated, NAN));
+  out.back().body = 0;
 }
 
 // Points that a statement of stress has alone, without a tolerance.
@@ -134,9 +153,11 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
       if (want.kind == Want::kStress && !cycle)
         add_displacements(out, trial, static_cast<size_t>(want.body), want.where, place, tolerance);
       if (want.kind == Want::kStress) add_place(out, trial, want, place, tolerance, first);
+      if (want.kind == Want::kPressureAt) add_pressure(out, mesh, trial, want, tolerance);
       if (want.kind == Want::kHoop) add_hoop(out, mesh, trial, want, tolerance, first);
     }
     if (!cycle) add_points(out, sketch, trial, places);
+    if (cycle && sketch::cycle_start(sketch) > 0) add_cycle_energy(out, trial, first);
   }
   return out;
 }

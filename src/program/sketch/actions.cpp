@@ -126,7 +126,8 @@ void ActionCheck::check_rigid() {
   for (const PointLoad& p : s_.point_loads) check(p.body, p.at, moves);
   for (const BodyForce& f : s_.body_forces) check(f.body, f.at, moves);
   for (const Want& w : s_.wants)
-    if (w.kind == Want::kStress || w.kind == Want::kHoop) check(w.body, w.at, "it has no stresses");
+    if (w.kind == Want::kStress || w.kind == Want::kHoop || w.kind == Want::kPressureAt)
+      check(w.body, w.at, "it has no stresses");
 }
 
 void ActionCheck::check_interface(size_t index) {

@@ -58,24 +58,34 @@ void Reader::want_one(Statement& s) {
   if (want.cycle) s.choice({"range"}), kind = Want::kStress + s.choice({"stress", "hoop"});
   want.kind = static_cast<Want::Kind>(kind);
   if (want.kind == Want::kStress) return want_stress(s, want);
+  if (want.kind == Want::kPressure && s.accept("at")) return want_pressure_at(s, want);
   if (want.kind == Want::kHoop) want.side = side(s), want.body = want.side->body;
   if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.wants.push_back(want);
 }
 
-// Points, and a tolerance where the last number is in percent or has no partner.
+// Points, and a tolerance where the last number is in percent or has no partner: a want of each.
+void Reader::want_points(Statement& s, Want want) {
+  const size_t first = s_.wants.size();
+  do want.where = s.point("a point"), s_.wants.push_back(want);
+  while (is_number(s) && !s.is_share() && is_number(s, 1));
+  if (!is_number(s)) return;
+  const double tolerance = tolerance_of(s, s.share("a tolerance"));
+  for (size_t i = first; i < s_.wants.size(); ++i) s_.wants[i].tolerance = tolerance;
+}
+
 void Reader::want_stress(Statement& s, Want want) {
   s.accept("at");
   want.body = body_named(s.take("the name of a body"));
-  std::vector<Point> points;
-  do points.push_back(s.point("a point"));
-  while (is_number(s) && !s.is_share() && is_number(s, 1));
-  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
-  for (const Point& p : points) {
-    want.where = p;
-    s_.wants.push_back(want);
-    s_.points.push_back({want.body, p, s.at()});
-  }
+  const size_t first = s_.wants.size();
+  want_points(s, want);
+  for (size_t i = first; i < s_.wants.size(); ++i) s_.points.push_back({want.body, s_.wants[i].where, s.at()});
+}
+
+void Reader::want_pressure_at(Statement& s, Want want) {
+  want.kind = Want::kPressureAt;
+  want.side = side(s), want.body = want.side->body;
+  want_points(s, want);
 }
 
 void Reader::tolerance(Statement& s) {

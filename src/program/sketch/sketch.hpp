@@ -127,12 +127,12 @@ struct LoadCase {
 
 // A number that is wanted, and how accurately. Without any: pressures, edges, forces and approach.
 struct Want {
-  enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop } kind = kPressure;
+  enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop, kPressureAt } kind = kPressure;
   std::optional<double> tolerance; // relative; the sketch's where it is not told
-  int body = 0;                    // of kStress and kHoop
-  Point where;                     // of kStress
-  std::optional<Side> side;        // of kHoop: the largest and the smallest along it
-  bool cycle = false;              // of kStress and kHoop: nothing but the range over the last cycle of the history
+  int body = 0;                    // of kStress, kHoop and kPressureAt
+  Point where;                     // of kStress and kPressureAt
+  std::optional<Side> side; // of kHoop: the largest and the smallest along it; of kPressureAt: the place is the nearest on it
+  bool cycle = false;       // of kStress and kHoop: nothing but the range over the last cycle of the history
   Place at;
 };
 
