@@ -513,18 +513,13 @@ typedef struct c2d_body_result {
 } c2d_body_result;
 c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out); /* zeros for what is not known yet */
 
-/* The contact of a zone as it stands. Forces are on side 2, moments about the origin. Approach and shift are (u1 - u2).n, how far
-   the bodies came closer, and (u2 - u1).t: u of a rigid body that of its point, of another the mean over the elements with a
-   traction in any load case or moved by a platen, or over its whole boundary if there are none; n the mean normal of the zone
-   (of one that goes all round the direction of its force), from body 1 to body 2, t = (ny, -nx). Zero of ties, of a body with
-   itself and where a step callback shows a change of status. Unless both bodies are rigid they need the results of the whole
-   boundary, as C2D_END_UX does. */
+/* The contact of a zone as it stands. Forces are on side 2, moments about the origin; approach and shift: src/report/OUTPUT.md. */
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
   int32_t near_change, reserved;  /* within 1 % of another status: of the largest pressure or gap, or of friction's bound */
   double force[2], moment;
-  double approach, shift;         /* relative motions of the bodies along and across the zone's mean normal */
+  double approach, shift;         /* motions of the bodies along and across its mean normal; need back substitution    */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
   double dissipated;              /* by friction since zero load, without what a jump sets free (the step's sum has it) */
 } c2d_zone_state;

@@ -83,7 +83,9 @@ TEST_CASE("cycle: the range is that of the steps of the cycle") {
                                    "want cycle range hoop b.e\nwant hoop b.e\n");
   estimate::Trial trial;
   const std::vector<app::Stated> values = values_of(s, trial);
-  const std::pair<const char*, double> expected[] = {{"stress xx", 0},
+  const std::pair<const char*, double> expected[] = {{"displacement x", 0},
+                                                     {"displacement y", 0.75},
+                                                     {"stress xx", 0},
                                                      {"range of stress xx", 0},
                                                      {"stress yy", 1},
                                                      {"range of stress yy", 3.6},
@@ -96,16 +98,17 @@ TEST_CASE("cycle: the range is that of the steps of the cycle") {
                                                      {"cycle range of stress yy", 1.5},
                                                      {"cycle range of stress xy", 0},
                                                      {"cycle range of stress along e", 1.5}};
-  REQUIRE(values.size() == 13);
-  for (size_t i = 0; i < 13; ++i) {
+  REQUIRE(values.size() == 15);
+  for (size_t i = 0; i < 15; ++i) {
     CAPTURE(i);
     CHECK(values[i].name == expected[i].first);
     CHECK(std::fabs(values[i].value - expected[i].second) < 1e-9);
     CHECK(values[i].body == 1);
   }
-  CHECK(values[3].scale == doctest::Approx(4).epsilon(1e-9));
-  CHECK(values[10].scale == doctest::Approx(2).epsilon(1e-9));
-  CHECK((values[10].at[1] == 0.25 && values[12].at[0] == 1));
+  CHECK(values[1].scale == doctest::Approx(3).epsilon(1e-9));
+  CHECK(values[5].scale == doctest::Approx(4).epsilon(1e-9));
+  CHECK(values[12].scale == doctest::Approx(2).epsilon(1e-9));
+  CHECK((values[12].at[1] == 0.25 && values[14].at[0] == 1));
 }
 
 // A block that slides away before the cycle has come back has none; what else is wanted is there.

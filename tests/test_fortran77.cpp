@@ -256,7 +256,9 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   c2zsta_(work, I{1}, i1, real.at(), &error);
   CHECK(error == 0);
   CHECK(i1[1] == zone_state.stick);
+  CHECK(real_at(real.at(), 3) == zone_state.approach);
   CHECK(real_at(real.at(), 7) == zone_state.length);
+  REQUIRE(host::get_summary(desktop.solver, summary) == C2D_OK); // forces are known by now
 
   c2gpth_(work, I{14}, &increments, real.at(), I{1}, &error);
   CHECK(increments == 2);

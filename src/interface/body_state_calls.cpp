@@ -49,7 +49,8 @@ extern "C" c2d_status c2d_get_body_state(c2d_solver* s, int32_t body, c2d_body_s
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy && s->busy != kInStepCallback) return C2D_ERR_BUSY;
   const bool inside = s->busy != 0; // of a step callback: nothing is changed, not even what c2d_last_error tells
-  C2D_ASSERT(!inside || (s->state == C2D_STATE_RUNNING && s->table_is_current != 0));
+  if (inside && s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE; // its store broke there
+  C2D_ASSERT(!inside || s->table_is_current != 0);
   c2d_status status = inside ? c2d_status{C2D_OK} : enter(s, state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
   if (body < 1 || body > s->model.bodies)

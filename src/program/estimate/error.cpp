@@ -14,6 +14,8 @@ constexpr double kNoEarlier = 2; // with nothing but two meshes
 constexpr double kExact = 1e-7;  // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr int32_t kFewPairs = 6;
+constexpr double kOfMove = 2,
+                 kAtLeast = 0.4;  // of what a border moved since the round before; of how far two meshes have it apart
 constexpr double kSameEnd = 0.01; // of the loads where a history ended early
 constexpr double kWantedHides = 0.2,
                  kEdgeHides = 0.05; // of the distance of the tractions: stresses; those found behind an edge
@@ -232,12 +234,16 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     s.zone = q.zone, s.item = q.item, s.value = q.value;
     s.at[0] = q.at[0], s.at[1] = q.at[1];
     s.scale = scale_of(f, q);
-    const double then = change_before(finder.find(s), before, between, q.zone);
-    if (other != nullptr)
-      state(s,
-            {apart(*other, q), 0, distance_of(between, q.zone) * s.scale, q.spacing, q.doubt,
-             is_steady(halved, common - 1, q.zone)},
-            then, [&](const Seen& seen) { return error_of(q.what, seen); });
+    const app::Stated* last = finder.find(s);
+    const double then = change_before(last, before, between, q.zone);
+    if (other != nullptr) {
+      const bool steady = is_steady(halved, common - 1, q.zone);
+      double step = apart(*other, q);
+      if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // the coarse mesh has it at a node
+        step = std::min(step, std::max(kOfMove * std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]), kAtLeast * step));
+      state(s, {step, 0, distance_of(between, q.zone) * s.scale, q.spacing, q.doubt, steady}, then,
+            [&](const Seen& seen) { return error_of(q.what, seen); });
+    }
     out.push_back(s);
   }
   for (app::Stated& s : out) // edges are known by now
