@@ -513,7 +513,7 @@ typedef struct c2d_body_result {
 } c2d_body_result;
 c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out); /* zeros for what is not known yet */
 
-/* The contact of a zone as it stands. Forces are on side 2, moments about the origin; approach and shift: src/report/OUTPUT.md. */
+/* The contact of a zone as it stands. Forces are on side 2, moments about the origin; approach and shift: OUTPUT.md. */
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
