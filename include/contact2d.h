@@ -106,9 +106,8 @@ typedef struct c2d_limits {
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
   int32_t platens, touching;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each; see C2D_COLUMNS_ */
 } c2d_limits;
-/* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
-   holds a body's whole matrix at once; more is of use to threads alone. (Compressed elimination, and slender bodies that float upon
-   each other, may take more than the minimum: c2d_prepare tells.) Outputs and `why` may be null. Errors: OVERFLOW. */
+/* Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (of slender bodies upon each other
+   c2d_prepare tells), `in_core` holds a body's whole matrix; threads use more. Outputs, `why` may be null. Errors: OVERFLOW. */
 c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
 /* ---------------------------------------------------------------- 3 the port -----------------------------------
@@ -363,8 +362,8 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
-   per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT:
-   changed loads; compressed, or slender bodies: MEMORY; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it. */
+   per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED, MEMORY;
+   INPUT: changed loads; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point

@@ -205,7 +205,7 @@ TEST_CASE("wrong nodes and conditions in the free form") {
   check_fault(26, "1 1 1200 0 0 0 0", 5, 8, "codes are '1200', expected four digits 0 (known) or 1 (unknown)");
   check_fault(26, "1 1 110 0 0 0 0", 5, 7, "codes are '110', expected four digits");
   check_fault(26, "1 1 1100 2 0 0 0", 10, 10, "the x traction is 2, but its code is 1 (unknown), expected 0, or the code 0");
-  check_fault(26, "1 1 0 0 1 1 0 0 0 -1e-9", 18, 22, "the y displacement is -1e-09, but its code is 1 (unknown)");
+  check_fault(26, "1 1 0 0 1 1 0 0 0 -1e-9", 19, 23, "the y displacement is -1e-09, but its code is 1 (unknown)");
   check_fault(26, "1 1 1 1 0 2 0 0 0 0", 11, 11, "code of the y displacement (0 known, 1 unknown) is 2");
   check_fault(26, "1 1 1100 0 0 0", 15, 15, "the card has 6 fields, expected 7: element, node, four codes");
   check_fault(26, "9 1 1100 0 0 0 0", 1, 1, "element number is 9, expected 1 to 4");
