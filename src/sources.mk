@@ -330,6 +330,7 @@ PROGRAM_SOURCES += src/program/estimate/cut_conditions.cpp
 PROGRAM_SOURCES += src/program/estimate/cut_points.cpp
 PROGRAM_SOURCES += src/program/estimate/error.cpp
 PROGRAM_SOURCES += src/program/estimate/far.cpp
+PROGRAM_SOURCES += src/program/estimate/gaps.cpp
 PROGRAM_SOURCES += src/program/estimate/halved.cpp
 PROGRAM_SOURCES += src/program/estimate/hoop.cpp
 PROGRAM_SOURCES += src/program/estimate/kept.cpp

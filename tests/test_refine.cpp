@@ -2,12 +2,16 @@
 #include "program/estimate/far.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/marks.hpp"
+#include "program/interrupt.hpp"
 #include "program/sketch/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace sketch;
 
@@ -214,9 +218,68 @@ TEST_CASE("loop: limits of elements, time and memory end it, with the error that
   CHECK_FALSE(a.loop.stated.empty());
 }
 
+TEST_CASE("loop: a stricter tolerance goes on where another ends, and is never worse for the same work") {
+  for (const char* limit : {"limit work 2e8\n", "limit work 6e8\n"}) {
+    CAPTURE(limit);
+    std::vector<int32_t> before;
+    double worst_before = HUGE_VAL;
+    for (const char* tolerance : {"tolerance 4 %\n", "tolerance 1 %\n", "tolerance 0.3 %\n"}) {
+      CAPTURE(tolerance);
+      const estimate::Adapted a = adapt(roller(std::string(tolerance) + limit));
+      std::vector<int32_t> elements;
+      for (const app::MeshRound& round : a.loop.rounds) elements.push_back(round.elements);
+      REQUIRE(elements.size() >= before.size());
+      CHECK(std::equal(before.begin(), before.end(), elements.begin()));
+      double worst = 0;
+      for (const app::Stated& s : a.loop.stated)
+        if (!std::isnan(s.tolerance) && s.scale > 0) worst = std::max(worst, s.relative_error());
+      CHECK(worst <= worst_before);
+      before = elements, worst_before = worst;
+    }
+  }
+}
+
+TEST_CASE("refine: no element becomes so short that coordinates have no digits for it") {
+  const Sketch s = roller();
+  Mesh mesh = first_mesh(s, 0.5);
+  for (int round = 0; round < 40; ++round) {
+    Levels levels;
+    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+    levels[0][0] = 2;
+    mesh = refined(s, mesh, levels);
+  }
+  const std::vector<double> lengths = lengths_of(mesh.bodies[0][0]);
+  const double shortest = *std::min_element(lengths.begin(), lengths.end());
+  CHECK(shortest >= 2e-7); // of coordinates up to 20
+  CHECK(shortest < 1e-6);
+  CHECK(lengths_of(halved(s, mesh).bodies[0][0])[0] == doctest::Approx(shortest));
+  estimate::Trial trial;
+  std::string why;
+  CHECK(estimate::solve(deck_of(s, mesh), {}, trial, why) == C2D_OK);
+}
+
+TEST_CASE("loop: a signal ends it with the best mesh so far") {
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    app::catch_interrupts();
+    int meshes = 0;
+    const estimate::Adapted a = estimate::adapt(roller("tolerance 0.01 %\n"), {}, [&](const app::MeshRound&) {
+      if (++meshes == 4) ::raise(SIGTERM);
+    });
+    const bool has_results = a.status == C2D_OK && !a.deck.empty() && !a.loop.stated.empty() && a.loop.missed();
+    const bool told = a.loop.stopped == "the search was interrupted" && app::interrupted();
+    app::put_off_interrupt();
+    ::_exit(has_results && told && !app::interrupted() ? app::exit_put_off() : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 143));
+}
+
 TEST_CASE("loop: where the second mesh has no memory the results of the first stand, and nothing is met") {
   int first_alone = 0;
-  for (uint64_t memory = 3000000; memory > 30000; memory -= memory / 4) {
+  for (uint64_t memory = 1000000; memory > 30000; memory -= memory / 4) {
     CAPTURE(memory);
     estimate::Demand small;
     small.memory = memory;

@@ -166,6 +166,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   const Body& body = m.body[panel.b];
   for (int32_t source = 0; source < body.nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
+    const bool held[2] = {is_held_by_symmetry(m, panel.b, source, 0), is_held_by_symmetry(m, panel.b, source, 1)};
     for (int image = 0; image <= body.lines; ++image) {
       if (!is_image(body.lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
@@ -175,16 +176,16 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
         for (int c = 0; c < 2; ++c) {
           double value[kElementNodes];
           for (int k = 0; k < t.in.functions; ++k) value[k] = image_sign(image, i) * blocks.g[k][i][c];
-          if (!is_held_by_symmetry(m, panel.b, source, i)) send(m, panel, t, value, 2 * source + i, c);
+          if (!held[i]) send(m, panel, t, value, 2 * source + i, c);
         }
     }
   }
-  const int32_t row = 2 * body.nodes, held = body.lines;
+  const int32_t row = 2 * body.nodes, lines = body.lines;
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
   for (int c = 0; c < 2; ++c)
-    if ((held >> c & 1) == 0) send(m, panel, t, w, row + c, c);
-  if (held != 0) return;
+    if ((lines >> c & 1) == 0) send(m, panel, t, w, row + c, c);
+  if (lines != 0) return;
   for (double& moment : wy) moment = -moment;
   send(m, panel, t, wy, row + 2, 0);
   send(m, panel, t, wx, row + 2, 1);

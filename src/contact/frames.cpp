@@ -22,7 +22,8 @@ C2D_USES(CurvePart);
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-// Of the element length. A smaller overlap is none. A smaller gap is none if the whole zone has no larger one, as surfaces that
+// Of the element length. A smaller overlap is none, unless overlaps are a load (*INTERFERENCE): then each is a press fit, however
+// small beside the elements, down to the digits of coordinates. A smaller gap is none if the whole zone has no larger one, as surfaces that
 // are meant to coincide; else its own counts: the first neighbours of a point of first contact may be as close (1e-5
 // elements are 5 % of the pressure at a/R = 1e-4), and what is asked must not depend on where the bodies lie and how they
 // are turned, as the digits of their coordinates do.
@@ -198,7 +199,8 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Zone
   double across[2];
   to_frame(p, g[0], g[1], across);
   p.gap = across[0];
-  if (p.gap >= -kGapTolerance * p.length && p.gap <= kExactGap * p.length) p.gap = 0;
+  const double overlap = m.head->interference != 0 ? kExactGap : kGapTolerance;
+  if (p.gap >= -overlap * p.length && p.gap <= kExactGap * p.length) p.gap = 0;
   if (p.gap >= 0) return;
   const double size = -p.gap;
   p.gap = 0;

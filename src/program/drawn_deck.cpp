@@ -92,7 +92,8 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
     if (drawing.shows) show(round, ++meshes);
   };
   estimate::Adapted adapted = estimate::adapt(sketch, demand, told, drawing.keeper);
-  if (interrupted()) return kExitCancelled;
+  if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;
+  if (interrupted()) put_off_interrupt();
   if (drawing.keeper != nullptr && !drawing.keeper->error().empty()) {
     Messages(deck).fail(drawing.keeper->error());
     return kExitFiles;
@@ -190,11 +191,11 @@ int write_mesh(const Options& options) {
     return kExitInput;
   }
   if (const int status =
-          take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop);
+          take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active(), true}, loop);
       status != 0)
     return status;
   std::string error;
-  if (write_output(options.output, deck.text(), error)) return loop.missed() ? kExitInaccurate : kExitSolved;
+  if (write_output(options.output, deck.text(), error)) return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
   messages.fail(error);
   return kExitFiles;
 }

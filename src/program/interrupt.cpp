@@ -1,11 +1,14 @@
 #include "program/interrupt.hpp"
 
+#include "program/exit_code.hpp"
+
 #include <csignal>
 
 namespace app {
 namespace {
 
 volatile std::sig_atomic_t caught = 0; // the number of the signal
+volatile std::sig_atomic_t put_off = 0;
 volatile std::sig_atomic_t steps_end = 0;
 c2d_solver* volatile target = nullptr;
 
@@ -34,6 +37,12 @@ void catch_interrupts() {
 void set_interrupt_target(c2d_solver* solver) { target = solver; }
 bool interrupted() { return caught != 0; }
 bool told_to_end() { return caught == SIGTERM; }
+void put_off_interrupt() {
+  put_off = caught;
+  caught = 0;
+  catch_interrupts();
+}
+int exit_put_off() { return put_off == 0 ? 0 : put_off == SIGTERM ? kExitStopped : kExitCancelled; }
 void let_steps_end(bool let) { steps_end = let ? 1 : 0; }
 
 } // namespace app

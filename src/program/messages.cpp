@@ -4,6 +4,7 @@
 #include "program/voice.hpp"
 #include "report/text.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace app {
@@ -23,6 +24,10 @@ bool Messages::is_end_of_platen(const c2d_error& entry) const {
   return entry.status == C2D_WARN_TIE_END && first_platen_zone > 0 && entry.zone >= first_platen_zone;
 }
 
+bool Messages::has_warned(c2d_status kind) const {
+  return std::any_of(warnings_.begin(), warnings_.end(), [&](const c2d_error& w) { return w.status == kind; });
+}
+
 void Messages::log(void* context, const c2d_error* told) {
   Messages& m = *static_cast<Messages*>(context);
   c2d_error in_words = *told;
@@ -30,7 +35,7 @@ void Messages::log(void* context, const c2d_error* told) {
   if (m.deck_.is_made())
     std::snprintf(in_words.text, sizeof in_words.text, "%s", in_words_of_drawing(told->text, m.deck_.text()).c_str());
   if (entry->severity == C2D_WARNING) {
-    if (m.is_end_of_platen(*entry) || (m.deck_.is_made() && is_about_mesh(entry->status))) return;
+    if (m.is_end_of_platen(*entry) || (m.deck_.is_made() && (is_about_mesh(entry->status) || m.has_warned(entry->status)))) return;
     m.warnings_.push_back(*entry);
     if (m.print_warnings && !m.quiet) say(quote(m.deck_, *entry, "warning"));
     return;

@@ -311,6 +311,7 @@ int Run::read_deck() {
     drawing.keeper = &trials_;
   }
   if (options_.text != nullptr) return session_.read_text(options_.deck, *options_.text, drawing);
+  drawing.ends_in_results = drawing.keeper == nullptr; // else a run that goes on has more to take
   if (options_.job == nullptr) return session_.read_file(options_.deck, drawing);
   drawing.files = &options_.job->files;
   return session_.take_job(*options_.job, drawing);
@@ -680,6 +681,7 @@ int Run::publish() {
   if (options_.keep && !store_.folder().empty() && !options_.quiet)
     say("contact2d: tapes are kept in " + shown(store_.folder()) + "\n");
   const CoefficientRecord* stopped = record_.incomplete();
+  if (exit_put_off() != 0) return exit_put_off();
   if (stopped == nullptr) return record_.meshes.missed() ? kExitInaccurate : kExitSolved;
   if (!stopped->singular) {
     std::string text = "incomplete: mu ";

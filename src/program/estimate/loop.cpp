@@ -2,25 +2,33 @@
 
 #include "program/drawn_words.hpp"
 #include "program/estimate/far.hpp"
+#include "program/estimate/gaps.hpp"
 #include "program/estimate/halved.hpp"
 #include "program/estimate/marks.hpp"
 #include "program/estimate/mesh_curves.hpp"
 #include "program/estimate/wanted.hpp"
+#include "program/interrupt.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <tuple>
 
 namespace estimate {
 namespace {
 
-constexpr double kFirst = 0.25; // fineness of the first mesh
-constexpr double kStalls = 0.7; // of the distance of the round before
-constexpr double kOwn = 0.5;    // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
-constexpr int kMostRounds = 14;
-constexpr double kSettles = 0.8; // of the error before: more is none that falls
+constexpr double kFirst = 0.25;                        // fineness of the first mesh
+constexpr double kStalls = 0.7;                        // of the distance of the round before
+constexpr double kFirstStage = 0.01, kNextStage = 0.1; // tolerances on the way to that which is asked for
+constexpr double kBends = 1;        // of the energy of the first pair of meshes: elements do not follow it at all
+constexpr double kUnfollowed = 0.1; // more of it than that, and no number is met
+constexpr int kMostRegrown = 3;     // then nothing is taken to be far
+constexpr double kOwn = 0.5;        // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
+constexpr double kOfMotion = 0.1;   // of the tolerance, of motions: gaps that are not told from contact
+constexpr double kOfDoubt = 0.25;   // of the energy, while contact is neither found nor ruled out
+constexpr double kSettles = 0.8;    // of the error before: more is none that falls
 constexpr int kPatience = 3;
 constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
 constexpr double kOfElements = 2.6; // the power of their number that time goes with
@@ -39,10 +47,7 @@ struct Level {
 class Loop {
 public:
   Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
-       TrialKeeper* keeper)
-      : s_(sketch), demand_(demand), told_(told), keeper_(keeper) {
-    demand_.drawn = true;
-  }
+       TrialKeeper* keeper);
   Adapted run();
 
 private:
@@ -50,24 +55,29 @@ private:
   bool solve_level(Level& level, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level& coarse, const Level& fine, const Distance& between);
+  bool is_near_enough(const app::Stated& s) const;
   bool all_met() const;
+  bool all_within() const;
+  void end_stages();
+  bool bends(const Distance& between);
+  bool stays_linear();
   void watch();
   void tell_endless();
   sketch::Mesh with_finer_contacts(const sketch::Mesh& mesh) const;
-  Level next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
+  sketch::Mesh next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
   double aim() const;
   double energy_aim() const;
   bool is_near(const Distance& distance) const;
   void tighten(const Distance& distance);
   double tolerance(sketch::Want::Kind kind) const;
   double tolerance_of(const app::Stated& s, const Trial& trial) const;
-  bool take(Level& level, const std::string& why);
+  void take(const Level& level);
 
-  const sketch::Sketch& s_;
   Demand demand_;
   const std::function<void(const app::MeshRound&)>& told_;
   TrialKeeper* keeper_;
   Adapted out_;
+  const sketch::Sketch& s_;
   struct Watched {
     double error = HUGE_VAL;
     int stays = 0; // rounds in a row
@@ -75,11 +85,29 @@ private:
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
       watched_;  // by name, zone, item, body, which of these
   Round before_; // what was stated in the round before
-  double seconds_ = 0;
+  double seconds_ = 0, work_ = 0;
+  double last_work_ = 0;               // of the last mesh
+  double least_;                       // tolerance that is asked for
+  double stage_;                       // tolerance that meshes are made for
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
-  std::string history_;                // why it ended early, of the last mesh
+  std::string history_;                // why it ended early, of the mesh that was taken
+  bool is_whole_ = false;              // it did not
   double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
+  int regrown_ = 0;                    // how often contact has grown beyond what was taken to be far
 };
+
+double least_tolerance(const sketch::Sketch& s) {
+  double out = s.tolerance;
+  for (const sketch::Want& want : s.wants) out = std::min(out, want.tolerance.value_or(s.tolerance));
+  return out;
+}
+
+Loop::Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+           TrialKeeper* keeper)
+    : demand_(demand), told_(told), keeper_(keeper), s_(out_.sketch), least_(least_tolerance(sketch)), stage_(kFirstStage) {
+  out_.sketch = sketch;
+  demand_.drawn = true;
+}
 
 // The overlaps of elements of two meshes on the same curves.
 Overlaps overlaps_of(const sketch::Mesh& coarse, const sketch::Mesh& fine) {
@@ -127,39 +155,59 @@ void tell_distance(const Distance& d, const Trial& trial, app::MeshRound& round)
   round.energy = d.energy;
 }
 
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
 bool Loop::is_within_limits(const sketch::Mesh& mesh) {
   if (sketch::elements_of(mesh) > s_.most_elements) {
     out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
     return false;
   }
-  double next = 0; // a mesh with twice the elements takes about six times as long
-  if (!out_.loop.rounds.empty()) {
-    const app::MeshRound& last = out_.loop.rounds.back();
-    next = last.seconds * std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
-  }
-  if (s_.most_seconds > 0 && seconds_ + next > s_.most_seconds) {
+  if (out_.loop.rounds.empty()) return true;
+  const app::MeshRound& last = out_.loop.rounds.back();
+  const double more = std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
+  if (s_.most_seconds > 0 && seconds_ + more * last.seconds > s_.most_seconds) {
     out_.loop.stopped = "the next mesh would take more than the limit of time";
+    return false;
+  }
+  if (s_.most_seconds == 0 && work_ + more * last_work_ > s_.most_work) {
+    out_.loop.stopped = "the next mesh would take more than the limit of work, " + number(s_.most_work) + " multiplications (" +
+                        number(work_) + " took " + number(seconds_) + " s)";
     return false;
   }
   return true;
 }
 
+// Does a history end for want of accuracy, which says nothing of the bodies?
+bool fails(c2d_outcome outcome) {
+  return outcome == C2D_NO_ADMISSIBLE_CHANGE || outcome == C2D_NO_PROGRESS || outcome == C2D_UNDECIDED ||
+         outcome == C2D_BEYOND_LIMITS;
+}
+
 bool Loop::solve_level(Level& level, bool adapted) {
+  level.trial = Trial();
   level.deck = sketch::deck_of(s_, level.mesh);
   std::string why;
   const bool known = keeper_ != nullptr && keeper_->recall(level.deck, level.trial);
   const c2d_status status = known ? c2d_status{C2D_OK} : solve(level.deck, demand_, level.trial, why);
   if (status == C2D_OK && !known && keeper_ != nullptr && !keeper_->keep(level.deck, level.trial)) return false;
-  seconds_ += level.trial.seconds;
+  seconds_ += level.trial.seconds, work_ += level.trial.work;
   if (status != C2D_OK) {
     why = app::in_words_of_drawing(why, level.deck);
     if (out_.deck.empty()) out_.status = status, out_.why = why, out_.deck = level.deck;
-    out_.loop.stopped = why;
+    out_.loop.stopped = status == C2D_ERR_CANCELLED ? "the search was interrupted" : why;
     return false;
   }
+  if (is_whole_ && fails(level.trial.outcome)) {
+    out_.loop.stopped = "on a finer mesh the history ended early: " + level.trial.why;
+    return false;
+  }
+  last_work_ = level.trial.work;
   out_.loop.rounds.push_back(round_of(level.trial));
   out_.loop.rounds.back().adapted = adapted;
-  history_ = level.trial.why;
   out_.loop.rounds.back().curves = curves_of(level.mesh);
   return true;
 }
@@ -195,10 +243,29 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   for (const app::Stated& s :
        state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
+  // As long as contact is neither found nor ruled out somewhere, no number has an error.
+  const std::vector<OpenContact> open =
+      open_contacts(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_);
+  if (std::any_of(open.begin(), open.end(), [](const OpenContact& c) { return c.doubts(); }))
+    for (app::Stated& s : stated) s.error = NAN;
   drop_unknown(stated);
   confirm(stated, fine.trial, before);
   out_.loop.rounds.back().stated = stated;
   before_ = {stated, between.pressure, fine.trial.states.empty() ? std::vector<double>() : fine.trial.states.back().loads};
+}
+
+// As the meshes of this stage are to have it.
+bool Loop::is_near_enough(const app::Stated& s) const {
+  return std::isnan(s.tolerance) || s.error <= stage_ / least_ * s.tolerance * s.scale;
+}
+
+// The next stages, up to one that a number does not meet.
+void Loop::end_stages() {
+  const auto ends = [&] {
+    return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
+                       [&](const app::Stated& s) { return s.endless || is_near_enough(s); });
+  };
+  while (stage_ > least_ && ends()) stage_ *= kNextStage, strictness_ = 1;
 }
 
 // Numbers at one place whose errors no longer fall though the mesh there becomes finer: at a sharp corner there may be no
@@ -207,7 +274,7 @@ void Loop::watch() {
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
     const int which = seen[{s.name, s.zone, s.item, s.body}]++;
-    if (s.is_within() || !is_place(s)) continue;
+    if (is_near_enough(s) || !is_place(s)) continue;
     Watched& w = watched_[{s.name, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
@@ -218,6 +285,11 @@ void Loop::watch() {
 bool Loop::all_met() const {
   return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
                      [](const app::Stated& s) { return s.is_met() || s.endless; });
+}
+
+bool Loop::all_within() const {
+  return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
+                     [](const app::Stated& s) { return s.is_within() || s.endless; });
 }
 
 sketch::Mesh without_far(sketch::Mesh mesh) {
@@ -247,25 +319,24 @@ sketch::Mesh Loop::with_finer_contacts(const sketch::Mesh& mesh) const {
 }
 
 // What is far by now left out, what adds most bisected, ends of elements at the ends of contact and stick.
-Level Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near) {
+sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near) {
   sketch::Mesh mesh = coarse.mesh;
-  mark_far(s_, coarse.trial, mesh);
+  if (regrown_ < kMostRegrown) mark_far(s_, coarse.trial, mesh);
   double worst = 0, own = 0;
   for (size_t z = 0; z < distance.pressure.size(); ++z)
     if (distance.pressure[z] > worst) worst = distance.pressure[z], own = distance.own[z];
   if (worst > kStalls * worst_ && own < kOwn * worst) rest_ /= 8;
   worst_ = worst;
   sketch::Levels levels = marks(distance, aim(), energy_aim());
-  if (near) mark_places(s_, fine.trial, out_.loop.stated, mesh, levels);
-  return {sketch::refined(s_, mesh, levels, edges_of(fine.trial)), {}, {}};
+  mark_missed(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_, mesh, levels);
+  std::vector<app::Stated> stated = out_.loop.stated;
+  for (app::Stated& s : stated) s.tolerance *= stage_ / least_;
+  if (near) mark_places(s_, fine.trial, stated, mesh, levels);
+  return sketch::refined(s_, mesh, levels, edges_of(fine.trial));
 }
 
 // The distance of the tractions at which every number is expected to be met.
-double Loop::aim() const {
-  double wanted = s_.tolerance;
-  for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  return strictness_ * wanted;
-}
+double Loop::aim() const { return strictness_ * stage_; }
 
 // The same of the energy that elements cannot follow, which numbers beside those of the contact depend on.
 double Loop::energy_aim() const { return kOfEnergy * rest_ / strictness_ * aim(); }
@@ -278,9 +349,12 @@ bool Loop::is_near(const Distance& d) const {
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
   for (const app::Stated& s : out_.loop.stated) {
-    if (s.is_within() || s.endless) continue;
-    double& worst = is_local(s) ? contact : rest;
-    worst = std::min(worst, is_place(s) ? kOfPlaces : s.tolerance * s.scale / s.error);
+    if (s.endless || std::isnan(s.tolerance)) continue;
+    const bool within = is_near_enough(s);
+    if (within && (s.confirmed || stage_ > least_)) continue; // what is within must be so on a finer mesh, too
+    double& worst = is_local(s) && !std::isnan(s.error) ? contact : rest;
+    const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
+    worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfDoubt : part);
   }
   if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
   if (d.energy < energy_aim() && rest < 1) rest_ *= std::clamp(rest, 0.05, 0.6);
@@ -292,11 +366,37 @@ void Loop::tell_endless() {
     out_.loop.stopped = "it does not settle as the mesh there becomes finer: it may have no bound";
 }
 
-bool Loop::take(Level& level, const std::string& why) {
+void Loop::take(const Level& level) {
   out_.mesh = level.mesh;
   out_.deck = level.deck;
   out_.loop.taken = out_.loop.rounds.size() - 1;
-  if (out_.loop.stopped.empty()) out_.loop.stopped = why;
+  history_ = level.trial.why;
+  is_whole_ = level.trial.outcome == C2D_REACHED;
+}
+
+bool is_same(const sketch::Mesh& a, const sketch::Mesh& b) {
+  for (size_t body = 0; body < a.bodies.size(); ++body)
+    for (size_t o = 0; o < a.bodies[body].size(); ++o)
+      for (size_t c = 0; c < a.bodies[body][o].curves.size(); ++c) {
+        const sketch::MeshedCurve &p = a.bodies[body][o].curves[c], &q = b.bodies[body][o].curves[c];
+        if (p.ends != q.ends || p.far != q.far) return false;
+      }
+  return true;
+}
+
+// Where straight elements cannot follow how bodies bend, quadratic functions take over, unless the sketch names some.
+bool Loop::bends(const Distance& between) {
+  if (!s_.chooses_order || s_.order > 1 || between.energy < kBends) return false;
+  out_.sketch.order = 2;
+  return true;
+}
+
+// Not where these cannot be solved (slender bodies that float upon each other lose digits with them).
+bool Loop::stays_linear() {
+  if (!s_.chooses_order || s_.order == 1 || app::interrupted()) return false;
+  out_.sketch.order = 1;
+  out_.sketch.chooses_order = false;
+  out_.loop.stopped.clear();
   return true;
 }
 
@@ -304,28 +404,41 @@ void Loop::search() {
   Level coarse;
   coarse.mesh = sketch::first_mesh(s_, kFirst);
   int early = 0; // rounds whose history ended early
-  for (int round = 0; round < kMostRounds; ++round) {
-    coarse.trial = Trial();
-    if (!solve_level(coarse, true)) return;
-    told_(out_.loop.rounds.back());
-    if (round == 0) take(coarse, "");            // what is kept where no later mesh can be made or solved
-    if (is_cut_off(coarse.trial, coarse.mesh)) { // contact has grown up to what was taken to be far
-      coarse.mesh = without_far(coarse.mesh);
-      continue;
-    }
-    if (round == 0) mark_far(s_, coarse.trial, coarse.mesh);
-    Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
-    if (!is_within_limits(fine.mesh) || !solve_level(fine, false)) {
+  bool begun = false;
+  const auto grow = [&] { coarse.mesh = without_far(coarse.mesh), ++regrown_; };
+  for (;;) {
+    if (!solve_level(coarse, true)) {
+      if (!begun && stays_linear()) continue;
       return;
     }
-    if (fine.trial.zones.size() != coarse.trial.zones.size()) continue; // what is far parts one
+    told_(out_.loop.rounds.back());
+    if (out_.loop.rounds.size() == 1) take(coarse); // what is kept where no later mesh can be made or solved
+    if (is_cut_off(coarse.trial, coarse.mesh)) {    // contact has grown up to what was taken to be far
+      grow();
+      continue;
+    }
+    if (!begun && regrown_ == 0) mark_far(s_, coarse.trial, coarse.mesh);
+    Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
+    if (!is_within_limits(fine.mesh)) return;
+    if (!solve_level(fine, false)) {
+      if (!begun && stays_linear()) continue;
+      return;
+    }
+    if (fine.trial.zones.size() != coarse.trial.zones.size()) { // what is far parts one
+      grow();
+      continue;
+    }
     const Distance between = distance_of(coarse, fine);
     tell_distance(between, fine.trial, out_.loop.rounds.back());
     told_(out_.loop.rounds.back());
     judge(coarse, fine, between);
-    take(fine, "");
+    take(fine);
     if (is_cut_off(fine.trial, fine.mesh)) {
-      coarse.mesh = without_far(coarse.mesh);
+      grow();
+      continue;
+    }
+    if (!begun && bends(between)) {
+      before_ = Round();
       continue;
     }
     if (!history_.empty() && early++ < kEarlyRounds) {
@@ -335,12 +448,19 @@ void Loop::search() {
     }
     const bool near = is_near(between);
     if (near) watch();
-    if (all_met()) return tell_endless();
-    if (near) tighten(between);
-    coarse = next_mesh(coarse, fine, between, near);
+    if (all_met() && between.energy < kUnfollowed) return tell_endless();
+    end_stages();
+    if (is_near(between)) tighten(between); // of the stage that is next
+    sketch::Mesh next = next_mesh(coarse, fine, between, near);
+    if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
+    if (is_same(next, coarse.mesh)) {
+      out_.loop.stopped = "elements there are as short as the digits of coordinates allow";
+      return;
+    }
+    coarse.mesh = std::move(next);
+    begun = true;
     if (!is_within_limits(coarse.mesh)) return;
   }
-  out_.loop.stopped = "after " + std::to_string(kMostRounds) + " rounds";
 }
 
 Adapted Loop::run() {

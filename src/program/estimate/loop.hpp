@@ -11,6 +11,7 @@
 namespace estimate {
 
 struct Adapted {
+  sketch::Sketch sketch; // that the mesh refers to, with the order of functions that was chosen
   sketch::Mesh mesh;
   std::string deck; // of the mesh
   app::MeshLoop loop;

@@ -95,6 +95,7 @@ public:
   History(c2d_solver* solver, const Demand& demand, Trial& out) : solver_(solver), demand_(demand), out_(out) {}
   c2d_status describe(const std::string& deck); // the model
   c2d_status follow();
+  double work() const; // of all that was done
 
 private:
   c2d_status measure(int32_t body);
@@ -165,6 +166,21 @@ c2d_status History::describe(const std::string& deck) {
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
   if (demand_.drawn) app::mark_turned(deck, lines_);
   return status;
+}
+
+// Bodies, by the number of their equations, dense or compressed; the contact, by its exchanges.
+double History::work() const {
+  constexpr double kEntry = 3000;          // an entry takes as long to assemble as so many multiplications
+  constexpr double kCompressedFrom = 1600; // equations; beyond the cost grows about like their number
+  app::Summary now;
+  if (app::get_summary(solver_, now) != C2D_OK) return 0;
+  double out = 0;
+  for (int32_t b = 0; b < now.bodies; ++b) {
+    const double n = now.body[b].unknowns, own = now.compressed_bodies > 0 ? std::min(n, kCompressedFrom) : n;
+    out += own * own * (kEntry + own / 3) * (n > own ? std::pow(n / own, 1.2) : 1);
+  }
+  const double m = now.contact_unknowns;
+  return out + m * m * (m + static_cast<double>(now.exchanges + now.events));
 }
 
 c2d_status History::begin() {
@@ -289,6 +305,7 @@ c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std:
   if (status == C2D_OK) status = history.follow();
   if (status != C2D_OK) why = solver.words(status);
   out.seconds = app::clock_seconds(nullptr) - start;
+  out.work = history.work();
   return status;
 }
 

@@ -21,6 +21,7 @@ struct Place {
 // What one run may take, and what it is to bring.
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
+  uint64_t most_bytes = 0; // that may be written to, workspace and tapes; 0: no limit
   std::vector<Place> points;
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only where the loads turn and midway
@@ -56,6 +57,7 @@ struct Trial {
   std::string why; // if the history ended early
   int32_t elements = 0, pairs = 0, equations = 0;
   double seconds = 0;
+  double work = 0; // multiplications, roughly: the same on every machine
 };
 
 // Errors: as of c2d_create, c2d_read_deck, c2d_prepare, c2d_advance; `why` says it in words.

@@ -12,7 +12,7 @@ template <class Archive> void members(Archive& a, State& s) {
 }
 template <class Archive> void members(Archive& a, Trial& t) {
   a(t.nodes), a(t.lengths), a(t.stiffness), a(t.across), a(t.zones), a(t.tied), a(t.touched), a(t.states), a(t.outcome), a(t.why);
-  a(t.elements), a(t.pairs), a(t.equations), a(t.seconds);
+  a(t.elements), a(t.pairs), a(t.equations), a(t.seconds), a(t.work);
 }
 
 namespace {

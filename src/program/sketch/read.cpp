@@ -148,6 +148,7 @@ void Reader::plane(Statement& s) {
 void Reader::functions(Statement& s) {
   once(s, "a statement of functions");
   s_.order = static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
+  s_.chooses_order = false;
 }
 
 // Pairs of a name and a value; later values may use earlier ones. One that is given from outside keeps that value.

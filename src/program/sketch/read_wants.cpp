@@ -98,12 +98,19 @@ void Reader::tolerance(Statement& s) {
 
 void Reader::limit(Statement& s) {
   do {
-    const bool seconds = s.choice({"seconds", "elements"}) == 0;
-    once(s, seconds ? "a limit of seconds" : "a limit of elements");
-    if (seconds)
+    switch (s.choice({"seconds", "elements", "work"})) {
+    case 0:
+      once(s, "a limit of seconds");
       s_.most_seconds = s.positive("how many seconds");
-    else
+      break;
+    case 1:
+      once(s, "a limit of elements");
       s_.most_elements = whole(s, "how many elements", 1000000);
+      break;
+    default:
+      once(s, "a limit of work");
+      s_.most_work = s.positive("how many multiplications");
+    }
   } while (s.has_more());
 }
 

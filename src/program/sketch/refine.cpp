@@ -7,11 +7,14 @@ namespace sketch {
 namespace {
 
 constexpr double kNeighbours = 3.0; // the most that an element is longer than the one beside it
+constexpr double kLeastElement = 1e-8; // of the largest coordinate; lengths along curves are right to 1e-10
 
-std::vector<double> divided(const std::vector<double>& ends, const int* levels) {
+// No element becomes shorter than `least`.
+std::vector<double> divided(const std::vector<double>& ends, const int* levels, double least) {
   std::vector<double> out(1, ends.front());
   for (size_t e = 0; e + 1 < ends.size(); ++e) {
-    const int parts = 1 << levels[e];
+    int parts = 1 << levels[e];
+    while (parts > 1 && ends[e + 1] - ends[e] < least * parts) parts /= 2;
     for (int k = 1; k < parts; ++k) out.push_back(ends[e] + (ends[e + 1] - ends[e]) * k / parts);
     out.push_back(ends[e + 1]);
   }
@@ -50,6 +53,19 @@ void carry(size_t contact, const Mesh& mesh, Levels& levels) {
   });
 }
 
+// Where neighbours differ in length no coordinate may have lost its digits: a share of the largest one.
+double least_element(const Mesh& mesh) {
+  double largest = 0;
+  for (const auto& outlines : mesh.bodies)
+    for (const MeshedOutline& outline : outlines)
+      for (const MeshedCurve& curve : outline.curves)
+        for (const double u : {0.0, 0.5, 1.0}) {
+          const Point p = curve.curve->shape->at(u);
+          largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+        }
+  return kLeastElement * largest;
+}
+
 // Neighbours on an outline, round its end where it is closed.
 void smooth(MeshedOutline& outline) {
   struct Element {
@@ -75,7 +91,7 @@ void smooth(MeshedOutline& outline) {
       for (size_t e = 0; e < curve.elements(); ++e) levels.push_back(split[at + e]);
       at += curve.elements();
       if (std::count(levels.begin(), levels.end(), 1) == 0) continue;
-      curve.ends = divided(curve.ends, levels.data());
+      curve.ends = divided(curve.ends, levels.data(), 0);
       changed = true;
     }
   }
@@ -148,12 +164,13 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const
   Levels all = levels;
   for (size_t k = 0; k < sketch.contacts.size(); ++k) carry(k, mesh, all);
   Mesh out = mesh;
+  const double least = least_element(mesh);
   for (size_t b = 0; b < out.bodies.size(); ++b) {
     const int* level = all[b].data();
     for (MeshedOutline& outline : out.bodies[b]) {
       for (MeshedCurve& curve : outline.curves) {
         const size_t before = curve.elements();
-        curve.ends = divided(curve.ends, level);
+        curve.ends = divided(curve.ends, level, least);
         level += before;
       }
       smooth(outline);
@@ -166,11 +183,12 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const
 
 Mesh halved(const Sketch& sketch, const Mesh& mesh) {
   Mesh out = mesh;
+  const double least = least_element(mesh);
   for (auto& outlines : out.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) {
         const std::vector<int> once(curve.elements(), 1);
-        curve.ends = divided(curve.ends, once.data());
+        curve.ends = divided(curve.ends, once.data(), least);
       }
   for (size_t k = 0; k < sketch.contacts.size(); ++k) align(k, out);
   return out;

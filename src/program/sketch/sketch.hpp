@@ -143,6 +143,7 @@ struct Sketch {
   bool plane_stress = false;
   bool interference = false;         // overlaps of what is drawn are press fits, closed before the history
   int order = 1;                     // of the functions
+  bool chooses_order = true;         // the loop over meshes may take another one: no statement names it
   std::optional<double> symmetry[2]; // x = , y =
   std::vector<Body> bodies;
   std::vector<Interface> interfaces;
@@ -159,6 +160,7 @@ struct Sketch {
   double tolerance = 0.01;   // of all wants that have none of their own
   bool adapts = true;        // no: the first mesh is the mesh
   double most_seconds = 0;   // 0: no limit
+  double most_work = 1e13;   // multiplications, of all meshes, unless there is a limit of time
   int most_elements = 20000; // of all bodies together
 };
 
