@@ -396,6 +396,7 @@ PROGRAM_SOURCES += src/program/sketch/fillet.cpp
 PROGRAM_SOURCES += src/program/sketch/idle_cases.cpp
 PROGRAM_SOURCES += src/program/sketch/mesh.cpp
 PROGRAM_SOURCES += src/program/sketch/outline.cpp
+PROGRAM_SOURCES += src/program/sketch/part_ends.cpp
 PROGRAM_SOURCES += src/program/sketch/place_ends.cpp
 PROGRAM_SOURCES += src/program/sketch/point_rows.cpp
 PROGRAM_SOURCES += src/program/sketch/read.cpp

@@ -220,3 +220,32 @@ TEST_CASE("facing parts: a punch that tilts off a coarse mesh is solved on a fin
   const app::Stated edge = stated(drawn, "contact edge");
   CHECK(std::fabs(edge.at[0] - 0.6) < edge.error + 0.002);
 }
+
+// Of a pad whose flat goes on smoothly in an arc, of one that ends at corners, of a block beside a wall that holds it.
+TEST_CASE("facing parts: what contact may go on to is told by its curves, and nothing where surfaces end") {
+  const auto deck = [](const std::string& pad, const std::string& more = "") {
+    const sketch::Reading drawn =
+        read_text(block(40, 10) + "body pad E 1000 nu 0.3\nfrom -5 0\nline flat to 5 0\n" + pad +
+                      "line left close\ncontact block.top pad.flat\nfix block.bottom\npressure pad.lid 1\n" + more,
+                  {{"w", 40}});
+    REQUIRE(drawn.faults.empty());
+    return sketch::deck_of(drawn.sketch, sketch::first_mesh(drawn.sketch, 1));
+  };
+  const std::string corners = deck("line right to 5 4\nline lid to -5 4\n"),
+                    toe = deck("arc toe to 7 2 centre 5 2\nline right to 7 4\nline lid to -5 4\n");
+  c2d_error warning = C2D_INIT(c2d_error);
+  warning.status = C2D_WARN_ZONE_END, warning.zone = 1;
+  CHECK(app::is_at_natural_end(warning, corners));
+  CHECK_FALSE(app::is_at_natural_end(warning, toe));
+  CHECK(app::in_words_of_drawing(
+            "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone carries pressure: the "
+            "contact may reach further than the zone",
+            toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the parts that face each other, and may "
+                    "reach further: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
+}
+
+TEST_CASE("facing parts: a sharp corner that stands on a flat is told as one") {
+  const std::string text = block(10, 4) + "body wedge E 1000 nu 0.3\nfrom 0 0\nline skin to 1 2\nline lid to -1 2\nline skin "
+                                          "close\ncontact block.top wedge.skin\nfix block.bottom\nfix wedge.lid\n";
+  CHECK(fault_of(text).find("nearest 0 apart at (0, 0), a corner: what is to touch there needs a fillet") != std::string::npos);
+}

@@ -12,14 +12,13 @@ namespace {
 constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER, C2D_WARN_OFFSET,
                                   C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
 
+constexpr char kReachesEnd[] = "contact reaches the end of the parts that face each other, and may reach further";
 struct Phrase {
   const char *of_mesh, *of_drawing; // `#` stands for a number
 };
 constexpr Phrase kPhrases[] = {
-    {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone",
-     "contact reaches the end of the parts that face each other, and may reach further"},
-    {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone",
-     "contact reaches the end of the parts that face each other, and may reach further"},
+    {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone", kReachesEnd},
+    {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone", kReachesEnd},
     {"exceeds half a contact element: pairs no longer face each other",
      "is long beside the mesh: places touch that did not face each other at first"},
     {"the friction of all pairs that hold ", "the friction of all that holds "},
@@ -131,7 +130,22 @@ bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCur
   return at = p, words = one + " and " + two, true;
 }
 
+// Where contact of a zone might go on: `! zone 1 might go on: pad.flat ends at (5, 0), ...`, of each end.
+std::string beyond_zone(int zone, const std::string& deck) {
+  const std::string begin = "\n! zone " + std::to_string(zone) + " might go on: ";
+  std::string out;
+  for (size_t at = deck.find(begin); at != std::string::npos; at = deck.find(begin, at)) {
+    at += begin.size();
+    out += (out.empty() ? "" : "; ") + deck.substr(at, deck.find('\n', at) - at);
+  }
+  return out;
+}
+
 } // namespace
+
+bool is_at_natural_end(const c2d_error& warning, const std::string& deck) {
+  return warning.status == C2D_WARN_ZONE_END && beyond_zone(warning.zone, deck).empty();
+}
 
 bool is_about_mesh(int32_t warning) {
   return std::find(std::begin(kAboutMesh), std::end(kAboutMesh), warning) != std::end(kAboutMesh);
@@ -148,6 +162,10 @@ std::string in_words_of_drawing(const std::string& text, const std::string& deck
       out += text[at++];
   }
   for (const Phrase& phrase : kPhrases) replace(out, phrase);
+  size_t at = std::string("zone ").size();
+  int zone = 0;
+  if (out.find(kReachesEnd) != std::string::npos && accept_number(out, at, zone))
+    if (const std::string beyond = beyond_zone(zone, deck); !beyond.empty()) out += ": " + beyond;
   if (const size_t coarse = out.find("coarse contact: "); coarse != std::string::npos)
     out.replace(
         coarse, std::string::npos,

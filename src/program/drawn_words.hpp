@@ -3,6 +3,8 @@
 
 #include "report/zone_line.hpp"
 
+#include <contact2d.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +13,9 @@ namespace app {
 
 // Does a warning speak of how the mesh was made, and not of the model? Stated errors tell what that matters.
 bool is_about_mesh(int32_t warning);
+
+// Does a warning say that contact reaches the end of a zone where surfaces end, or where another zone goes on?
+bool is_at_natural_end(const c2d_error& warning, const std::string& deck);
 
 // Elements, nodes and pairs of the text become curves of bodies, which the deck lists beside its numbers.
 std::string in_words_of_drawing(const std::string& text, const std::string& deck);

@@ -35,7 +35,10 @@ void Messages::log(void* context, const c2d_error* told) {
   if (m.deck_.is_made())
     std::snprintf(in_words.text, sizeof in_words.text, "%s", in_words_of_drawing(told->text, m.deck_.text()).c_str());
   if (entry->severity == C2D_WARNING) {
-    if (m.is_end_of_platen(*entry) || (m.deck_.is_made() && (is_about_mesh(entry->status) || m.has_warned(entry->status)))) return;
+    if (m.is_end_of_platen(*entry)) return;
+    if (m.deck_.is_made() &&
+        (is_about_mesh(entry->status) || is_at_natural_end(*entry, m.deck_.text()) || m.has_warned(entry->status)))
+      return;
     m.warnings_.push_back(*entry);
     if (m.print_warnings && !m.quiet) say(quote(m.deck_, *entry, "warning"));
     return;

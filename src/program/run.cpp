@@ -185,6 +185,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
     c2d_summary now = C2D_INIT(c2d_summary);
     c2d_get_summary(run.session_.solver, &now);
     explain(kept, now, run.summary_, run.session_.messages.latest());
+    if (run.session_.deck.is_made()) kept.why = in_words_of_drawing(kept.why, run.session_.deck.text());
     run.session_.messages.forget_latest();
   }
   return run.outputs_.flush(run.error_) && run.save_path(*step) ? 0 : 1;

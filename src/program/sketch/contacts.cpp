@@ -2,6 +2,7 @@
 
 #include "program/sketch/facing.hpp"
 #include "program/sketch/outline.hpp"
+#include "program/sketch/part_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +120,13 @@ std::string Cutter::why(const Interface& interface, const std::vector<Chain>& a,
     }
   const std::string one = names_of(body(interface.side[0].body), interface.side[0]),
                     two = names_of(body(interface.side[1].body), interface.side[1]);
-  const std::string nearest = "nearest " + rounded(gap) + " apart at (" + rounded(at.x) + ", " + rounded(at.y) + ")";
+  bool corner = false; // is what is nearest a convex one?
+  for (const std::vector<Chain>* chains : {&a, &b})
+    for (const Chain& chain : *chains)
+      for (const SurfacePoint& p : chain.samples())
+        corner = corner || (chain.is_fan(p.place) && sketch::length(p.at - at) <= kAtJoint * chain.length());
+  const std::string nearest = "nearest " + rounded(gap) + " apart at (" + rounded(at.x) + ", " + rounded(at.y) + ")" +
+                              (corner ? ", a corner: what is to touch there needs a fillet" : "");
   const std::string none = "no part of " + one + " faces " + two + ": ";
   if (inclination > 90) return none + "their outer sides look the same way; " + nearest;
   if (inclination > 50)
@@ -318,6 +325,11 @@ Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
     const Held own = held_at(*part.run.chain[pairs], at[1]), other = held_at(*part.run.chain[1 - pairs], at[0]);
     const bool as_symmetry = own.along[0] == other.along[0] && own.along[1] == other.along[1] && own.along[0] != own.along[1];
     out.is_held[end] = own.any() && !as_symmetry;
+    const bool last = (end == 1) == (pairs == 0); // of the points
+    if (out.is_held[end])
+      out.ends[end] = "line " + std::to_string(own.at.line) + " holds " + body(out.side[1].body).name + " where it ends";
+    else if (!part.shared[last ? 1 : 0])
+      out.ends[end] = end_of_part(s_, part.run, last);
   }
   return out;
 }

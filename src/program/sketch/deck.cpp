@@ -312,6 +312,11 @@ void Writer::matching_zones() {
   for (size_t b = 0; b < s_.bodies.size(); ++b) card(std::to_string(nodes_in[b]) + " " + std::to_string(elements_in[b]));
 }
 
+// Why a zone ends where contact might go on.
+std::string end_of(const Zone& zone, size_t end) {
+  return zone.whole[end] ? zone.contact->ends[end] : "coarser meshes did not touch there, and the limit ended the search";
+}
+
 void Writer::zones() {
   int number_of_zone = 0;
   std::string ties, frictions;
@@ -323,6 +328,8 @@ void Writer::zones() {
     for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
     if (zone.one.last < zone.one.first || zone.two.last < zone.two.first)
       text += " " + std::to_string(zone.one.count) + " " + std::to_string(zone.two.count);
+    for (size_t end = 0; end < 2; ++end)
+      if (const std::string why = end_of(zone, end); !why.empty()) comment("zone " + told + " might go on: " + why);
     if (zone.contact->turned) comment("zone " + told + ": side 2 is the first of its statement");
     if (!zone.matching) card(text);
     const std::string name =

@@ -159,7 +159,8 @@ FacingRun Search::run_of(const std::vector<Look>& looks, bool ring) const {
   }
   for (size_t i = first; i < last; ++i) {
     const Partner& partner = looks[i].partner;
-    FacingPoints p{{looks[i].length[0], looks[i].length[1]}, {a_.at(looks[i].place).normal, partner.at.normal}, partner.gap};
+    const SurfacePoint from = a_.at(looks[i].place);
+    FacingPoints p{{looks[i].length[0], looks[i].length[1]}, from.at, {from.normal, partner.at.normal}, partner.gap};
     if (!out.points.empty())
       for (size_t side = 0; side < 2; ++side) {
         const double before = out.points.back().length[side];

@@ -8,6 +8,7 @@ namespace sketch {
 // A point of one chain and the one of the other that faces it.
 struct FacingPoints {
   double length[2] = {0, 0}; // along the outlines, beyond their ends where a closed one is passed; rising on the first chain
+  Point at;                  // on the first
   Point normal[2];
   double gap = 0; // below 0: an overlap
 };

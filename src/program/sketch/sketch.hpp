@@ -70,6 +70,7 @@ struct Contact {
   bool ring = false;                      // all round both
   bool turned = false;                    // side 1 is the first of the statement
   bool is_held[2] = {false, false};       // something prescribes displacements where side 1 begins, ends
+  std::string ends[2];                    // why the part ends there, though contact might go on; empty: it does not
   std::vector<std::array<double, 2>> map; // lengths that face each other, falling on side 0, rising on side 1
 };
 

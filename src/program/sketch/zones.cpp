@@ -75,7 +75,7 @@ private:
   struct Pair {
     size_t contact;
     Numbers one, two;
-    bool matching = false, leaves[2] = {false, false};
+    bool matching = false, leaves[2] = {false, false}, whole[2] = {true, true};
   };
   const Elements& body(size_t k, size_t side) const { return elements_[static_cast<size_t>(s_.contacts[k].side[side].body)]; }
   bool is_tied(size_t k) const { return s_.interfaces[s_.contacts[k].interface].tied; }
@@ -85,6 +85,7 @@ private:
   bool coincides(const Pair& pair) const;
   void part(Pair& stays, Pair& yields);
   void part_neighbours();
+  bool is_at(const Pair& pair, double length, double place) const;
   void leave_held(Pair& pair) const;
 
   const Sketch& s_;
@@ -208,19 +209,26 @@ void Pairing::part_neighbours() {
   std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
 
+// Of side 1 of its contact: are two lengths one?
+bool Pairing::is_at(const Pair& pair, double length, double place) const {
+  const Contact::Strip& strip = s_.contacts[pair.contact].side[1];
+  const double off = strip.round > 0 ? std::remainder(length - place, strip.round) : length - place;
+  return std::fabs(off) < kSame * (strip.to - strip.from);
+}
+
 // At an end whose displacement is prescribed there is no pair: the element there carries nothing.
 void Pairing::leave_held(Pair& pair) const {
   const Elements& all = body(pair.contact, 1);
   const Contact& contact = s_.contacts[pair.contact];
-  const auto is_at = [strip = contact.side[1]](double length, double place) {
-    const double off = strip.round > 0 ? std::remainder(length - place, strip.round) : length - place;
-    return std::fabs(off) < kSame * (strip.to - strip.from);
-  };
   Numbers& two = pair.two;
-  if (contact.is_held[0] && two.size() > 1 && is_at(all[static_cast<size_t>(two.front())].begin, contact.side[1].from))
-    two.erase(two.begin());
-  if (contact.is_held[1] && two.size() > 1 && is_at(all[static_cast<size_t>(two.back())].end, contact.side[1].to))
-    two.pop_back();
+  if (contact.ring) {
+    pair.whole[0] = pair.whole[1] = two.size() == side(pair.contact, 1).size();
+    return;
+  }
+  pair.whole[0] = is_at(pair, all[static_cast<size_t>(two.front())].begin, contact.side[1].from);
+  pair.whole[1] = is_at(pair, all[static_cast<size_t>(two.back())].end, contact.side[1].to);
+  if (contact.is_held[0] && two.size() > 1 && pair.whole[0]) two.erase(two.begin());
+  if (contact.is_held[1] && two.size() > 1 && pair.whole[1]) two.pop_back();
 }
 
 std::vector<Zone> Pairing::run() {
@@ -228,9 +236,13 @@ std::vector<Zone> Pairing::run() {
   for (Pair& pair : pairs_) leave_held(pair);
   part_neighbours();
   std::vector<Zone> out;
-  for (const Pair& pair : pairs_)
-    out.push_back(
-        {&s_.contacts[pair.contact], stretch(pair.one), stretch(pair.two), pair.matching, {pair.leaves[0], pair.leaves[1]}});
+  for (const Pair& p : pairs_)
+    out.push_back({&s_.contacts[p.contact],
+                   stretch(p.one),
+                   stretch(p.two),
+                   p.matching,
+                   {p.whole[0], p.whole[1]},
+                   {p.leaves[0], p.leaves[1]}});
   return out;
 }
 

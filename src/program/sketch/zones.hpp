@@ -15,6 +15,7 @@ struct Zone {
   const Contact* contact;
   Stretch one, two; // contact conditions hold at the nodes of the second
   bool matching = false;
+  bool whole[2] = {true, true};    // does side 2 begin, end where that of the contact does?
   bool leaves[2] = {false, false}; // of a matching zone: is the node where side 2 begins, ends, in the pair of a neighbour?
 };
 
