@@ -86,6 +86,24 @@ TEST_CASE("slender: layers upon each other are right at any thickness" * doctest
   check_layers(layered(6, 1e-5, 3, Joint::free), 1e-5);
 }
 
+// Shells are held where symmetry cuts them, and bend as easily.
+TEST_CASE("slender: layers that supports hold" * doctest::skip(c2d::kSmallCode)) {
+  for (const Joint joint : {Joint::matching, Joint::tied})
+    for (const double t : {1e-3, 1e-5}) {
+      Model m = layered(3, t, 3, joint);
+      double below = -1 / m.body(1).youngs_modulus; // uy of the layer's lower face
+      for (int32_t b = 2; b <= 4; ++b) {
+        Body& layer = m.body(b);
+        const double middle = below - 0.5 * t / layer.youngs_modulus;
+        for (const int32_t side : {2, 4}) // in the middle of its ends, to where it goes
+          layer.ends[static_cast<size_t>(3 * (m.side(b, side).first - 1) + 1)] =
+              end_of(side == 4 ? "1100" : "0110", 0, 0, 0, middle);
+        below -= t / layer.youngs_modulus;
+      }
+      check_layers(m, t);
+    }
+}
+
 TEST_CASE("slender: layers in other units, and turned" * doctest::skip(c2d::kSmallCode)) {
   const Model m = layered(2, 3e-5, 4, Joint::tied);
   check_layers(scaled(m, 3, 1), 3e-5, 3, 1);
@@ -118,6 +136,8 @@ TEST_CASE("slender: layers take more than the least memory, by a number that is 
   const auto fault =
       std::find_if(refused.told.begin(), refused.told.end(), [](const c2d_error& e) { return e.bytes_needed > 0; });
   REQUIRE(fault != refused.told.end());
+  const auto is_fault = [](const c2d_error& e) { return e.severity == C2D_FAULT; };
+  CHECK(std::count_if(refused.told.begin(), refused.told.end(), is_fault) == 1);
   m.bytes = fault->bytes_needed - 64; // less than an alignment's worth
   CHECK(solve(m).status == C2D_ERR_MEMORY);
   m.bytes = fault->bytes_needed;

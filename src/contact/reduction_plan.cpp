@@ -8,7 +8,7 @@ namespace {
 
 constexpr int32_t kUndecided = -1;
 constexpr int32_t kFarMore = 4, kMostSlender = 100000000;
-// More slender ones that float lose digits when they are solved for: with linear functions a hundred times fewer.
+// More slender ones lose digits when they are solved for, held or not: with linear functions a hundred times fewer.
 constexpr int32_t kSlender = 30, kSlenderLinear = 1000;
 
 // A body that meets itself is as good as one that meets another.
@@ -43,8 +43,7 @@ bool goes_before(const Model& m, int a, int b) {
 
 // Would digits be lost if it were solved for? first_border is its slenderness.
 bool bends_much(const Model& m, int b) {
-  return !kSmallCode && m.body[b].free_motions > 0 &&
-         m.body[b].first_border > (m.head->function_nodes > 2 ? kSlender : kSlenderLinear);
+  return !kSmallCode && m.body[b].first_border > (m.head->function_nodes > 2 ? kSlender : kSlenderLinear);
 }
 
 // The body to decide on next; -1: all are.

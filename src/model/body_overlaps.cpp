@@ -28,25 +28,27 @@ Box box_of(const Moved& moved, int b) {
   return box;
 }
 
-double distance_to_chord(const double p[2], const double a[2], const double b[2]) {
+double square_to_chord(const double p[2], const double a[2], const double b[2]) {
   const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
   const double along = square > 0.0 ? ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square : 0.0;
   const double part = along < 0.0 ? 0.0 : along > 1.0 ? 1.0 : along;
-  return hypot(p[0] - a[0] - part * dx, p[1] - a[1] - part * dy);
+  const double x = p[0] - a[0] - part * dx, y = p[1] - a[1] - part * dy;
+  return x * x + y * y;
 }
 
 // A point against a body, chord after chord.
 struct Inside {
   const double* p;
   bool odd = false;
-  double nearest = HUGE_VAL;
+  double nearest = HUGE_VAL; // square of the distance
 
   void add(const double a[2], const double b[2]) {
     if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) odd = !odd;
   }
   void add_boundary(const double a[2], const double b[2]) {
     add(a, b);
-    nearest = fmin(nearest, distance_to_chord(p, a, b));
+    const double square = square_to_chord(p, a, b);
+    if (square < nearest) nearest = square;
   }
 };
 
@@ -76,7 +78,7 @@ double depth_in(const Moved& moved, int b, const double p[2]) {
       from[0] = to[0], from[1] = to[1];
     }
   }
-  return inside.odd ? inside.nearest : 0.0;
+  return inside.odd ? sqrt(inside.nearest) : 0.0;
 }
 
 bool have_zone(const Model& m, int a, int b) {
@@ -85,8 +87,9 @@ bool have_zone(const Model& m, int a, int b) {
   return false;
 }
 
-bool is_within(const Box& box, const double p[2]) {
-  return p[0] > box.x_min && p[0] < box.x_max && p[1] > box.y_min && p[1] < box.y_max;
+// By more than so much.
+bool is_within(const Box& box, const double p[2], double by) {
+  return p[0] > box.x_min + by && p[0] < box.x_max - by && p[1] > box.y_min + by && p[1] < box.y_max - by;
 }
 
 bool is_in_zone(const Model& m, int b, int32_t element, int other) {
@@ -101,12 +104,13 @@ void look_inside(const Moved& moved, int a, int b, const Box& box, double part, 
     for (int32_t e = m.region[a][region].first; e <= m.region[a][region].last; ++e) {
       double p[2];
       moved.at(a, e, p);
-      if (!is_within(box, p)) continue;
+      if (!is_within(box, p, least)) continue;
+      const double wanted = fmax(least, part * element_length(m, a, e));
+      if (!is_within(box, p, wanted)) continue;
       const int32_t before = e > m.region[a][region].first ? e - 1 : m.region[a][region].last;
       if (is_in_zone(m, a, e, b) || is_in_zone(m, a, before, b)) continue;
       const double depth = depth_in(moved, b, p);
-      if (depth > fmax(least, part * element_length(m, a, e)) && depth > worst.depth)
-        worst = BodyOverlap{{a, b}, depth, p[0], p[1]};
+      if (depth > wanted && depth > worst.depth) worst = BodyOverlap{{a, b}, depth, p[0], p[1]};
     }
 }
 

@@ -337,7 +337,7 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
 
 namespace {
 
-// Slender bodies that float upon each other (contact/reduction_plan.hpp) are three bodies and more with what holds them; in
+// Slender bodies upon each other (contact/reduction_plan.hpp) are three bodies and more with what holds them; in
 // layers every other one's displacements are unknowns, and of a contact unknown one side's.
 uint64_t slender_need(const PhaseSizes& s) {
   PhaseSizes slender = s;
