@@ -60,7 +60,8 @@ std::vector<app::Stated> numbers_of(const sketch::Sketch& sketch, const sketch::
   estimate::Trial trial;
   std::string why;
   if (estimate::solve(sketch::deck_of(sketch, fine), demand, trial, why) != C2D_OK) return {};
-  const estimate::Distance none{{}, std::vector<double>(trial.zones.size(), 0.0), 0};
+  estimate::Distance none;
+  none.pressure.assign(trial.zones.size(), 0.0);
   std::vector<app::Stated> out = estimate::state_numbers(trial, trial, none, nullptr);
   for (const app::Stated& s : estimate::wanted_of(sketch, fine, trial)) out.push_back(s);
   return out;

@@ -1,6 +1,8 @@
 // The loop over meshes against closed forms: numbers are as accurate as was asked, and their stated errors are not too small.
 #include "estimate_truth.hpp"
 
+#include "program/estimate/error.hpp"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -41,4 +43,44 @@ TEST_CASE("estimate: flat punch with rounded edges to 1 %") { check(truth::round
 TEST_CASE("estimate: a layer that lifts off, and a disc in a hole, to 1 %") {
   check(truth::receding_layer(1), 0.01);
   for (const bool pulled : {true, false}) check(truth::disc_in_hole(pulled), 0.01);
+}
+
+// A number that was asked for to 1 %, on a model without zones.
+TEST_CASE("estimate: a number is met in two rounds, or by what it changed in the round before, too") {
+  estimate::Trial trial;
+  estimate::Round before;
+  app::Stated number;
+  number.name = "force x", number.value = number.scale = 1, number.tolerance = 0.01, number.error = 0.005;
+  const auto is_met = [&](const estimate::Round* round) {
+    std::vector<app::Stated> all{number};
+    estimate::confirm(all, trial, round);
+    return all[0].is_met();
+  };
+  CHECK_FALSE(is_met(nullptr));
+  number.error_by_before = 0.02;
+  CHECK_FALSE(is_met(nullptr));
+  number.error_by_before = 0.009;
+  CHECK(is_met(nullptr));
+  number.error_by_before = NAN;
+  before.stated = {number};
+  CHECK(is_met(&before));
+  before.stated[0].error = 0.02;
+  CHECK_FALSE(is_met(&before));
+  // Where a history ends early it has to end at the same loads.
+  before.stated[0].error = 0.005;
+  trial.outcome = C2D_GROSS_SLIDING;
+  trial.states.resize(1);
+  trial.states[0].loads = {1, 0.5};
+  CHECK_FALSE(is_met(&before));
+  before.loads = {1, 0.45};
+  CHECK_FALSE(is_met(&before));
+  before.loads = {1, 0.495};
+  CHECK(is_met(&before));
+}
+
+TEST_CASE("estimate: what has no error and was not asked for is not told") {
+  std::vector<app::Stated> all(3);
+  all[0].error = 1, all[1].tolerance = 0.01;
+  estimate::drop_unknown(all);
+  CHECK(all.size() == 2);
 }

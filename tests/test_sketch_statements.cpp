@@ -151,6 +151,16 @@ TEST_CASE("sketch: what is wanted") {
   CHECK(sound(two).tolerance == 0.01);
 }
 
+TEST_CASE("sketch: pressures at places are wanted") {
+  const Sketch s = sound(std::string(kSquare) + "fix b.s\ncopy c of b shift 0 1\ncontact b.n c.s\n" +
+                         "want pressure at b.n 0.25 1 0.75 1 2 %  forces\nwant pressure at c.s 0.5 1\n");
+  REQUIRE(s.wants.size() == 4);
+  for (const size_t i : {0, 1, 3}) CHECK((s.wants[i].kind == Want::kPressureAt && s.wants[i].side->names.size() == 1));
+  CHECK((at(s.wants[0].where, 0.25, 1) && at(s.wants[1].where, 0.75, 1) && s.wants[1].tolerance == 0.02));
+  CHECK((s.wants[3].body == 1 && !s.wants[3].tolerance));
+  CHECK(s.points.empty()); // they are not inside
+}
+
 TEST_CASE("sketch: parts of lines, arcs, circles and splines") {
   const Sketch line = sound(std::string(kSquare) + "part m of n from x 0.75 to 50 %\npart last of n from x 0.25 to end\n");
   CHECK(names_of(line) == std::vector<std::string>{"s", "e", "n", "m", "n", "last", "w"}); // n runs from x = 1 to 0

@@ -14,12 +14,12 @@ constexpr double kNoEarlier = 2; // with nothing but two meshes
 constexpr double kExact = 1e-7;  // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr int32_t kFewPairs = 6;
-constexpr double kOfMove = 2,
-                 kAtLeast = 0.4;  // of what a border moved since the round before; of how far two meshes have it apart
 constexpr double kSameEnd = 0.01; // of the loads where a history ended early
-constexpr double kWantedHides = 0.2,
-                 kEdgeHides = 0.05; // of the distance of the tractions: stresses; those found behind an edge
-constexpr double kOfDoubt = 2;
+// Of what a border moved since the round before; of how far two meshes have it apart.
+constexpr double kOfMove = 2, kAtLeast = 0.4;
+// Of the distance of the tractions: stresses; those found behind an edge.
+constexpr double kWantedHides = 0.2, kEdgeHides = 0.05;
+constexpr double kOfDoubt = 2; // where the coarse mesh has nothing to compare with
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
   return a.what == b.what && a.zone == b.zone && a.item == b.item;
@@ -30,10 +30,11 @@ const app::Quantity* find(const State& state, const app::Quantity& wanted) {
   return found == state.quantities.end() ? nullptr : &*found;
 }
 
-double distance_of(const Distance& d, int32_t zone) {
-  if (zone > 0) return static_cast<size_t>(zone) <= d.pressure.size() ? d.pressure[static_cast<size_t>(zone) - 1] : 0;
+// Of the distances of the tractions of each zone that of a zone, of zone 0 the largest.
+double distance_of(const std::vector<double>& pressure, int32_t zone) {
+  if (zone > 0) return static_cast<size_t>(zone) <= pressure.size() ? pressure[static_cast<size_t>(zone) - 1] : 0;
   double largest = 0;
-  for (const double p : d.pressure) largest = std::max(largest, p);
+  for (const double p : pressure) largest = std::max(largest, p);
   return largest;
 }
 
@@ -125,7 +126,7 @@ private:
 // What a number changed in the round before, less what the tractions of its zone have come nearer since; NaN: nothing is known.
 double change_before(const app::Stated* then, const Round* before, const Distance& now, int32_t zone) {
   if (then == nullptr || std::isnan(then->apart)) return NAN;
-  const double d = distance_of(now, zone), d_then = distance_of({{}, before->pressure, 0}, zone);
+  const double d = distance_of(now.pressure, zone), d_then = distance_of(before->pressure, zone);
   return then->apart * (d_then > 0 ? std::min(1.0, d / d_then) : 1.0);
 }
 
@@ -187,11 +188,18 @@ int32_t touching_pairs(const Trial& trial, size_t zone) {
   }
 }
 
+// Does contact end at a place that it chooses, and not with the side or at a corner?
+bool has_edge(const State& state, size_t zone) {
+  return std::any_of(state.quantities.begin(), state.quantities.end(), [&](const app::Quantity& q) {
+    return q.what == app::Measure::kContactEdge && q.zone == static_cast<int32_t>(zone) + 1 && !q.at_corner;
+  });
+}
+
 // Does the contact of a zone, of any for zone 0, hang on a few pairs?
 bool is_scant(const Trial& trial, int32_t zone) {
   for (size_t z = 0; z < trial.zones.size() && !trial.states.empty(); ++z) {
     if (trial.tied[z] != 0 || (zone > 0 && static_cast<size_t>(zone) != z + 1)) continue;
-    const int32_t pairs = touching_pairs(trial, z);
+    const int32_t pairs = has_edge(trial.states.back(), z) ? touching_pairs(trial, z) : 0;
     if (pairs > 0 && pairs < kFewPairs) return true;
   }
   return false;
@@ -241,7 +249,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
       double step = apart(*other, q);
       if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // the coarse mesh has it at a node
         step = std::min(step, std::max(kOfMove * std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]), kAtLeast * step));
-      state(s, {step, 0, distance_of(between, q.zone) * s.scale, q.spacing, q.doubt, steady}, then,
+      state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, q.doubt, steady}, then,
             [&](const Seen& seen) { return error_of(q.what, seen); });
     }
     out.push_back(s);
@@ -255,7 +263,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
 std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, std::vector<app::Stated> fine,
                                       const Distance& between, const Round* before) {
   NumberFinder finder(before);
-  const double d = distance_of(between, 0);
+  const double d = distance_of(between.pressure, 0);
   for (size_t i = 0; i < fine.size(); ++i) {
     app::Stated& s = fine[i];
     const double then = change_before(finder.find(s), before, between, 0);
