@@ -1,4 +1,5 @@
-// Contact that a coarse mesh does not see: slender parts over gaps, small press fits, clearances that loads close, narrow bumps.
+// Contact that a coarse mesh does not see: slender parts over gaps, small press fits, clearances that loads close, narrow
+// bumps.
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/read.hpp"

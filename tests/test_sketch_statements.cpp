@@ -133,7 +133,9 @@ TEST_CASE("sketch: what is wanted") {
                          "want pressure 1 %  edges 0.02 forces approach 2% dissipation\nwant hoop c.n+e 3 %\n"
                          "want stress b 0.5 edges 0.5 0.75 1 %\nwant stress at c 0.5 1.5 0.1 edges\nwant stress c 0.5 1.25\n");
   CHECK(s.tolerance == doctest::Approx(0.005));
-  CHECK((s.most_seconds == 60 && s.most_elements == 5000 && s.adapts));
+  CHECK((s.most_seconds == 60 && s.most_elements == 5000 && s.most_work == 1e13 && s.adapts && s.chooses_order));
+  CHECK(sound("limit work 2e14\n" + two).most_work == 2e14);
+  CHECK_FALSE(sound("functions linear\n" + two).chooses_order);
   const Want::Kind kinds[] = {Want::kPressure, Want::kEdges,  Want::kForces, Want::kApproach, Want::kDissipation, Want::kHoop,
                               Want::kStress,   Want::kStress, Want::kStress, Want::kEdges,    Want::kStress};
   const double tolerances[] = {0.01, 0.02, 0, 0.02, 0, 0.03, 0.01, 0.01, 0.1, 0, 0}; // 0: none

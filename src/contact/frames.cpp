@@ -22,11 +22,11 @@ C2D_USES(CurvePart);
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-// Of the element length. A smaller overlap is none, unless overlaps are a load (*INTERFERENCE): then each is a press fit, however
-// small beside the elements, down to the digits of coordinates. A smaller gap is none if the whole zone has no larger one, as surfaces that
-// are meant to coincide; else its own counts: the first neighbours of a point of first contact may be as close (1e-5
-// elements are 5 % of the pressure at a/R = 1e-4), and what is asked must not depend on where the bodies lie and how they
-// are turned, as the digits of their coordinates do.
+// Of the element length. A smaller overlap is none, unless overlaps are a load (*INTERFERENCE): then each is a press fit,
+// however small beside the elements, down to the digits of coordinates. A smaller gap is none if the whole zone has no larger
+// one, as surfaces that are meant to coincide; else its own counts: the first neighbours of a point of first contact may be as
+// close (1e-5 elements are 5 % of the pressure at a/R = 1e-4), and what is asked must not depend on where the bodies lie and
+// how they are turned, as the digits of their coordinates do.
 constexpr double kGapTolerance = 1e-5;
 constexpr double kExactGap = 1e-9;
 constexpr double kOffset = 0.5;      // of the element length: nodes shifted further do not face each other

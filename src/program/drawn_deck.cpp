@@ -195,7 +195,8 @@ int write_mesh(const Options& options) {
       status != 0)
     return status;
   std::string error;
-  if (write_output(options.output, deck.text(), error)) return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
+  if (write_output(options.output, deck.text(), error))
+    return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
   messages.fail(error);
   return kExitFiles;
 }

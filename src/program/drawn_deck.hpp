@@ -20,7 +20,7 @@ struct Drawing {
   bool adapts = true;                       // no: the first mesh will do
   uint64_t memory = 0;                      // workspace of the runs that find the mesh; 0: chosen by size
   bool shows = false;                       // a line on standard error for every mesh
-  bool ends_in_results = false;             // a signal ends the search for a mesh: the best one so far is taken, if there is one
+  bool ends_in_results = false; // a signal ends the search for a mesh: the best one so far is taken, if there is one
   // Told the files that the sketch names before any work: says what is wrong with them; empty: nothing.
   std::function<std::string(const std::vector<std::string>& read)> find_clash = {};
   // Files that it names, in place of those that are there now; null: these.

@@ -6,9 +6,9 @@
 namespace estimate {
 namespace {
 
-constexpr double kSettled = 0.2; // the change of the largest motion, of it, above which a mesh says nothing about contact
-constexpr double kTouch = 1e-7;  // of the contact's length: a gap below that has no direction
-constexpr double kNone = 1e-9;   // motions of that share of the gap are round-off
+constexpr double kSettled = 0.2;  // the change of the largest motion, of it, above which a mesh says nothing about contact
+constexpr double kTouch = 1e-7;   // of the contact's length: a gap below that has no direction
+constexpr double kNone = 1e-9;    // motions of that share of the gap are round-off
 constexpr double kMostLevels = 6; // bisections at once
 
 // A place of an outline on a mesh.
@@ -47,7 +47,11 @@ public:
     const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, s);
     const auto e = static_cast<size_t>(above - ends.begin()) - 1;
     const double u = curve.measure.u_at(s);
-    return {&curve, own->first + e, e, -1 + 2 * (s - ends[e]) / (ends[e + 1] - ends[e]), curve.curve->shape->at(u),
+    return {&curve,
+            own->first + e,
+            e,
+            -1 + 2 * (s - ends[e]) / (ends[e + 1] - ends[e]),
+            curve.curve->shape->at(u),
             -1.0 * sketch::turned_left(curve.curve->shape->tangent(u))};
   }
 
@@ -179,7 +183,8 @@ OpenContact open_contact(const sketch::Sketch& sketch, size_t contact, const Sol
 
 } // namespace
 
-std::vector<OpenContact> open_contacts(const sketch::Sketch& sketch, const Solved& coarse, const Solved& fine, double tolerance) {
+std::vector<OpenContact> open_contacts(const sketch::Sketch& sketch, const Solved& coarse, const Solved& fine,
+                                       double tolerance) {
   std::vector<OpenContact> out;
   for (size_t contact = 0; contact < sketch.contacts.size(); ++contact)
     out.push_back(is_tied(sketch, contact) ? OpenContact() : open_contact(sketch, contact, coarse, fine, tolerance));

@@ -59,7 +59,7 @@ private:
   bool all_met() const;
   bool all_within() const;
   void end_stages();
-  bool bends(const Distance& between);
+  bool takes_quadratic();
   bool stays_linear();
   void watch();
   void tell_endless();
@@ -87,11 +87,13 @@ private:
   Round before_; // what was stated in the round before
   double seconds_ = 0, work_ = 0;
   double last_work_ = 0;               // of the last mesh
+  int last_size_ = 1;                  // its elements, times the order of functions
   double least_;                       // tolerance that is asked for
   double stage_;                       // tolerance that meshes are made for
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
   std::string history_;                // why it ended early, of the mesh that was taken
   bool is_whole_ = false;              // it did not
+  bool tries_order_ = false;           // functions have just been chosen anew
   double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
   int regrown_ = 0;                    // how often contact has grown beyond what was taken to be far
 };
@@ -161,14 +163,15 @@ std::string number(double value) {
   return text;
 }
 
+// The first mesh always is.
 bool Loop::is_within_limits(const sketch::Mesh& mesh) {
+  if (out_.loop.rounds.empty()) return true;
   if (sketch::elements_of(mesh) > s_.most_elements) {
     out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
     return false;
   }
-  if (out_.loop.rounds.empty()) return true;
   const app::MeshRound& last = out_.loop.rounds.back();
-  const double more = std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
+  const double more = std::pow(static_cast<double>(sketch::elements_of(mesh) * s_.order) / last_size_, kOfElements);
   if (s_.most_seconds > 0 && seconds_ + more * last.seconds > s_.most_seconds) {
     out_.loop.stopped = "the next mesh would take more than the limit of time";
     return false;
@@ -205,7 +208,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
     out_.loop.stopped = "on a finer mesh the history ended early: " + level.trial.why;
     return false;
   }
-  last_work_ = level.trial.work;
+  last_work_ = level.trial.work, last_size_ = level.trial.elements * s_.order;
   out_.loop.rounds.push_back(round_of(level.trial));
   out_.loop.rounds.back().adapted = adapted;
   out_.loop.rounds.back().curves = curves_of(level.mesh);
@@ -384,16 +387,18 @@ bool is_same(const sketch::Mesh& a, const sketch::Mesh& b) {
   return true;
 }
 
-// Where straight elements cannot follow how bodies bend, quadratic functions take over, unless the sketch names some.
-bool Loop::bends(const Distance& between) {
-  if (!s_.chooses_order || s_.order > 1 || between.energy < kBends) return false;
+// In place of linear functions, unless the sketch names some.
+bool Loop::takes_quadratic() {
+  if (!s_.chooses_order || s_.order > 1) return false;
   out_.sketch.order = 2;
+  tries_order_ = true;
   return true;
 }
 
-// Not where these cannot be solved (slender bodies that float upon each other lose digits with them).
+// Where quadratic ones cannot be solved (slender bodies that float upon each other lose digits with them).
 bool Loop::stays_linear() {
-  if (!s_.chooses_order || s_.order == 1 || app::interrupted()) return false;
+  if (!tries_order_ || app::interrupted()) return false;
+  tries_order_ = false;
   out_.sketch.order = 1;
   out_.sketch.chooses_order = false;
   out_.loop.stopped.clear();
@@ -407,8 +412,9 @@ void Loop::search() {
   bool begun = false;
   const auto grow = [&] { coarse.mesh = without_far(coarse.mesh), ++regrown_; };
   for (;;) {
+    if (!is_within_limits(coarse.mesh)) return;
     if (!solve_level(coarse, true)) {
-      if (!begun && stays_linear()) continue;
+      if (stays_linear()) continue;
       return;
     }
     told_(out_.loop.rounds.back());
@@ -421,7 +427,7 @@ void Loop::search() {
     Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
     if (!is_within_limits(fine.mesh)) return;
     if (!solve_level(fine, false)) {
-      if (!begun && stays_linear()) continue;
+      if (stays_linear()) continue;
       return;
     }
     if (fine.trial.zones.size() != coarse.trial.zones.size()) { // what is far parts one
@@ -433,23 +439,28 @@ void Loop::search() {
     told_(out_.loop.rounds.back());
     judge(coarse, fine, between);
     take(fine);
+    tries_order_ = false;
     if (is_cut_off(fine.trial, fine.mesh)) {
       grow();
       continue;
     }
-    if (!begun && bends(between)) {
+    if (!begun && between.energy > kBends && takes_quadratic()) {
       before_ = Round();
       continue;
     }
     if (!history_.empty() && early++ < kEarlyRounds) {
       coarse.mesh = with_finer_contacts(coarse.mesh);
-      if (!is_within_limits(coarse.mesh)) return;
       continue;
     }
     const bool near = is_near(between);
     if (near) watch();
     if (all_met() && between.energy < kUnfollowed) return tell_endless();
+    const double before = stage_;
     end_stages();
+    if (stage_ < before && takes_quadratic()) { // below 1 % they need fewer unknowns, on the same elements at first
+      begun = true;
+      continue;
+    }
     if (is_near(between)) tighten(between); // of the stage that is next
     sketch::Mesh next = next_mesh(coarse, fine, between, near);
     if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
@@ -459,7 +470,6 @@ void Loop::search() {
     }
     coarse.mesh = std::move(next);
     begun = true;
-    if (!is_within_limits(coarse.mesh)) return;
   }
 }
 

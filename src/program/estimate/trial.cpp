@@ -60,6 +60,9 @@ c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
     if (status != C2D_OK) return status;
     sum += blocks * bytes + 64;
   }
+  // Of what compressed elimination may write a quarter is the most that was seen.
+  const bool compressed = app::elimination_of(limits_, demand.elimination) == C2D_ELIMINATION_COMPRESSED;
+  if (workspace_.bytes + (compressed ? sum / 4 : sum) > app::free_memory()) return C2D_ERR_MEMORY;
   region_.reset(sum < SIZE_MAX ? std::calloc(static_cast<size_t>(sum), 1) : nullptr);
   if (region_ == nullptr) return C2D_ERR_MEMORY;
   c2d_memory_store_init(&store_, region_.get(), sum);

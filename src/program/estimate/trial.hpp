@@ -21,7 +21,6 @@ struct Place {
 // What one run may take, and what it is to bring.
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
-  uint64_t most_bytes = 0; // that may be written to, workspace and tapes; 0: no limit
   std::vector<Place> points;
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only where the loads turn and midway

@@ -107,9 +107,7 @@ void Reader::limit(Statement& s) {
       once(s, "a limit of elements");
       s_.most_elements = whole(s, "how many elements", 1000000);
       break;
-    default:
-      once(s, "a limit of work");
-      s_.most_work = s.positive("how many multiplications");
+    default: once(s, "a limit of work"); s_.most_work = s.positive("how many multiplications");
     }
   } while (s.has_more());
 }

@@ -6,7 +6,7 @@
 namespace sketch {
 namespace {
 
-constexpr double kNeighbours = 3.0; // the most that an element is longer than the one beside it
+constexpr double kNeighbours = 3.0;    // the most that an element is longer than the one beside it
 constexpr double kLeastElement = 1e-8; // of the largest coordinate; lengths along curves are right to 1e-10
 
 // No element becomes shorter than `least`.
