@@ -18,12 +18,25 @@ constexpr double kWeight[5] = {0.236926885056189, 0.478628670499366, 0.568888888
 
 double position(const sketch::MeshedCurve& curve, double s) { return curve.curve->shape->at(curve.measure.u_at(s)).x; }
 
+// The polynomial through the values at nodes at equal distances, at a place from 0 to 1.
+double between_nodes(const double* value, int32_t nodes, double place) {
+  double out = 0;
+  for (int32_t i = 0; i < nodes; ++i) {
+    double function = 1;
+    for (int32_t k = 0; k < nodes; ++k)
+      if (k != i) function *= (place * (nodes - 1) - k) / (i - k);
+    out += function * value[i];
+  }
+  return out;
+}
+
 // Tractions of the mesh and in closed form along the top of body 1: integral of their difference over that of the latter.
-// Elements with linear functions. Each is cut into pieces, shorter towards the edges of contact, where tractions have roots.
+// Each element is cut into pieces, shorter towards the edges of contact, where tractions have roots.
 double off_tractions(const Problem& problem, const sketch::Mesh& mesh, const estimate::Trial& trial) {
   double sum = 0, all = 0;
   size_t element = 0;
   const auto& ends = trial.states.back().ends[0];
+  const auto nodes = static_cast<size_t>(trial.nodes);
   for (const sketch::MeshedOutline& outline : mesh.bodies[0])
     for (const sketch::MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e, ++element) {
@@ -35,10 +48,7 @@ double off_tractions(const Problem& problem, const sketch::Mesh& mesh, const est
           for (int g = 0; g < 5; ++g) {
             const double f = (piece + (1 + kPoint[g]) / 2) / kPieces, w = std::fabs(x1 - x0) * kWeight[g] / 2 / kPieces;
             const Pair exact = problem.tractions(x0 + f * (x1 - x0));
-            const auto at = [&](estimate::Field field) {
-              const std::vector<double>& v = ends[field];
-              return v[2 * element] + f * (v[2 * element + 1] - v[2 * element]);
-            };
+            const auto at = [&](estimate::Field field) { return between_nodes(&ends[field][nodes * element], trial.nodes, f); };
             sum += w * std::hypot(at(estimate::kTx) - exact[0], at(estimate::kTy) - exact[1]);
             all += w * std::hypot(exact[0], exact[1]);
           }
@@ -91,7 +101,7 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
   if (found.status != C2D_OK || estimate::solve(found.deck, demand, trial, out.fault) != C2D_OK) return out;
   out.pairs = trial.pairs, out.elements = trial.elements, out.last = trial.seconds;
   const std::vector<app::Stated> reference =
-      by_mesh ? numbers_of(drawn.sketch, found.mesh, demand) : std::vector<app::Stated>();
+      by_mesh ? numbers_of(found.sketch, found.mesh, demand) : std::vector<app::Stated>();
   for (const app::Stated& s : found.loop.stated) {
     if (s.zone > 1) continue;
     Row row;

@@ -387,6 +387,13 @@ bool is_same(const sketch::Mesh& a, const sketch::Mesh& b) {
   return true;
 }
 
+// Is any load at work in the last state?
+bool is_loaded(const Trial& trial) {
+  if (trial.states.empty()) return false;
+  const std::vector<double>& loads = trial.states.back().loads;
+  return std::any_of(loads.begin(), loads.end(), [](double load) { return load != 0; });
+}
+
 // In place of linear functions, unless the sketch names some.
 bool Loop::takes_quadratic() {
   if (!s_.chooses_order || s_.order > 1) return false;
@@ -408,7 +415,7 @@ bool Loop::stays_linear() {
 void Loop::search() {
   Level coarse;
   coarse.mesh = sketch::first_mesh(s_, kFirst);
-  int early = 0; // rounds whose history ended early
+  int early = 0, idle = 0; // rounds whose history ended early; in a row, whose mesh has no more elements than the one before
   bool begun = false;
   const auto grow = [&] { coarse.mesh = without_far(coarse.mesh), ++regrown_; };
   for (;;) {
@@ -452,6 +459,7 @@ void Loop::search() {
       coarse.mesh = with_finer_contacts(coarse.mesh);
       continue;
     }
+    if (!history_.empty() && !is_loaded(fine.trial)) return; // nor does anything begin where more elements touch
     const bool near = is_near(between);
     if (near) watch();
     if (all_met() && between.energy < kUnfollowed) return tell_endless();
@@ -466,6 +474,11 @@ void Loop::search() {
     if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
     if (is_same(next, coarse.mesh)) {
       out_.loop.stopped = "elements there are as short as the digits of coordinates allow";
+      return;
+    }
+    idle = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle + 1;
+    if (idle > kPatience) {
+      out_.loop.stopped = "meshes no longer become finer";
       return;
     }
     coarse.mesh = std::move(next);
