@@ -7,8 +7,9 @@
 
 namespace {
 
-// Blocks are finite: closed forms for half planes hold to this share.
-constexpr double kKnownTo = 1e-4;
+// Blocks are finite: closed forms for half planes hold to this share. Ranges of stress inside are small beside the pressure: of that
+// across the surface 18.308 by the closed form, meshes asked for 1 % and for 0.2 % have 18.2988 and 18.2979.
+double known_to(const std::string& name) { return name.find("range of stress ") != std::string::npos ? 6e-4 : 1e-4; }
 
 void check(const truth::Problem& problem, double tolerance) {
   const truth::Judged j = truth::judge(problem, tolerance, false);
@@ -21,9 +22,9 @@ void check(const truth::Problem& problem, double tolerance) {
     ++wanted;
     CAPTURE(row.name);
     CAPTURE(row.item);
-    CHECK(row.error <= row.asked + kKnownTo);
+    CHECK(row.error <= row.asked + known_to(row.name));
     CHECK(row.stated <= row.asked);
-    CHECK(row.stated >= 0.8 * (row.error - kKnownTo));
+    CHECK(row.stated >= 0.8 * (row.error - known_to(row.name)));
   }
   CHECK(wanted >= 2);
 }

@@ -173,7 +173,7 @@ TEST_CASE("sketch: tolerances, limits, wants") {
   tells("tolerance 1\n" + kHeld, "1:11 1: expected a tolerance above 0, at most 50 %");
   tells("tolerance 0\n" + kHeld, "expected a tolerance above 0");
   tells("tolerance fine\n" + kHeld, "'fine': expected a tolerance, such as 1 %, or off");
-  tells("limit memory 3\n" + kHeld, "expected seconds or elements");
+  tells("limit memory 3\n" + kHeld, "expected seconds, elements or work");
   tells("limit elements 2.5\n" + kHeld, "a whole number");
   tells("steps 0\n" + kHeld, "a whole number");
   tells(kTwo + "want peak\n", "'peak': expected pressure, edges");

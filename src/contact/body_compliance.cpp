@@ -90,9 +90,10 @@ c2d_status factor_held(BodyEquations& e) {
   return lu_panel({r.engine, n, held, n, r.first, n, r.pivots, r.strip, &stats}) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
-// Of a body that is solved for. Pressures lose up to 100 times as much as its displacements, with linear functions no more.
+// Of a body that is solved for and that only contact holds. Pressures lose up to 100 times as much as its displacements, with
+// linear functions no more.
 void note_growth(const BodyEquations& e) {
-  if (kSmallCode || !e.r.round_off || e.r.open) return;
+  if (kSmallCode || !e.r.round_off || e.r.open || e.count == 0) return;
   const double more = e.r.model.head->function_nodes > 2 ? 100.0 : 1.0;
   e.r.round_off->note(more * growth_of(e.r.first, e.n, e.held(), e.held(), e.strip(0)), e.b);
 }
