@@ -77,6 +77,10 @@ TEST_CASE("estimate: a number is met in two rounds, or by what it changed in the
   CHECK_FALSE(is_met(&before));
   before.loads = {1, 0.495};
   CHECK(is_met(&before));
+  trial.states[0].work = 2, before.work = 1.95;
+  CHECK_FALSE(is_met(&before));
+  before.work = 1.97;
+  CHECK(is_met(&before));
 }
 
 TEST_CASE("estimate: what has no error and was not asked for is not told") {

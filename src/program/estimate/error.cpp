@@ -14,7 +14,7 @@ constexpr double kNoEarlier = 2; // with nothing but two meshes
 constexpr double kExact = 1e-7;  // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr int32_t kFewPairs = 6;
-constexpr double kSameEnd = 0.01; // of the loads where a history ended early
+constexpr double kSameEnd = 0.01; // of the loads where a history ended early, and twice that of their work
 // Of what a border moved since the round before; of how far two meshes have it apart.
 constexpr double kOfMove = 2, kAtLeast = 0.4;
 // Of the distance of the tractions: stresses; those found behind an edge.
@@ -213,7 +213,9 @@ bool ended_by_mesh(const Trial& halved, const Round* before) {
   double size = 0, off = 0;
   for (size_t k = 0; k < std::min(now.size(), before->loads.size()); ++k)
     size = std::max(size, std::fabs(now[k])), off = std::max(off, std::fabs(now[k] - before->loads[k]));
-  return off > kSameEnd * size;
+  const double work = halved.states.back().work;
+  return off > kSameEnd * size ||
+         std::fabs(work - before->work) > 2 * kSameEnd * std::max(std::fabs(work), std::fabs(before->work));
 }
 
 } // namespace

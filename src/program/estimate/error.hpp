@@ -8,10 +8,12 @@ namespace estimate {
 
 using app::kTractions;
 
-// What a round leaves for the next one: its numbers, of each zone the distance of its tractions, the loads where it ended.
+// What a round leaves for the next one: its numbers, of each zone the distance of its tractions, where it ended: the loads on
+// the way to which it did, and the work they did until then.
 struct Round {
   std::vector<app::Stated> stated;
   std::vector<double> pressure, loads;
+  double work = 0;
 };
 
 // What halved meshes say of a mesh: the numbers of its last state with their errors.

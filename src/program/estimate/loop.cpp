@@ -254,7 +254,8 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   drop_unknown(stated);
   confirm(stated, fine.trial, before);
   out_.loop.rounds.back().stated = stated;
-  before_ = {stated, between.pressure, fine.trial.states.empty() ? std::vector<double>() : fine.trial.states.back().loads};
+  before_ = {stated, between.pressure, {}, 0};
+  if (!fine.trial.states.empty()) before_.loads = fine.trial.states.back().loads, before_.work = fine.trial.states.back().work;
 }
 
 // As the meshes of this stage are to have it.
@@ -387,12 +388,8 @@ bool is_same(const sketch::Mesh& a, const sketch::Mesh& b) {
   return true;
 }
 
-// Is any load at work in the last state?
-bool is_loaded(const Trial& trial) {
-  if (trial.states.empty()) return false;
-  const std::vector<double>& loads = trial.states.back().loads;
-  return std::any_of(loads.begin(), loads.end(), [](double load) { return load != 0; });
-}
+// Has any load done work up to the last state?
+bool is_loaded(const Trial& trial) { return !trial.states.empty() && trial.states.back().work != 0; }
 
 // In place of linear functions, unless the sketch names some.
 bool Loop::takes_quadratic() {

@@ -11,7 +11,8 @@ template <class Archive> void members(Archive& a, State& s) {
   a(s.turn), a(s.loads), a(s.ends), a(s.quantities), a(s.inside), a(s.work), a(s.dissipated), a(s.elastic);
 }
 template <class Archive> void members(Archive& a, Trial& t) {
-  a(t.nodes), a(t.lengths), a(t.stiffness), a(t.across), a(t.zones), a(t.tied), a(t.touched), a(t.states), a(t.outcome), a(t.why);
+  a(t.nodes), a(t.lengths), a(t.stiffness), a(t.across), a(t.zones), a(t.tied), a(t.touched), a(t.states), a(t.outcome),
+      a(t.why);
   a(t.elements), a(t.pairs), a(t.equations), a(t.seconds), a(t.work);
 }
 
