@@ -1,4 +1,5 @@
-// Memory as a host hands it over: nobody has set it. (A vector sets all of its bytes, which takes longer than to solve a small model.)
+// Memory as a host hands it over: nobody has set it. (A vector sets all of its bytes, which takes longer than to solve a small
+// model.)
 #pragma once
 
 #include <cstddef>

@@ -7,8 +7,8 @@
 
 namespace {
 
-// Blocks are finite: closed forms for half planes hold to this share. Ranges of stress inside are small beside the pressure: of that
-// across the surface 18.308 by the closed form, meshes asked for 1 % and for 0.2 % have 18.2988 and 18.2979.
+// Blocks are finite: closed forms for half planes hold to this share. Ranges of stress inside are small beside the pressure: of
+// that across the surface 18.308 by the closed form, meshes asked for 1 % and for 0.2 % have 18.2988 and 18.2979.
 double known_to(const std::string& name) { return name.find("range of stress ") != std::string::npos ? 6e-4 : 1e-4; }
 
 void check(const truth::Problem& problem, double tolerance) {

@@ -227,8 +227,8 @@ TEST_CASE("program: the JSON summary has its keys") {
   CHECK(std::abs(json["force"]["error"].number) < 1e-6);
 }
 
-// Of plates with many corners, whose exponents take longer than all else. By one thread its seconds are at least those of a processor
-// that it used, however many others run beside it, and at most those that went by.
+// Of plates with many corners, whose exponents take longer than all else. By one thread its seconds are at least those of a
+// processor that it used, however many others run beside it, and at most those that went by.
 TEST_CASE("program: the seconds of the JSON summary are those of the run") {
   const auto used_by_children = [] {
     rusage used{};
@@ -239,7 +239,9 @@ TEST_CASE("program: the seconds of the JSON summary are those of the run") {
   REQUIRE(contact2d("make stack plates=10 n=3 >" + quoted(folder / "d")).status == 0);
   const auto start = std::chrono::steady_clock::now();
   const double before = used_by_children();
-  REQUIRE(contact2d("run " + quoted(folder / "d") + " -q --threads 1 --listing /dev/null --json " + quoted(folder / "j")).status == 0);
+  REQUIRE(
+      contact2d("run " + quoted(folder / "d") + " -q --threads 1 --listing /dev/null --json " + quoted(folder / "j")).status ==
+      0);
   const double used = used_by_children() - before;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Json json = JsonReader::read(read_file(folder / "j"));

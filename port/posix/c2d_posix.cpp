@@ -242,12 +242,12 @@ int32_t write_mark(c2d_posix_store* s) {
 // for what the disk had not got yet, and nothing else: it was never begun.
 int32_t check_mark(c2d_posix_store* s) {
   char found[kMarkBytes + 1];
-  ssize_t got;
-  do {
-    got = pread(s->lock, found, sizeof found, 0);
-  } while (got < 0 && errno == EINTR);
-  if (got < 0) return errno;
-  const uint64_t bytes = static_cast<uint64_t>(got);
+  uint64_t bytes = 0;
+  for (ssize_t got = 1; got != 0 && bytes < sizeof found;) { // up to the end of the file
+    got = pread(s->lock, found + bytes, static_cast<size_t>(sizeof found - bytes), static_cast<off_t>(bytes));
+    if (got < 0 && errno != EINTR) return errno;
+    if (got > 0) bytes += static_cast<uint64_t>(got);
+  }
   if (bytes > kMarkBytes) return C2D_POSIX_STORE_FOREIGN;
   uint64_t same = 0, zeros = 0;
   while (same < bytes && found[same] == kMark[same]) ++same;

@@ -32,7 +32,7 @@ struct ZoneLine {
   double length = 0;               // of side 2; of a round one all of it
   double beta = 0;                 // how unlike the bodies are: of Dundurs, of body 1 over body 2; 0 of like ones
   bool tied = false, self = false; // self: of a body with itself
-  bool turned = false; // force and moment of the contact are given of side 1: the second of a sketch's statement
+  bool turned = false;             // force and moment of the contact are given of side 1: the second of a sketch's statement
   ZoneEnd end[2];
   std::vector<char> corner;   // has one of the bodies a corner at the pair?
   std::vector<double> weight; // integrals of the pairs' shape functions along side 2

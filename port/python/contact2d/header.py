@@ -651,7 +651,7 @@ FUNCTIONS = {
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
-Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core` holds a body's whole matrix at once; more is of use to threads alone. (Compressed elimination, and slender bodies that float upon each other, may take more than the minimum: c2d_prepare tells.) Outputs and `why` may be null. Errors: OVERFLOW."""),
+Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (of slender bodies upon each other c2d_prepare tells), `in_core` holds a body's whole matrix; threads use more. Outputs, `why` may be null. Errors: OVERFLOW."""),
     "c2d_create": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),
@@ -927,7 +927,7 @@ Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, an
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_prepare(c2d_solver* solver);
 
----------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT: changed loads; compressed, or slender bodies: MEMORY; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it."""),
+---------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED, MEMORY; INPUT: changed loads; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it."""),
     "c2d_change_loads": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_change_loads(c2d_solver* solver);
