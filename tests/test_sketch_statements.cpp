@@ -157,7 +157,7 @@ TEST_CASE("sketch: pressures at places are wanted") {
   const Sketch s = sound(std::string(kSquare) + "fix b.s\ncopy c of b shift 0 1\ncontact b.n c.s\n" +
                          "want pressure at b.n 0.25 1 0.75 1 2 %  forces\nwant pressure at c.s 0.5 1\n");
   REQUIRE(s.wants.size() == 4);
-  for (const size_t i : {0, 1, 3}) CHECK((s.wants[i].kind == Want::kPressureAt && s.wants[i].side->names.size() == 1));
+  for (const size_t i : {0u, 1u, 3u}) CHECK((s.wants[i].kind == Want::kPressureAt && s.wants[i].side->names.size() == 1));
   CHECK((at(s.wants[0].where, 0.25, 1) && at(s.wants[1].where, 0.75, 1) && s.wants[1].tolerance == 0.02));
   CHECK((s.wants[3].body == 1 && !s.wants[3].tolerance));
   CHECK(s.points.empty()); // they are not inside
