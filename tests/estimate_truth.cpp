@@ -1,11 +1,13 @@
 #include "estimate_truth.hpp"
 
+#include "program/estimate/functions.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace truth {
 namespace {
@@ -17,18 +19,6 @@ constexpr double kPoint[5] = {-0.906179845938664, -0.538469310105683, 0, 0.53846
 constexpr double kWeight[5] = {0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366, 0.236926885056189};
 
 double position(const sketch::MeshedCurve& curve, double s) { return curve.curve->shape->at(curve.measure.u_at(s)).x; }
-
-// The polynomial through the values at nodes at equal distances, at a place from 0 to 1.
-double between_nodes(const double* value, int32_t nodes, double place) {
-  double out = 0;
-  for (int32_t i = 0; i < nodes; ++i) {
-    double function = 1;
-    for (int32_t k = 0; k < nodes; ++k)
-      if (k != i) function *= (place * (nodes - 1) - k) / (i - k);
-    out += function * value[i];
-  }
-  return out;
-}
 
 // Tractions of the mesh and in closed form along the top of body 1: integral of their difference over that of the latter.
 // Each element is cut into pieces, shorter towards the edges of contact, where tractions have roots.
@@ -48,7 +38,11 @@ double off_tractions(const Problem& problem, const sketch::Mesh& mesh, const est
           for (int g = 0; g < 5; ++g) {
             const double f = (piece + (1 + kPoint[g]) / 2) / kPieces, w = std::fabs(x1 - x0) * kWeight[g] / 2 / kPieces;
             const Pair exact = problem.tractions(x0 + f * (x1 - x0));
-            const auto at = [&](estimate::Field field) { return between_nodes(&ends[field][nodes * element], trial.nodes, f); };
+            const estimate::Functions functions(trial.nodes, -1 + 2 * f);
+            const auto at = [&](estimate::Field field) {
+              const double* value = &ends[field][nodes * element];
+              return std::inner_product(value, value + nodes, functions.value, 0.0);
+            };
             sum += w * std::hypot(at(estimate::kTx) - exact[0], at(estimate::kTy) - exact[1]);
             all += w * std::hypot(exact[0], exact[1]);
           }

@@ -1,5 +1,7 @@
 #include "program/estimate/compare.hpp"
 
+#include "program/estimate/functions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,20 +9,6 @@ namespace estimate {
 namespace {
 
 constexpr double kBetween = 0.1; // the weight of states between turns of the loads
-
-// The shape functions of an element with n nodes at equal distances, at eta.
-struct Functions {
-  double value[4];
-  Functions(int32_t n, double eta) {
-    for (int32_t i = 0; i < n; ++i) {
-      value[i] = 1;
-      const double own = n == 1 ? 0 : -1 + 2.0 * i / (n - 1);
-      for (int32_t k = 0; k < n; ++k)
-        if (const double other = n == 1 ? 1 : -1 + 2.0 * k / (n - 1); k != i && n > 1)
-          value[i] *= (eta - other) / (own - other);
-    }
-  }
-};
 
 constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
 constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};

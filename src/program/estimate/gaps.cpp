@@ -1,5 +1,7 @@
 #include "program/estimate/gaps.hpp"
 
+#include "program/estimate/functions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,16 +90,12 @@ std::vector<Facing> facing_points(const sketch::Sketch& sketch, size_t number, s
   return out;
 }
 
-// A displacement on an element with nodes at equal distances.
+// A displacement at a place.
 double displacement(const std::vector<double>& ends, int32_t nodes, const OnMesh& place) {
+  const Functions f(nodes, place.eta);
   double out = 0;
-  const auto eta_of = [&](int32_t i) { return nodes == 1 ? 0 : -1 + 2.0 * i / (nodes - 1); };
-  for (int32_t i = 0; i < nodes; ++i) {
-    double f = 1;
-    for (int32_t k = 0; k < nodes; ++k)
-      if (k != i) f *= (place.eta - eta_of(k)) / (eta_of(i) - eta_of(k));
-    out += f * ends[place.element * static_cast<size_t>(nodes) + static_cast<size_t>(i)];
-  }
+  for (int32_t i = 0; i < nodes; ++i)
+    out += f.value[i] * ends[place.element * static_cast<size_t>(nodes) + static_cast<size_t>(i)];
   return out;
 }
 

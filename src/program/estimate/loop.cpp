@@ -51,7 +51,12 @@ public:
   Adapted run();
 
 private:
+  enum class Next { refine, again, end };
   void search();
+  Next solve_pair(Level& coarse, Level& fine, Distance& between);
+  Next check_kind(Level& coarse, const Level& fine, const Distance& between);
+  Next refine(Level& coarse, const Level& fine, const Distance& between);
+  void regrow(Level& coarse);
   bool solve_level(Level& level, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level& coarse, const Level& fine, const Distance& between);
@@ -95,6 +100,9 @@ private:
   bool is_whole_ = false;              // it did not
   bool tries_order_ = false;           // functions have just been chosen anew
   double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
+  bool begun_ = false;                 // a pair of meshes has led to a finer one
+  int early_ = 0;                      // rounds whose history ended early
+  int idle_ = 0;                       // rounds in a row whose mesh has no more elements than the one before
   int regrown_ = 0;                    // how often contact has grown beyond what was taken to be far
 };
 
@@ -409,77 +417,73 @@ bool Loop::stays_linear() {
   return true;
 }
 
+// Contact has grown up to what was taken to be far, or what is far parts a zone: nothing is far.
+void Loop::regrow(Level& coarse) {
+  coarse.mesh = without_far(coarse.mesh);
+  ++regrown_;
+}
+
+// A mesh and its half, solved and compared. `again`: on the mesh that coarse has then.
+Loop::Next Loop::solve_pair(Level& coarse, Level& fine, Distance& between) {
+  if (!is_within_limits(coarse.mesh)) return Next::end;
+  if (!solve_level(coarse, true)) return stays_linear() ? Next::again : Next::end;
+  told_(out_.loop.rounds.back());
+  if (out_.loop.rounds.size() == 1) take(coarse); // what is kept where no later mesh can be made or solved
+  if (is_cut_off(coarse.trial, coarse.mesh)) return regrow(coarse), Next::again;
+  if (!begun_ && regrown_ == 0) mark_far(s_, coarse.trial, coarse.mesh);
+  fine = {sketch::halved(s_, coarse.mesh), {}, {}};
+  if (!is_within_limits(fine.mesh)) return Next::end;
+  if (!solve_level(fine, false)) return stays_linear() ? Next::again : Next::end;
+  if (fine.trial.zones.size() != coarse.trial.zones.size()) return regrow(coarse), Next::again;
+  between = distance_of(coarse, fine);
+  tell_distance(between, fine.trial, out_.loop.rounds.back());
+  told_(out_.loop.rounds.back());
+  judge(coarse, fine, between);
+  take(fine);
+  tries_order_ = false;
+  return Next::refine;
+}
+
+// Do meshes of this kind serve? `again`: others take their place.
+Loop::Next Loop::check_kind(Level& coarse, const Level& fine, const Distance& between) {
+  if (is_cut_off(fine.trial, fine.mesh)) return regrow(coarse), Next::again;
+  if (!begun_ && between.energy > kBends && takes_quadratic()) return before_ = Round(), Next::again;
+  if (history_.empty()) return Next::refine;
+  if (early_++ < kEarlyRounds) return coarse.mesh = with_finer_contacts(coarse.mesh), Next::again;
+  return is_loaded(fine.trial) ? Next::refine : Next::end; // nor does anything begin where more elements touch
+}
+
+// The mesh of the next round, unless every number is met or no finer mesh can be made.
+Loop::Next Loop::refine(Level& coarse, const Level& fine, const Distance& between) {
+  const bool near = is_near(between);
+  if (near) watch();
+  if (all_met() && between.energy < kUnfollowed) return tell_endless(), Next::end;
+  const double before = stage_;
+  end_stages();
+  begun_ = true;
+  if (stage_ < before && takes_quadratic()) return Next::again; // they need fewer unknowns, on the same elements at first
+  if (is_near(between)) tighten(between);                       // of the stage that is next
+  sketch::Mesh next = next_mesh(coarse, fine, between, near);
+  if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
+  idle_ = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle_ + 1;
+  if (is_same(next, coarse.mesh))
+    out_.loop.stopped = "elements there are as short as the digits of coordinates allow";
+  else if (idle_ > kPatience)
+    out_.loop.stopped = "meshes no longer become finer";
+  else
+    return coarse.mesh = std::move(next), Next::again;
+  return Next::end;
+}
+
+// Round after round: a pair of meshes is solved, it is seen whether meshes of its kind serve, and the next one is made.
 void Loop::search() {
-  Level coarse;
+  Level coarse, fine;
   coarse.mesh = sketch::first_mesh(s_, kFirst);
-  int early = 0, idle = 0; // rounds whose history ended early; in a row, whose mesh has no more elements than the one before
-  bool begun = false;
-  const auto grow = [&] { coarse.mesh = without_far(coarse.mesh), ++regrown_; };
-  for (;;) {
-    if (!is_within_limits(coarse.mesh)) return;
-    if (!solve_level(coarse, true)) {
-      if (stays_linear()) continue;
-      return;
-    }
-    told_(out_.loop.rounds.back());
-    if (out_.loop.rounds.size() == 1) take(coarse); // what is kept where no later mesh can be made or solved
-    if (is_cut_off(coarse.trial, coarse.mesh)) {    // contact has grown up to what was taken to be far
-      grow();
-      continue;
-    }
-    if (!begun && regrown_ == 0) mark_far(s_, coarse.trial, coarse.mesh);
-    Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
-    if (!is_within_limits(fine.mesh)) return;
-    if (!solve_level(fine, false)) {
-      if (stays_linear()) continue;
-      return;
-    }
-    if (fine.trial.zones.size() != coarse.trial.zones.size()) { // what is far parts one
-      grow();
-      continue;
-    }
-    const Distance between = distance_of(coarse, fine);
-    tell_distance(between, fine.trial, out_.loop.rounds.back());
-    told_(out_.loop.rounds.back());
-    judge(coarse, fine, between);
-    take(fine);
-    tries_order_ = false;
-    if (is_cut_off(fine.trial, fine.mesh)) {
-      grow();
-      continue;
-    }
-    if (!begun && between.energy > kBends && takes_quadratic()) {
-      before_ = Round();
-      continue;
-    }
-    if (!history_.empty() && early++ < kEarlyRounds) {
-      coarse.mesh = with_finer_contacts(coarse.mesh);
-      continue;
-    }
-    if (!history_.empty() && !is_loaded(fine.trial)) return; // nor does anything begin where more elements touch
-    const bool near = is_near(between);
-    if (near) watch();
-    if (all_met() && between.energy < kUnfollowed) return tell_endless();
-    const double before = stage_;
-    end_stages();
-    if (stage_ < before && takes_quadratic()) { // below 1 % they need fewer unknowns, on the same elements at first
-      begun = true;
-      continue;
-    }
-    if (is_near(between)) tighten(between); // of the stage that is next
-    sketch::Mesh next = next_mesh(coarse, fine, between, near);
-    if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
-    if (is_same(next, coarse.mesh)) {
-      out_.loop.stopped = "elements there are as short as the digits of coordinates allow";
-      return;
-    }
-    idle = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle + 1;
-    if (idle > kPatience) {
-      out_.loop.stopped = "meshes no longer become finer";
-      return;
-    }
-    coarse.mesh = std::move(next);
-    begun = true;
+  for (Next next = Next::again; next != Next::end;) {
+    Distance between;
+    next = solve_pair(coarse, fine, between);
+    if (next == Next::refine) next = check_kind(coarse, fine, between);
+    if (next == Next::refine) next = refine(coarse, fine, between);
   }
 }
 
