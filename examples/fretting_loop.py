@@ -14,7 +14,7 @@ here = pathlib.Path(__file__).resolve().parent
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else here.parent / "build" / "fretting")
 folder.mkdir(parents=True, exist_ok=True)
 
-# %% A pad is pressed on a flat and pushed to and fro: the mesh is sought that is fine enough for the narrowest slip
+# %% A pad is pressed on a flat and loaded tangentially in cycles: the mesh is sought that is fine enough for the narrowest slip
 deck = contact2d.mesh(here / "fretting_pad.c2s", mu=1.0)
 result = contact2d.solve(deck, options={"threads": 2})
 result  # a notebook shows the numbers that sum it up, and pictures

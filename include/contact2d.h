@@ -106,8 +106,8 @@ typedef struct c2d_limits {
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
   int32_t platens, touching;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each; see C2D_COLUMNS_ */
 } c2d_limits;
-/* Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (of slender bodies upon each other
-   c2d_prepare tells), `in_core` holds a body's whole matrix; threads use more. Outputs, `why` may be null. Errors: OVERFLOW. */
+/* Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (slender bodies upon each other:
+   c2d_prepare reports), `in_core` holds a body's whole matrix; threads use more. Outputs, why may be null. Errors: OVERFLOW. */
 c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
 /* ---------------------------------------------------------------- 3 the port -----------------------------------

@@ -83,7 +83,7 @@ TEST_CASE("estimate: a number is met in two rounds, or by what it changed in the
   CHECK(is_met(&before));
 }
 
-TEST_CASE("estimate: what has no error and was not asked for is not told") {
+TEST_CASE("estimate: numbers without an error are left out, unless asked for") {
   std::vector<app::Stated> all(3);
   all[0].error = 1, all[1].tolerance = 0.01;
   estimate::drop_unknown(all);

@@ -102,7 +102,7 @@ TEST_CASE("facing parts: pairs are on the side that nothing holds, or end beside
   CHECK(std::fabs(held.zones[0].force[1] / 8 - 1) < 0.5);
 }
 
-TEST_CASE("facing parts: what cannot face is told with its curves") {
+TEST_CASE("facing parts: sides that cannot face are named by their curves") {
   const std::string lid = "body lid E 1000 nu 0.3\nfrom -2 1\nline under to 2 1\nline side to 2 3\nline top to -2 3\nline edge "
                           "close\nfix block.bottom\nfix lid.edge\n";
   const std::string text = block(10, 4) + lid;
@@ -222,7 +222,7 @@ TEST_CASE("facing parts: a punch that tilts off a coarse mesh is solved on a fin
 }
 
 // Of a pad whose flat goes on smoothly in an arc, of one that ends at corners, of a block beside a wall that holds it.
-TEST_CASE("facing parts: what contact may go on to is told by its curves, and nothing where surfaces end") {
+TEST_CASE("facing parts: curves that contact may reach are named, and none where surfaces end") {
   const auto deck = [](const std::string& pad, const std::string& more = "") {
     const sketch::Reading drawn =
         read_text(block(40, 10) + "body pad E 1000 nu 0.3\nfrom -5 0\nline flat to 5 0\n" + pad +
@@ -244,7 +244,7 @@ TEST_CASE("facing parts: what contact may go on to is told by its curves, and no
                     "reach further: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
 }
 
-TEST_CASE("facing parts: a sharp corner that stands on a flat is told as one") {
+TEST_CASE("facing parts: a sharp corner on a flat is refused as one") {
   const std::string text = block(10, 4) + "body wedge E 1000 nu 0.3\nfrom 0 0\nline skin to 1 2\nline lid to -1 2\nline skin "
                                           "close\ncontact block.top wedge.skin\nfix block.bottom\nfix wedge.lid\n";
   CHECK(fault_of(text).find("nearest 0 apart at (0, 0), a corner: what is to touch there needs a fillet") != std::string::npos);

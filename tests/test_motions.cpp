@@ -94,7 +94,7 @@ TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's bea
       "line top to 0 h\nline root close\nfix beam.root\nplaten beam.tip about L {h/2} force 0 {-3*Y*I/L^3}\nwant approach 1 %\n"
       "functions quadratic\n");
   const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
-  int wanted = 0, told = 0;
+  int wanted = 0, motions = 0;
   for (const app::Stated& number : found.loop.stated) {
     if (number.name == "approach") {
       ++wanted;
@@ -103,11 +103,11 @@ TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's bea
       CHECK(number.error >= 0.8 * (std::fabs(number.value - 1.006) - 2e-3)); // the root is held in both directions
     }
     if (number.name == "motion y" || number.name == "rotation") {
-      ++told;
+      ++motions;
       CHECK(std::isfinite(number.error));
     }
   }
   CHECK(wanted == 1);
-  CHECK(told == 2);
+  CHECK(motions == 2);
   CHECK(found.loop.stopped.empty());
 }

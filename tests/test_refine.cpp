@@ -268,9 +268,9 @@ TEST_CASE("loop: a signal ends it with the best mesh so far") {
       if (++meshes == 4) ::raise(SIGTERM);
     });
     const bool has_results = a.status == C2D_OK && !a.deck.empty() && !a.loop.stated.empty() && a.loop.missed();
-    const bool told = a.loop.stopped == "the search was interrupted" && app::interrupted();
+    const bool stopped = a.loop.stopped == "the search was interrupted" && app::interrupted();
     app::put_off_interrupt();
-    ::_exit(has_results && told && !app::interrupted() ? app::exit_put_off() : 1);
+    ::_exit(has_results && stopped && !app::interrupted() ? app::exit_put_off() : 1);
   }
   int status = 0;
   REQUIRE(::waitpid(child, &status, 0) == child);

@@ -127,7 +127,7 @@ TEST_CASE("slender: layers that go along have no pressure" * doctest::skip(c2d::
   }
 }
 
-TEST_CASE("slender: layers take more than the least memory, by a number that is told" * doctest::skip(c2d::kSmallCode)) {
+TEST_CASE("slender: layers take more than the least memory, by a number that is reported" * doctest::skip(c2d::kSmallCode)) {
   Model m = layered(5, 1e-3, 4, Joint::matching);
   m.bytes = 1;
   const Result refused = solve(m);
@@ -182,7 +182,7 @@ TEST_CASE("slender: layers that slide on each other" * doctest::skip(c2d::kSmall
 }
 
 // Blocks with thin tongues between two others: by their areas they are stout.
-TEST_CASE("slender: bodies of which a part is thin are refused by the number that is told" * doctest::skip(c2d::kSmallCode)) {
+TEST_CASE("slender: bodies of which a part is thin are refused by the reported number" * doctest::skip(c2d::kSmallCode)) {
   for (const double t : {0.3, 1e-5}) {
     Model m;
     m.function_nodes = 3;

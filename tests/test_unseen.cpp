@@ -1,5 +1,5 @@
-// What contact conditions at nodes, in zones and at the places where surfaces faced each other at the start do not see, told by
-// how much.
+// What contact conditions at nodes, in zones and at the places where surfaces faced each other at the start do not see,
+// reported by how much.
 #include "json.hpp"
 #include "many_bodies.hpp"
 #include "memory/config.hpp"
@@ -115,7 +115,7 @@ TEST_CASE("unseen: nodes of pairs that are shifted by less than half an element"
     CHECK(count_of(r, C2D_WARN_SHIFTED) == 1);
     CHECK(text_of(r, C2D_WARN_SHIFTED).find("they are shifted by " + std::string(shift > 0.05 ? "0.06" : "0.02")) !=
           std::string::npos);
-    double most = 0; // of a pressure that should be 1, against the part of the element that is told
+    double most = 0; // of a pressure that should be 1, against the reported part of the element
     for (const Row& row : r.last().rows) most = std::max(most, std::fabs(row[C2D_TN] - 1));
     CHECK(most > 0.1 * shift / 0.25);
     CHECK(most < 3 * shift / 0.25);

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// What only tells how the program has meshed: it went on from there. What says how far results can be trusted stays.
+// Warnings that only describe the mesh the program made. Those about the accuracy of results are shown.
 constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER, C2D_WARN_OFFSET,
                                   C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
 

@@ -28,12 +28,12 @@ bool Messages::has_warned(c2d_status kind) const {
   return std::any_of(warnings_.begin(), warnings_.end(), [&](const c2d_error& w) { return w.status == kind; });
 }
 
-void Messages::log(void* context, const c2d_error* told) {
+void Messages::log(void* context, const c2d_error* reported) {
   Messages& m = *static_cast<Messages*>(context);
-  c2d_error in_words = *told;
+  c2d_error in_words = *reported;
   const c2d_error* const entry = &in_words;
   if (m.deck_.is_made())
-    std::snprintf(in_words.text, sizeof in_words.text, "%s", in_words_of_drawing(told->text, m.deck_.text()).c_str());
+    std::snprintf(in_words.text, sizeof in_words.text, "%s", in_words_of_drawing(reported->text, m.deck_.text()).c_str());
   if (entry->severity == C2D_WARNING) {
     if (m.is_end_of_platen(*entry)) return;
     if (m.deck_.is_made() &&
@@ -70,8 +70,8 @@ void Messages::fault(const c2d_error& error) {
 }
 
 void Messages::fail(const std::string& text) const {
-  const std::string told = deck_.is_made() ? in_words_of_drawing(text, deck_.text()) : text;
-  say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(told) + '\n');
+  const std::string words = deck_.is_made() ? in_words_of_drawing(text, deck_.text()) : text;
+  say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(words) + '\n');
 }
 
 void Messages::note(const std::string& text) const {

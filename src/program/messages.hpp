@@ -46,7 +46,7 @@ public:
 
 private:
   bool is_end_of_platen(const c2d_error& entry) const;
-  bool has_warned(c2d_status kind) const; // of a sketch each kind is told once
+  bool has_warned(c2d_status kind) const; // of a sketch each kind is printed once
   const DeckFile& deck_;
   std::vector<c2d_error> warnings_;
   std::string latest_;

@@ -286,7 +286,7 @@ void start_moved(const void* context, const Model& m, int b, int32_t element, do
 // Bodies that the loads have driven into each other, beside zones or where there are none.
 void warn_overlapping(Session& session) {
   constexpr double kDriven = 0.5, kOfBody = 1e-3; // of an element, of the smaller body
-  constexpr double kMore = 1.5;                   // times what lay inside at the start, and was told then
+  constexpr double kMore = 1.5;                   // times what lay inside at the start, which has been reported
   const Model& m = session.model;
   const BodyOverlap now = deepest_overlap(m, start_moved, &session, kDriven, kOfBody, false);
   if (now.depth == 0.0) return;

@@ -572,7 +572,7 @@ c2d_status prepare_once(c2d_solver* s) {
   if (is_store_error(status)) return fail_store(s, status);
   const c2d_status closed = close_all(s->tapes);
   if (closed != C2D_OK) return fail_store(s, closed);
-  if ((status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY) && s->has_fault != 0) return status; // told where it was found
+  if ((status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY) && s->has_fault != 0) return status; // reported where found
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
   if (!kSmallCode && status == C2D_ERR_MEMORY) return tell_need(s);

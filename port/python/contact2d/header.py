@@ -651,7 +651,7 @@ FUNCTIONS = {
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
-Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (of slender bodies upon each other c2d_prepare tells), `in_core` holds a body's whole matrix; threads use more. Outputs, `why` may be null. Errors: OVERFLOW."""),
+Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (slender bodies upon each other: c2d_prepare reports), `in_core` holds a body's whole matrix; threads use more. Outputs, why may be null. Errors: OVERFLOW."""),
     "c2d_create": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),

@@ -270,7 +270,7 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     app::Stated& s = fine[i];
     const double then = change_before(finder.find(s), before, between, 0);
     if (i >= coarse.size()) continue;
-    // A value that was found in a worse way on the coarse mesh tells nothing.
+    // A value found in a less accurate way on the coarse mesh is no estimate of the error.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
     const double hides = s.way > 0 ? kEdgeHides : kWantedHides;
     state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {

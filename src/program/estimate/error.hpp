@@ -27,7 +27,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
 std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, std::vector<app::Stated> fine,
                                       const Distance& between, const Round* before);
 
-// What has no error is not told, unless it was asked for.
+// Removes numbers without an error, unless they were asked for.
 void drop_unknown(std::vector<app::Stated>& stated);
 
 // Two numbers that happen to agree are no reason to end. Once tolerances are known: notes of each number whether it may count

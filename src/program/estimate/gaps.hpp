@@ -21,7 +21,7 @@ struct OpenContact {
 
 // One per contact of the sketch; ties are never in doubt. Contact is ruled out where the gap that is left on the finer mesh is
 // more than twice what it has changed by since the coarser one, and motions have changed by less than a fifth. `tolerance`, of
-// the largest motion: gaps that are open or closed by less than that are not told apart.
+// the largest motion: gaps that are open or closed by less than that are not distinguished.
 std::vector<OpenContact> open_contacts(const sketch::Sketch& sketch, const Solved& coarse, const Solved& fine,
                                        double tolerance);
 

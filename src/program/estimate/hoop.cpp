@@ -169,7 +169,7 @@ Fit::Fit(const std::vector<double>& x, const std::vector<double>& y, size_t coun
 }
 
 // Stress along the surface and pressure together are smooth inside a contact that slips up to its edge, where the pressure
-// ends: a parabola through the means over elements behind it tells what is there. False: the contact sticks in them.
+// ends: a parabola through the means over elements behind it gives the value there. False: the contact sticks in them.
 bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const {
   const HoopElement& own = elements_[edge.element];
   double begin = edge.up ? own.to - edge.s : edge.s - own.from; // of the next element, from the edge
