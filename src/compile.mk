@@ -12,7 +12,7 @@ EXACT     := -ffp-contract=off
 CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 DEPS      := -MMD -MP
 
-BATCH ?= 20
+BATCH ?= 30
 FLAGS_NOW := $(BATCH) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests

@@ -5,6 +5,8 @@
 #include "problem.hpp"
 #include "solver_runs.hpp"
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -41,6 +43,17 @@ inline Job job_of(const std::string& deck_text) {
   job.limits.bodies = 64, job.limits.body = job.bodies.data();
   if (c2d_scan_deck(runs::Deck::read, &cards, &job.limits, nullptr) != C2D_OK) job.limits.bodies = -1;
   job.feed = [deck](c2d_solver* s) { return runs::read_deck(s, deck); };
+  return job;
+}
+
+// The same with a coefficient of friction before the model's own.
+inline Job also_with(double mu, Job job) {
+  const std::function<c2d_status(c2d_solver*)> model = job.feed;
+  job.limits.coefficients = 2;
+  job.feed = [mu, model](c2d_solver* s) {
+    const c2d_status status = c2d_add_friction(s, mu);
+    return status == C2D_OK ? model(s) : status;
+  };
   return job;
 }
 
@@ -219,6 +232,15 @@ inline Verdict end_and_resume(const Job& job, size_t places = 4) {
     if (!out.difference.empty()) out.difference = "ended at step " + std::to_string(saved[k].step + 1) + ": " + out.difference;
   }
   return out;
+}
+
+// The job ends alike wherever it is interrupted, at `places` of its steps.
+inline void is_resumed(const std::string& kind, const Job& job, size_t least_steps = 3, size_t places = 4) {
+  CAPTURE(kind);
+  const Verdict v = end_and_resume(job, places);
+  CHECK_MESSAGE(v.difference == "", v.difference);
+  CHECK_MESSAGE(v.status == C2D_OK, v.messages);
+  CHECK(v.steps >= least_steps);
 }
 
 } // namespace interrupted

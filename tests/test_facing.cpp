@@ -2,7 +2,7 @@
 #include "bie/transfer.hpp"
 #include "model/facing.hpp"
 #include "model_fixture.hpp"
-#include "random/dice.hpp"
+#include "dice.hpp"
 
 #include <doctest/doctest.h>
 

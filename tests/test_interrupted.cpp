@@ -2,14 +2,14 @@
 #include "family_runs.hpp"
 #include "interrupted.hpp"
 #include "memory/config.hpp"
-#include "random/three_bodies.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
-using interrupted::end_and_resume;
+using interrupted::also_with;
+using interrupted::is_resumed;
 using interrupted::Job;
 using interrupted::job_of;
 
@@ -17,17 +17,6 @@ namespace {
 
 using many::end_of;
 using many::Model;
-
-// The same with a coefficient of friction before the model's own.
-Job also_with(double mu, Job job) {
-  const std::function<c2d_status(c2d_solver*)> model = job.feed;
-  job.limits.coefficients = 2;
-  job.feed = [mu, model](c2d_solver* s) {
-    const c2d_status status = c2d_add_friction(s, mu);
-    return status == C2D_OK ? model(s) : status;
-  };
-  return job;
-}
 
 Job by_deck_stepping(Job job) {
   job.options.stepping = C2D_STEPPING_DECK;
@@ -135,14 +124,6 @@ Model compressed(Model m, int32_t touching) {
   return m;
 }
 
-void is_resumed(const std::string& kind, const Job& job, size_t least_steps = 3, size_t places = 4) {
-  CAPTURE(kind);
-  const interrupted::Verdict v = end_and_resume(job, places);
-  CHECK_MESSAGE(v.difference == "", v.difference);
-  CHECK_MESSAGE(v.status == C2D_OK, v.messages);
-  CHECK(v.steps >= least_steps);
-}
-
 const int32_t kKinds[] = {C2D_ZONE_MATCHING, C2D_ZONE_FREE};
 
 } // namespace
@@ -214,13 +195,5 @@ TEST_CASE("interrupted: compressed bodies, contact on demand" * doctest::skip(c2
     job.bytes = 4 << 20;
     is_resumed("compressed, with columns on demand where there are any", job, 3, 2);
     is_resumed("the same with two coefficients", also_with(0.1, job), 6, 2);
-  }
-}
-
-TEST_CASE("interrupted: random models of three bodies") {
-  for (uint64_t seed = 1; seed <= 12; ++seed) {
-    std::string title;
-    const Model m = random_decks::generate_three(seed, title);
-    is_resumed(title, seed % 2 == 0 ? also_with(0.1, job_of(m)) : job_of(m), 1);
   }
 }

@@ -1,11 +1,7 @@
 // A body that the other lets go where nothing else holds it in some direction: its place there is undefined, told, and follows
 // one rule.
 #include "contact2d.h"
-#include "paths.hpp"
-#include "problem.hpp"
-#include "random/dice.hpp"
-#include "random/forms.hpp"
-#include "shell.hpp"
+#include "lifted_block.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -14,92 +10,7 @@
 #include <memory>
 #include <utility>
 
-using namespace problem;
-
-namespace {
-
-// A block on a wider one that is held below, with `gap` between them. Case 1 moves the block's top down by 0.01 and leaves
-// it free sideways; case 2 pulls its right side by 10.
-Problem block(int32_t elements, double mu, double gap = 0.0) {
-  Problem p;
-  p.bodies.resize(2);
-  add_polygon(p.bodies[0], {{0, -2, 3}, {5, -2, 2}, {5, 0, 2}, {4, 0, elements}, {0, 0, 2}});
-  add_polygon(p.bodies[1], {{0, gap, elements}, {4, gap, 2}, {4, gap + 2, 3}, {0, gap + 2, 2}});
-  set_ends(p, 1, [](double, double y, double, double ny, End& end) {
-    if (y < -1.99) end.codes[2] = end.codes[3] = 0;
-    if (ny < -0.5) end.codes[0] = end.codes[1] = 1;
-  });
-  p.bodies[0].second_case = p.bodies[0].ends;
-  set_ends(p, 2, [&](double, double y, double, double ny, End& end) {
-    if (y > gap + 1.99) end.codes[3] = 0, end.values[3] = -0.01;
-    if (ny > 0.5) end.codes[1] = 1;
-  });
-  p.bodies[1].second_case = p.bodies[1].ends;
-  for (End& end : p.bodies[1].second_case) end.values[3] = 0;
-  for (int32_t e = elements + 1; e <= elements + 2; ++e)
-    for (int32_t l = 1; l <= 2; ++l) p.bodies[1].second_case[static_cast<size_t>((e - 1) * 2 + l - 1)].values[0] = 10;
-  problem::Zone zone = problem::Zone();
-  zone.pairs = elements + 1, zone.elements = elements;
-  zone.first_element[0] = 8, zone.last_element[0] = 7 + elements, zone.first_node[0] = 8, zone.last_node[0] = 8 + elements;
-  zone.first_element[1] = elements, zone.last_element[1] = 1, zone.first_node[1] = elements + 1, zone.last_node[1] = 1;
-  p.zones = {zone};
-  p.friction = {mu};
-  return p;
-}
-
-// Both seats alike by h sin(k x), the upper one rounder by d (x - 1.3)^2, the upper block pressed slantwise.
-Problem waved(Problem p, double h, double k, double d, double slant) {
-  for (size_t b = 0; b < 2; ++b)
-    for (size_t i = 0; i + 1 < p.bodies[b].xy.size(); i += 2) {
-      const double x = p.bodies[b].xy[i];
-      double& y = p.bodies[b].xy[i + 1];
-      if (std::fabs(y) > 0.01 || x > 4.001) continue;
-      y += h * std::sin(k * x) + (b == 1 ? d * (x - 1.3) * (x - 1.3) : 0.0);
-    }
-  Body& upper = p.bodies[1];
-  for (size_t i = 0; i < upper.ends.size(); ++i) {
-    const size_t node = (i / 2 + i % 2) % (upper.xy.size() / 2);
-    upper.ends[i].values[3] *= 1 + slant * (upper.xy[2 * node] - 2) / 2;
-  }
-  return p;
-}
-
-// Pressed, sheared, lifted, pressed again: much of it with pairs that slide while they hardly carry anything.
-Problem drawn(uint64_t seed) {
-  random_decks::Dice dice(seed * 7919);
-  const int32_t elements = dice.whole(1, 7);
-  const double mu = dice.between(0.05, 1.5), gap = dice.chance(0.2) ? dice.between(0.0005, 0.003) : 0.0;
-  Problem p = block(elements, mu, gap);
-  for (Body& body : p.bodies) body.youngs_modulus = dice.power(2, 4);
-  const double h = dice.chance(0.5) ? 0 : dice.between(-0.2, 0.3), k = dice.between(0.5, 1.5);
-  const double d = dice.chance(0.5) ? 0 : dice.power(-4, -2);
-  p = waved(p, h, k, d, dice.chance(0.5) ? 0 : dice.between(-0.3, 0.3));
-  const Path sheared{1, dice.between(0.3, 1), dice.chance(0.5) ? dice.between(0, 0.02) : 0};
-  const double lifted = -dice.between(0.2, 1), again = dice.between(0.2, 1);
-  return with_paths(p, {{1, 1, 0}, sheared, {1, 0.1, 0}, {1, lifted, 0}, {1, again, 0}, {1, dice.chance(0.5) ? 0.0 : -0.5, 0}});
-}
-
-double sideways(const Step& s, int pair) { return s.at(pair, C2D_UT2) - s.at(pair, C2D_UT1); }
-double mean_sideways(const Step& s) {
-  double sum = 0;
-  for (int i = 0; i < s.pairs(); ++i) sum += sideways(s, i) / s.pairs();
-  return sum;
-}
-bool no_force(const Step& s) {
-  for (int i = 0; i < s.pairs(); ++i)
-    if (s.at(i, C2D_TN) != 0 || s.at(i, C2D_TT) != 0 || static_cast<int>(s.at(i, C2D_STATUS)) != C2D_OPEN) return false;
-  return true;
-}
-double tight() { return sizeof(double) == 8 ? 1e-9 : 1e-3; }
-
-const c2d_error* told(const Result& r) {
-  for (const c2d_error& e : r.told)
-    if (e.status == C2D_WARN_UNDEFINED_PLACE) return &e;
-  return nullptr;
-}
-std::string hard(const std::string& name) { return test::read_file(paths::root() + "/tests/data/hard/" + name + ".dat"); }
-
-} // namespace
+using namespace lifted;
 
 TEST_CASE("let go: a block lifted straight from a flat table keeps its place, and goes on when it is pushed back") {
   for (int32_t elements : {1, 5}) {
@@ -377,24 +288,6 @@ TEST_CASE("let go: free zones, curved functions and rigid obstacles do the same"
   }
 }
 
-TEST_CASE("let go: equivalent decks have the same place") {
-  random_decks::Model model;
-  model.problem = from_text(hard("W3_lifted_free_in_x_1-116"));
-  model.same_surfaces = true;
-  const Result deck = solve(model.problem);
-  REQUIRE(deck.outcome == C2D_REACHED);
-  CHECK(no_force(deck.recorded().back()));
-  REQUIRE(told(deck) != nullptr);
-  CHECK_FALSE(deck.warned(C2D_WARN_NOT_UNIQUE));
-  for (uint64_t seed = 1; seed <= 3; ++seed)
-    for (const random_decks::Form& form : random_decks::forms_of(model, seed)) {
-      CAPTURE(form.name);
-      const Result other = solve(form.problem, form.setup);
-      CHECK(random_decks::difference(model, deck, form, other) == "");
-      CHECK(told(other) != nullptr);
-    }
-}
-
 TEST_CASE("let go: the increments of 1987, calls instead of a run, and every change told end at the same place") {
   const Problem p = with_paths(block(5, 0.5), {{1, 1, 0}, {4, -1, 0}, {1, 0.5, 0}});
   const Result r = solve(p);
@@ -475,27 +368,6 @@ TEST_CASE("let go: a free body that touches without any force is told") {
   REQUIRE(told(r) != nullptr);
   CHECK(std::string(told(r)->text).find("place of body 1 in any of its 3 free motions") != std::string::npos);
   CHECK_FALSE(solve(with_paths(block(3, 0.5), {{2, 1, 0}})).warned(C2D_WARN_UNDEFINED_PLACE));
-}
-
-TEST_CASE("let go: blocks on blocks of many shapes, in all their forms") {
-  int said = 0;
-  for (const uint64_t seed : {3u, 9u, 12u, 40u, 56u, 77u, 101u, 122u, 152u, 180u, 222u, 251u}) {
-    CAPTURE(seed);
-    random_decks::Model model;
-    model.problem = drawn(seed);
-    const Result r = solve(model.problem);
-    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-    CHECK((r.outcome == C2D_REACHED || r.outcome == C2D_GROSS_SLIDING));
-    CHECK(coulomb_breach(model.problem, r) == "");
-    said += told(r) != nullptr;
-    for (const random_decks::Form& form : random_decks::forms_of(model, seed)) {
-      CAPTURE(form.name);
-      const Result other = solve(form.problem, form.setup);
-      if (r.warned(C2D_WARN_NOT_UNIQUE) && other.warned(C2D_WARN_NOT_UNIQUE)) continue;
-      CHECK(random_decks::difference(model, r, form, other) == "");
-    }
-  }
-  CHECK(said > 9);
 }
 
 TEST_CASE("let go: a pair that slid along without force stays behind when the other body moves away") {

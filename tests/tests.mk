@@ -31,15 +31,15 @@ test_objects = $(foreach b,$(1),$(patsubst $(BUILD)/obj/tests_%,$(BUILD)/tests/%
 TEST_BATCHES  := $(call test_batches,$(TEST_SOURCES))
 PROOF_BATCHES := $(call test_batches,$(PROOF_TESTS))
 SUPPORT_OBJECTS := $(TEST_SUPPORT:tests/%.cpp=$(BUILD)/tests/%.o)
-# Of other folders of tests, what a file of tests includes: judges of random decks, the campaign of faults, the fuzzed functions.
+# Of other folders, what a file of tests includes: judges of random decks, the campaign of faults, the fuzzed functions, chapter 9.
 RANDOM_USERS := $(shell grep -l '^\#include "random/' tests/test_*.cpp)
 FAULTS_USERS := $(shell grep -l '^\#include "faults/[cd]' tests/test_*.cpp)
 judges_of = $(if $(filter $(RANDOM_USERS),$(1)),$(RANDOM_JUDGE)) $(if $(filter $(FAULTS_USERS),$(1)),$(FAULTS_JUDGE)) \
-  $(if $(filter tests/test_fuzz.cpp,$(1)),$(FUZZ_OBJECTS))
+  $(if $(filter tests/test_fuzz.cpp,$(1)),$(FUZZ_OBJECTS)) $(if $(filter tests/test_chapter9.cpp,$(1)),$(STUDY_OBJECT))
 TEST_OBJECTS  := $(SUPPORT_OBJECTS) $(call test_objects,$(TEST_BATCHES)) $(call judges_of,$(TEST_SOURCES))
 PROOF_OBJECTS := $(SUPPORT_OBJECTS) $(call test_objects,$(PROOF_BATCHES)) $(call judges_of,$(PROOF_TESTS))
-test-objects: $(call borrowed,$(TEST_OBJECTS)) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS) $(CHAPTER9_OBJECTS)
-all-test-objects: test-objects $(call borrowed,$(PROOF_OBJECTS))
+test-objects: $(call borrowed,$(TEST_OBJECTS)) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS)
+all-test-objects: test-objects $(call borrowed,$(PROOF_OBJECTS)) $(CHAPTER9_OBJECTS)
 
 # ---------------------------------------------------------------- compiled
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
@@ -59,13 +59,14 @@ endef
 $(foreach b,$(TEST_BATCHES) $(PROOF_BATCHES),$(if $(findstring $(comma),$(b)),$(eval $(call compile_tests,$(b),$(call test_objects,$(b))))))
 
 # ---------------------------------------------------------------- linked
+TESTED := $(PROGRAM) $(LIBRARY) $(SHARED) # what tests run
 # Calls that a test can refuse go through it (tests/refused_calls.hpp, system_calls.hpp); linkers elsewhere cannot do that.
 WRAP_CALLS := $(if $(filter Linux,$(shell uname -s)),$(patsubst %,-Wl$(comma)--wrap=%,\
   $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p; s/.* __wrap_\([a-z0-9_]*\)(.*) {$$/\1/p' \
   tests/refused_calls.cpp tests/system_calls.cpp)))
 # What counts stands first: of functions that stand in headers the linker takes the first copy.
 COUNTS_FIRST := $(if $(COUNTED),$(CORE_OBJECTS) $(PORT_OBJECTS) $(FAMILY_OBJECTS) $(REPORT_OBJECTS))
-TEST_LIBRARIES := $(STUDY_OBJECT) $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
+TEST_LIBRARIES := $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 LINK_TESTS = $(CXX) $(CXXFLAGS) $(LDFLAGS) $(WRAP_CALLS) -o $@ $^ -lm -pthread
 PROOFS := $(BUILD)/tests/run_proof
 $(TESTS): $(COUNTS_FIRST) $(call borrowed,$(TEST_OBJECTS)) $(TEST_LIBRARIES)
@@ -73,18 +74,18 @@ $(TESTS): $(COUNTS_FIRST) $(call borrowed,$(TEST_OBJECTS)) $(TEST_LIBRARIES)
 $(PROOFS): $(COUNTS_FIRST) $(call borrowed,$(PROOF_OBJECTS)) $(TEST_LIBRARIES)
 	$(LINK_TESTS)
 define only
-$(BUILD)/tests/only/$(1): $(BUILD)/tests/test_$(1).o $(SUPPORT_OBJECTS) $(call judges_of,tests/test_$(1).cpp) $(TEST_LIBRARIES)
+$(BUILD)/tests/only/$(1): $(BUILD)/tests/test_$(1).o $(SUPPORT_OBJECTS) $(call judges_of,tests/test_$(1).cpp) $(TEST_LIBRARIES) \
+    | $(TESTED) $(if $(filter chapter9,$(1)),$(BUILD)/obj/chapter9)
 	@mkdir -p $$(@D)
 	$$(LINK_TESTS)
 endef
 $(foreach s,$(TEST_SOURCES) $(PROOF_TESTS),$(eval $(call only,$(s:tests/test_%.cpp=%))))
 
 # ---------------------------------------------------------------- run
-TESTED := $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9
 test: $(TESTS) $(TESTED)
 	@C2D_TESTS_NOT="tests/proof.txt $$C2D_TESTS_NOT" sh tests/run_shards.sh $(JOBS) $(TESTS)
 # C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
-test-all: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROOFS) $(TESTED)
+test-all: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROOFS) $(TESTED) $(BUILD)/obj/chapter9
 	@sh tests/run_shards.sh $(JOBS) $(TESTS) $(PROOFS)
 test-times:
 	@rm -rf '$(BUILD)/times' && mkdir -p '$(BUILD)/times'

@@ -1,6 +1,6 @@
 #include "forms.hpp"
 
-#include "dice.hpp"
+#include "../dice.hpp"
 #include "laws.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "generator.hpp"
 
-#include "dice.hpp"
+#include "../dice.hpp"
 #include "scenes.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 // Two bodies that meet: body 1 below or around body 2.
-#include "dice.hpp"
+#include "../dice.hpp"
 #include "outline.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 // What the scenes of random sketches are written with: lengths in the units of the sketch, materials, cases, wants.
-#include "dice.hpp"
+#include "../dice.hpp"
 #include "sketches.hpp"
 
 #include <string>

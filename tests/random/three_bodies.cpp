@@ -1,6 +1,6 @@
 #include "three_bodies.hpp"
 
-#include "dice.hpp"
+#include "../dice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,10 @@
 namespace estimate {
 namespace {
 
-constexpr double kSettled = 0.2;  // the change of the largest motion, of it, above which a mesh says nothing about contact
-constexpr double kTouch = 1e-7;   // of the contact's length: a gap below that has no direction
-constexpr double kNone = 1e-9;    // motions of that share of the gap are round-off
-constexpr double kMostLevels = 6; // bisections at once
+constexpr double kSettled = 0.2;      // the change of the largest motion, of it, above which a mesh says nothing about contact
+constexpr double kTouch = 1e-7;       // of the contact's length: a gap below that has no direction
+constexpr double kNone = 1e-9;        // motions of that share of the gap are round-off
+constexpr double kMostBisections = 6; // bisections at once
 
 // A place of an outline on a mesh.
 struct OnMesh {
@@ -206,7 +206,7 @@ void mark_missed(const sketch::Sketch& sketch, const Solved& coarse, const Solve
           const std::vector<double>& ends = place.curve->ends;
           const double more = std::log2(2 * (ends[place.own + 1] - ends[place.own]) / width);
           int& level = levels[static_cast<size_t>(contact.side[1].body)][place.element];
-          level = std::max(level, static_cast<int>(std::clamp(more, 1.0, kMostLevels)));
+          level = std::max(level, static_cast<int>(std::clamp(more, 1.0, kMostBisections)));
           place.curve->far.clear();
         }
       }

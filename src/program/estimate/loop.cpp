@@ -27,8 +27,8 @@ constexpr double kUnfollowed = 0.1; // more of it than that, and no number is me
 constexpr int kMostRegrown = 3;     // then nothing is taken to be far
 constexpr double kOwn = 0.5;        // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
 constexpr double kOfMotion = 0.1;   // of the tolerance, of motions: smaller gaps count as contact
-constexpr double kOfDoubt = 0.25;   // of the energy, while contact is neither found nor ruled out
-constexpr double kSettles = 0.8;    // of the error before: more is none that falls
+constexpr double kOfUndecided = 0.25; // of the energy, while contact is neither found nor ruled out
+constexpr double kSettles = 0.8;      // of the error before: more is none that falls
 constexpr int kPatience = 3;
 constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
 constexpr double kOfElements = 2.6; // the power of their number that time goes with
@@ -366,7 +366,7 @@ void Loop::tighten(const Distance& d) {
     if (within && (s.confirmed || stage_ > least_)) continue; // what is within must be so on a finer mesh, too
     double& worst = is_local(s) && !std::isnan(s.error) ? contact : rest;
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
-    worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfDoubt : part);
+    worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
   }
   if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
   if (d.energy < energy_aim() && rest < 1) rest_ *= std::clamp(rest, 0.05, 0.6);

@@ -14,7 +14,7 @@ constexpr double kOnePoint = 1e-5;
 Point between(Point a, Point b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
 // One element of either side and its boundary points, those of side 2 backwards.
-struct Facing {
+struct FacingElements {
   int32_t element[2];
   std::vector<Point> p[2];
   // Place of the new point behind the i-th, in the order of side 1.
@@ -26,13 +26,13 @@ struct Facing {
 };
 
 // From side 1 to side 2 along the normal out of side 1.
-double gap(const Facing& f, Point a, Point b) {
+double gap(const FacingElements& f, Point a, Point b) {
   const Point first = f.p[0].front(), last = f.p[0].back();
   const double length = distance(first, last);
   return ((b.x - a.x) * (last.y - first.y) - (b.y - a.y) * (last.x - first.x)) / length;
 }
 
-void match(const Facing& f, int32_t i, bool overlaps, Point& a, bool sure_a, Point& b, bool sure_b) {
+void match(const FacingElements& f, int32_t i, bool overlaps, Point& a, bool sure_a, Point& b, bool sure_b) {
   const double near = kOnePoint * distance(f.p[0].front(), f.p[0].back());
   const size_t k = CutBody::at(i);
   const bool one = distance(f.p[0][k], f.p[1][k]) <= near && distance(f.p[0][k + 1], f.p[1][k + 1]) <= near;
@@ -58,12 +58,13 @@ void match_points(const c2d_zone& zone, const std::vector<CutBody>& bodies, bool
   if (body[0]->element_nodes != body[1]->element_nodes || up[0] == up[1]) return;
   const int32_t chords = body[0]->element_nodes - 1;
   for (size_t k = 0; k < elements[0].size(); ++k) {
-    Facing f{{elements[0][k], elements[1][k]}, {}};
+    FacingElements f{{elements[0][k], elements[1][k]}, {}};
     if (body[0]->child_count(f.element[0]) == 1 || body[1]->child_count(f.element[1]) == 1) continue;
     for (int s = 0; s < 2; ++s) f.p[s] = body[s]->points_of(body[s]->region_of(f.element[s]), f.element[s]);
     f.p[1] = std::vector<Point>(f.p[1].rbegin(), f.p[1].rend());
     for (int32_t i = 0; i < chords; ++i) {
-      const size_t at[2] = {Facing::place(*body[0], f.element[0], i), Facing::place(*body[1], f.element[1], chords - 1 - i)};
+      const size_t at[2] = {FacingElements::place(*body[0], f.element[0], i),
+                            FacingElements::place(*body[1], f.element[1], chords - 1 - i)};
       CutPoints &one = points[CutBody::at(side[0]->body - 1)], &two = points[CutBody::at(side[1]->body - 1)];
       match(f, i, overlaps, one.points[at[0]], one.sure[at[0]], two.points[at[1]], two.sure[at[1]]);
     }

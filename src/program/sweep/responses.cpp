@@ -40,7 +40,7 @@ template <size_t n> const Word* find_word(const Word (&words)[n], const std::str
   return nullptr;
 }
 
-bool read_count(const std::string& word, int32_t& number) {
+bool read_ordinal(const std::string& word, int32_t& number) {
   const char* end = word.data() + word.size();
   const auto read = std::from_chars(word.data(), end, number);
   return read.ec == std::errc() && read.ptr == end && number > 0;
@@ -51,7 +51,7 @@ void take_tail(std::vector<std::string>& words, Response& r) {
   for (bool more = true; more && words.size() > 1;) {
     int32_t number = 0;
     more = false;
-    const bool is_number = read_count(words.back(), number),
+    const bool is_number = read_ordinal(words.back(), number),
                of_zone = is_number && words.size() > 2 && words[words.size() - 2] == "zone";
     if (of_zone && r.zone == 0)
       r.zone = number, words.resize(words.size() - 2), more = true;
