@@ -662,7 +662,7 @@ Run run_hard(const std::string& name, const std::string& options = "") {
 TEST_CASE("hard states: a solution that exists is found") {
   for (const std::string name :
        {"D1_4pairs_endless_12", "D1_4pairs_endless_24", "D1_4pairs_endlesslow_2", "D1_punch_nu0_11pairs",
-        "D1_arc_below_limit_unique_solution", "D2_unload_3-150", "D2_unload_3-41"}) {
+        "D1_arc_below_limit_unique_solution", "D2_unload_3-150", "D2_unload_3-41", "D10_beams_under_a_bolt"}) {
     CAPTURE(name);
     const Run run = run_hard(name);
     CHECK(run.status == 0);
