@@ -102,6 +102,7 @@ Judged judge(const std::string& text, const Limits& limits) {
   sketch::Sketch& s = reading.sketch;
   s.most_elements = limits.elements, s.most_seconds = limits.seconds;
   estimate::Demand demand;
+  demand.drawn = true; // signs of forces are those of the statements
   estimate::ask(s, demand);
   const double start = now();
   try {
