@@ -165,6 +165,8 @@ TEST_CASE("facing parts: messages about a mesh name curves") {
   CHECK(words("strains reach 0.055 at element 7 of body 1 (block): small") == "strains reach 0.055 at block.top: small");
   CHECK(words("pair 3 (on element 6 of body 1 (block), node 2 of body 2 (pad)): x") == "block.top and pad.tip: x");
   CHECK(words("zone 1 (a on b), pair 15, load factor 1") == "zone 1 (a on b), load factor 1");
+  CHECK(words("moved sideways by 0.00186, 3.9 elements, most of it before they touched: place them") ==
+        "moved sideways by 0.00186, most of it before they touched: place them");
   CHECK(words("node 99 of body 1 stays") == "node 99 of body 1 stays");
   CHECK(app::is_about_mesh(C2D_WARN_LEFT_OUT));
   CHECK_FALSE(app::is_about_mesh(C2D_WARN_STRAIN));

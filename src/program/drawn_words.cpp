@@ -21,6 +21,7 @@ constexpr Phrase kPhrases[] = {
     {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone", kReachesEnd},
     {"exceeds half a contact element: pairs no longer face each other",
      "is long beside the mesh: places touch that did not face each other at first"},
+    {", # elements, most of it before they touched", ", most of it before they touched"},
     {"the friction of all pairs that hold ", "the friction of all that holds "},
     {"the place that moves the pairs least", "the place that moves the surfaces least"},
     {"order of pairs", "order of places"},
