@@ -251,3 +251,36 @@ TEST_CASE("facing parts: a sharp corner on a flat is refused as one") {
                                           "close\ncontact block.top wedge.skin\nfix block.bottom\nfix wedge.lid\n";
   CHECK(fault_of(text).find("nearest 0 apart at (0, 0), a corner: what is to touch there needs a fillet") != std::string::npos);
 }
+
+TEST_CASE("facing parts: two parts that meet at a place of the other side are cut there once") {
+  // the ends of both are found by bisection, and differ in the last digits
+  const sketch::Reading drawn = read_text(R"(
+symmetry x 0
+body plate E 1000 nu 0.3
+  from 0 -5
+  line foot to 30 -5
+  line side to 30 0
+  line top to 0 0
+body bridge E 1000 nu 0.3
+  from 0 2
+  line under to 10 2
+  line inner to 10 0.01
+  line pad to 14 0.01
+  line outer to 14 4
+  line lid to 0 4
+contact plate.top bridge.pad mu 0.3
+contact plate.top bridge.under mu 0.3
+fix plate.foot
+traction bridge.lid fx 0 fy -0.02
+tolerance 3 %
+)");
+  REQUIRE(drawn.faults.empty());
+  const estimate::Adapted a = estimate::adapt(drawn.sketch, {}, [](const app::MeshRound&) {});
+  REQUIRE_MESSAGE(a.status == C2D_OK, a.why);
+  CHECK_MESSAGE(a.loop.stopped.empty(), a.loop.stopped);
+  for (const sketch::MeshedOutline& outline : a.mesh.bodies[0])
+    for (const sketch::MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e)
+        CHECK(sketch::length(curve.curve->shape->at(curve.ends[e + 1]) - curve.curve->shape->at(curve.ends[e])) > 1e-6);
+  CHECK(a.deck.find("coarser meshes did not touch") == std::string::npos); // where contact stays away from what was cut off
+}

@@ -148,6 +148,14 @@ bool is_at_natural_end(const c2d_error& warning, const std::string& deck) {
   return warning.status == C2D_WARN_ZONE_END && beyond_zone(warning.zone, deck).empty();
 }
 
+std::string without_cut_ends(std::string deck) {
+  for (size_t at = 0; (at = deck.find(" might go on: coarser meshes did not touch there", at)) != std::string::npos;) {
+    at = deck.rfind('\n', at);
+    deck.erase(at, deck.find('\n', at + 1) - at);
+  }
+  return deck;
+}
+
 bool is_about_mesh(int32_t warning) {
   return std::find(std::begin(kAboutMesh), std::end(kAboutMesh), warning) != std::end(kAboutMesh);
 }

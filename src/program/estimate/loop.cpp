@@ -397,7 +397,7 @@ void Loop::tell_endless() {
 
 void Loop::take(const Level& level) {
   out_.mesh = level.mesh;
-  out_.deck = level.deck;
+  out_.deck = is_cut_off(level.trial, level.mesh) ? level.deck : app::without_cut_ends(level.deck);
   out_.loop.taken = out_.loop.rounds.size() - 1;
   history_ = level.trial.why;
   is_whole_ = level.trial.outcome == C2D_REACHED;

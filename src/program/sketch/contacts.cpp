@@ -382,21 +382,27 @@ void find_contact(const std::vector<Contact>& contacts, int body, size_t outline
 
 void Cutter::cut(int b, size_t number) {
   Outline& outline = s_.bodies[static_cast<size_t>(b)].outlines[number];
-  std::vector<double> places;
+  struct Cut {
+    double at, least; // nearer to another cut or to a joint than that, it is the same one
+    bool operator<(const Cut& other) const { return at < other.at; }
+  };
+  std::vector<Cut> cuts;
   const double whole = begins(b, number).back();
   for (const Contact& contact : s_.contacts)
     for (const Contact::Strip& strip : contact.side)
       if (strip.body == b && strip.outline == number && !contact.ring)
-        for (const double place : {strip.from, strip.to}) places.push_back(place - whole * std::floor(place / whole));
-  std::sort(places.begin(), places.end());
+        for (const double place : {strip.from, strip.to})
+          cuts.push_back({place - whole * std::floor(place / whole),
+                          std::max(kLeastPiece * whole, kOneOverlap * (strip.to - strip.from))});
+  std::sort(cuts.begin(), cuts.end());
   std::vector<Curve> out;
   double begin = 0;
   for (const Curve& curve : outline.curves) {
     const Measure measure(curve.shape);
     std::vector<double> ends(1, 0.0);
-    for (const double place : places)
-      if (place - begin - ends.back() > kLeastPiece * whole && begin + measure.length() - place > kLeastPiece * whole)
-        ends.push_back(place - begin);
+    for (const Cut& cut : cuts)
+      if (cut.at - begin - ends.back() > cut.least && begin + measure.length() - cut.at > cut.least)
+        ends.push_back(cut.at - begin);
     ends.push_back(measure.length());
     for (size_t i = 0; i + 1 < ends.size(); ++i) {
       Curve piece = curve;
