@@ -128,6 +128,8 @@
   ARRAY(double, Loads, cases, 4)                      /* load factors: reached, target, direction, at stick        */  \
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
   ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
+  ARRAY(Real, MotionOfContact, pairs, 16)             /* results/approach.cpp                                      */  \
+  ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* the same                                                  */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
   ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
@@ -184,9 +186,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2392 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2408 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2320
+#define C2D_SOLVER_BYTES 2336
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1

@@ -26,6 +26,14 @@ double value_of(const estimate::Trial& trial, Measure what, int32_t zone, int32_
   return NAN;
 }
 
+// Of the displacements at the ends of a body's straight linear elements, by length.
+double mean_displacement(const estimate::Trial& trial, size_t body, size_t component) {
+  const std::vector<double>&length = trial.lengths[body], &u = trial.states.back().ends[body][component];
+  double sum = 0, whole = 0;
+  for (size_t e = 0; e < length.size(); ++e) sum += length[e] * (u[2 * e] + u[2 * e + 1]) / 2, whole += length[e];
+  return sum / whole;
+}
+
 // Modulus 1000, height 1, pressure 10 above: it becomes lower by 0.01.
 const char kLower[] = "body lower E 1000 nu 0\nfrom 0 0\nline floor to 2 0\nline e to 2 1\nline top to 0 1\nline w close\n"
                       "fix lower.floor\n";
@@ -64,6 +72,8 @@ TEST_CASE("motions: a rigid body's is its own; signs are those of gap and slip")
     CHECK(down < 0);
     // Both bodies' motions go in; the block's is between that of its floor and of its top.
     const double approach = value_of(t, Measure::kApproach, 1), shift = value_of(t, Measure::kShift, 1);
+    CHECK(approach == doctest::Approx(mean_displacement(t, 0, 1) - down).epsilon(1e-11));
+    CHECK(shift == doctest::Approx(right - mean_displacement(t, 0, 0)).epsilon(1e-11));
     CHECK(approach > 0.3 * -down);
     CHECK(approach < -down);
     // t runs to the left of the lower body as its top does, to the left of the lid's face alike: (u2 - u1).t has one sign.

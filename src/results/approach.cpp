@@ -3,16 +3,20 @@
 
 #include <math.h>
 
+#include "bie/columns.hpp"
 #include "bie/measure.hpp"
+#include "contact/body_unknowns.hpp"
 #include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "results/back.hpp"
 #include "results/table.hpp"
+#include "solver/energy_adjoint.hpp"
 
 namespace c2d {
 
 C2D_USES(RigidPart);
+C2D_USES(CompressedPart);
 
 namespace {
 
@@ -29,20 +33,146 @@ bool is_loaded(const Model& m, int b, int32_t element) {
   return false;
 }
 
-struct Mean {
-  double length = 0.0, u[2] = {0.0, 0.0}; // u: times length
+// ---- mean motion of a body's boundary: a linear functional, found once ---------------------------------------------------
+
+// What multiplies the trailing columns of the body (results/back.hpp) in the mean of each component.
+struct MeanMotion {
+  Real* of_contact[2]; // [2 contact]
+  double* of_loads[2]; // [cases]
 };
 
-void add_element(const Session& session, int b, int32_t element, Mean& out) {
+MeanMotion mean_motion(const Session& session, int b) {
   const Model& m = session.model;
-  EndResultant weight[kElementNodes];
-  end_resultants(m, b, element, Measure::own_length, weight);
-  for (int l = 0; l < m.head->function_nodes; ++l) {
-    double u[2];
-    get_displacement(session, b, functional_node(m, b, element, l), u);
-    out.length += weight[l].w;
-    for (int c = 0; c < 2; ++c) out.u[c] += weight[l].w * u[c];
+  Real* contact = array_of<Real>(session.solver, kMotionOfContact);
+  double* loads = array_of<double>(session.solver, kMotionOfLoads);
+  for (int before = 0; before < b; ++before) {
+    contact += 4 * static_cast<int64_t>(m.body[before].contact);
+    loads += m.body[before].contact > 0 ? 2 * m.head->load_cases : 0;
   }
+  return {{contact, contact + 2 * static_cast<int64_t>(m.body[b].contact)}, {loads, loads + m.head->load_cases}};
+}
+
+double length_of(const Model& m, int b, int32_t element) {
+  EndResultant weight[kElementNodes];
+  double length = 0.0;
+  end_resultants(m, b, element, Measure::own_length, weight);
+  for (int l = 0; l < m.head->function_nodes; ++l) length += weight[l].w;
+  return length;
+}
+
+struct Part {
+  bool loaded; // what is loaded of the boundary, or all of it
+  double length;
+};
+
+bool is_within(const Model& m, int b, int32_t element, bool loaded) {
+  return is_integrated(m, b, element) && (!loaded || is_loaded(m, b, element));
+}
+
+double length_within(const Model& m, int b, bool loaded) {
+  double length = 0.0;
+  for (int32_t element = 0; element < m.body[b].elements; ++element)
+    if (is_within(m, b, element, loaded)) length += length_of(m, b, element);
+  return length;
+}
+
+Part part_that_counts(const Model& m, int b) {
+  const Part loaded{true, length_within(m, b, true)};
+  return loaded.length > 0.0 ? loaded : Part{false, length_within(m, b, false)};
+}
+
+void add_mean(Adjoint& a, const Part& part, int c) {
+  const Model& m = a.model();
+  for (int32_t element = 0; element < m.body[a.b].elements; ++element) {
+    if (!is_within(m, a.b, element, part.loaded)) continue;
+    EndResultant weight[kElementNodes];
+    end_resultants(m, a.b, element, Measure::own_length, weight);
+    for (int l = 0; l < m.head->function_nodes; ++l)
+      add_displacement(a, functional_node(m, a.b, element, l), c, weight[l].w / part.length);
+  }
+}
+
+// The adjoint of back substitution: its unknowns out of the functional.
+c2d_status find_component(Session& session, int b, const Part& part, int c) {
+  const Model& m = session.model;
+  const PathArea& area = session.area;
+  c2d_solver* s = session.solver;
+  const MeanMotion out = mean_motion(session, b);
+  const int32_t own = m.body[b].contact;
+  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] = 0.0;
+  for (int32_t j = 0; j < own; ++j) area.own[j] = 0;
+  for (int32_t j = 0; j < outer_columns(m, b); ++j) area.outer[j] = 0;
+  Adjoint a{session, b, nullptr, nullptr, out.of_loads[c], nullptr, area.own, area.outer, false};
+  add_mean(a, part, c);
+  take_back_work(s);
+  const EliminationPlan& plan = plan_of(s, b);
+  const c2d_status status = is_compressed(plan)
+                                ? kCompressedPart.compression_functional(session, b, area.outer, area.coefficient)
+                                : transposed_functional(plan, s->tapes, area.outer, area.coefficient, area.work);
+  for (int32_t j = 0; j < 2 * own; ++j) out.of_contact[c][j] = area.coefficient[j];
+  for (int32_t j = 0; j < own; ++j) out.of_contact[c][j] -= area.own[j]; // (the column of u_c stands for -u_c)
+  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] += static_cast<double>(area.coefficient[2 * own + k]);
+  return status;
+}
+
+// The image moves the other way across a line of symmetry.
+bool is_mirrored(const Model& m, int b, int c) { return (m.body[b].lines >> c & 1) != 0; }
+
+c2d_status find_mean_motion(Session& session, int b) {
+  const Model& m = session.model;
+  const Part part = part_that_counts(m, b);
+  c2d_status status = C2D_OK;
+  for (int c = 0; c < 2 && status == C2D_OK; ++c)
+    if (!is_mirrored(m, b, c)) status = find_component(session, b, part, c);
+  return status;
+}
+
+bool has_approach(const Zone& zone) { return zone.is_tied == 0 && zone.body[0] != zone.body[1]; }
+
+bool takes_part(const Model& m, int b) {
+  for (int32_t z = 0; z < m.head->zones; ++z)
+    if (has_approach(m.zone[z]) && (m.zone[z].body[0] == b || m.zone[z].body[1] == b)) return !is_rigid(m, b);
+  return false;
+}
+
+// On demand columns of the contact come later: there displacements are found, and summed.
+c2d_status make_ready(Session& session) {
+  c2d_solver* s = session.solver;
+  if (is_on_demand(session.model)) return back_substitute_all(session);
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < session.model.head->bodies && status == C2D_OK && s->mean_motions == 0; ++b)
+    if (takes_part(session.model, b)) status = find_mean_motion(session, b);
+  if (status == C2D_OK) s->mean_motions = 1;
+  return status;
+}
+
+double sum_of_displacements(const Session& session, int b, int c) {
+  const Model& m = session.model;
+  const Part part = part_that_counts(m, b);
+  double sum = 0.0;
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+    if (!is_within(m, b, element, part.loaded)) continue;
+    EndResultant weight[kElementNodes];
+    end_resultants(m, b, element, Measure::own_length, weight);
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      double u[2];
+      get_displacement(session, b, functional_node(m, b, element, l), u);
+      sum += weight[l].w * u[c] / part.length;
+    }
+  }
+  return sum;
+}
+
+// After trailing_coefficients of the body.
+double value_of(const Session& session, int b, int c) {
+  const Model& m = session.model;
+  const MeanMotion mean = mean_motion(session, b);
+  const Real* now = session.area.coefficient;
+  double sum = 0.0;
+  for (int32_t j = 0; j < 2 * m.body[b].contact; ++j)
+    sum += static_cast<double>(mean.of_contact[c][j]) * static_cast<double>(now[j]);
+  for (int32_t k = 0; k < m.head->load_cases; ++k) sum += mean.of_loads[c][k] * session.follower.load[k];
+  return sum * m.head->length_unit;
 }
 
 // Of a rigid body its own, of another the mean over what is loaded of its boundary, or over all of it.
@@ -54,16 +184,14 @@ void body_motion(const Session& session, int b, double u[2]) {
     u[0] = motion[0], u[1] = motion[1];
     return;
   }
-  Mean all, loaded;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    add_element(session, b, element, all);
-    if (is_loaded(m, b, element)) add_element(session, b, element, loaded);
-  }
-  const Mean& mean = loaded.length > 0.0 ? loaded : all;
-  for (int c = 0; c < 2; ++c) // the image moves the other way across a line of symmetry
-    u[c] = (m.body[b].lines >> c & 1) != 0 ? 0.0 : mean.u[c] / mean.length;
+  trailing_coefficients(session, b, session.area.coefficient);
+  for (int c = 0; c < 2; ++c)
+    u[c] = is_mirrored(m, b, c)          ? 0.0
+           : is_on_demand(session.model) ? sum_of_displacements(session, b, c)
+                                         : value_of(session, b, c);
 }
+
+// ---- directions ---------------------------------------------------------------------------------------------------------
 
 // Lines of symmetry that a zone ends on: it goes on in its image.
 int32_t lines_of_zone(const Model& m, const Zone& z) {
@@ -105,10 +233,10 @@ bool find_direction(const Model& m, const Zone& z, const double force[2], double
 c2d_status find_approach(Session& session, const Zone& zone, c2d_zone_state& out) {
   const Model& m = session.model;
   double n[2];
-  if (zone.is_tied != 0 || zone.body[0] == zone.body[1] || !find_direction(m, zone, out.force, n)) return C2D_OK;
+  if (!has_approach(zone) || !find_direction(m, zone, out.force, n)) return C2D_OK;
   const bool rigid = is_rigid(m, zone.body[0]) && is_rigid(m, zone.body[1]);
   c2d_status status = session.solver->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
-  if (status == C2D_OK && !rigid) status = back_substitute_all(session);
+  if (status == C2D_OK && !rigid) status = make_ready(session);
   if (status != C2D_OK) return status;
   double u[2][2];
   for (int side = 0; side < 2; ++side) body_motion(session, zone.body[side], u[side]);

@@ -15,9 +15,6 @@ C2D_USES(RigidPart);
 C2D_USES(EnergyPart);
 C2D_USES(CompressedPart);
 
-namespace {
-
-// What multiplies the trailing columns [H_c | G_c | r]: -u_c, t_c = +-tau, lambda.
 void trailing_coefficients(const Session& session, int b, Real* out) {
   const Follower& f = session.follower;
   const Model& m = session.model;
@@ -34,6 +31,8 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
   }
   for (int32_t k = 0; k < m.head->load_cases; ++k) out[2 * own + k] = static_cast<Real>(f.load[k]);
 }
+
+namespace {
 
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
   double sum = 0.0;

@@ -6,6 +6,8 @@ namespace c2d {
 
 // Results of the whole boundary, and the balance of forces. Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
+// What multiplies the trailing columns [H_c | G_c | r] of a body now: -u_c, t_c = +-tau, lambda. After fill_table.
+void trailing_coefficients(const Session& session, int b, Real* out);
 // They are read and written here alone; in the caller's units.
 void get_displacement(const Session& session, int b, int32_t node, double u[2]);
 void get_traction(const Session& session, int b, int32_t end, double t[2]);

@@ -542,7 +542,7 @@ c2d_status prepare_once(c2d_solver* s) {
   c2d_status status = validate_changes(s, m);
   if (status != C2D_OK) return status;
   const bool loads_only = s->factors != 0 && kNewLoadsPart.linked;
-  s->loads_changed = s->factors = 0;
+  s->loads_changed = s->factors = s->mean_motions = 0;
   for (int32_t p = C2D_PHASE_ASSEMBLE; p < C2D_PHASES; ++p) s->seconds[p] = 0.0; // (what it took to read a deck stays)
   s->saves = 0;
   if (loads_only) {

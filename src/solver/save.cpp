@@ -293,6 +293,7 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
                                   {s->options.keep_factors, 0, 1},
                                   {s->factors, 0, s->options.keep_factors},
                                   {s->loads_changed, 0, 0},
+                                  {s->mean_motions, 0, 1},
                                   {s->warnings, 0, kSome},
                                   {s->floating, 0, 1},
                                   {s->good_floating, 0, 1},

@@ -37,6 +37,7 @@ struct c2d_solver {
   int32_t warnings;
   int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed; // since they were last validated
+  int32_t mean_motions;  // 1: those of the bodies are known as functionals (results/approach.cpp)
   int32_t rank_needed;   // by compressed elimination, where memory was too small; 0: not known
   double smallest_pivot, largest_pivot, pivot_growth, condition;
   double compression_residual, compression_error; // largest of the states that were looked at (solver/compressed.cpp)
