@@ -135,7 +135,7 @@ void hold(const Panel& panel, int32_t row, int32_t j) {
 
 // Where symmetry leaves nothing of an equation, or fixes the displacement: u = 0 in place of it. Of the balances those
 // remain that a symmetric state can violate: the force along the only line.
-void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
+[[gnu::noinline]] void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   const Model& m = system.model;
   const Body& body = m.body[system.body];
   for (int32_t node = 0; node < body.nodes; ++node)
@@ -146,28 +146,30 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
 }
 
 // All but what free zones hand over. (Not inlined: that goes deep.)
-[[gnu::noinline]] void fill_own_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
+[[gnu::noinline]] void fill_own_columns(const ColumnSystem& system, const Panel& panel) {
   const Model& m = system.model;
   const int b = system.body;
   const int32_t rows = system_rows(m, b);
-  C2D_ASSERT(rows <= ld && first >= 0);
-  for (int32_t j = 0; j < count; ++j)
-    for (int32_t i = 0; i < rows; ++i) data[j * ld + i] = 0;
-  const Range range{first, first + count, outer_columns(m, b) + 2 * m.body[b].contact};
-  const Panel panel{m, b, range, data, ld};
+  C2D_ASSERT(rows <= panel.ld && panel.range.first >= 0);
+  for (int32_t j = panel.range.first; j < panel.range.last; ++j)
+    for (int32_t i = 0; i < rows; ++i) panel.column(j)[i] = 0;
   add_all(system, nullptr, panel);
   HoleWalk walk{};
   Hole hole;
   while (kHolePart.next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
   for (int32_t node = 0; node < m.body[b].nodes; ++node) add_node(system, panel, node);
-  if (m.body[b].lines != 0) hold_by_symmetry(system, panel);
 }
 
 } // namespace
 
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
-  fill_own_columns(system, first, count, data, ld);
-  if (body_of(system.model, system.body).free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
+  const Model& m = system.model;
+  const Body& body = m.body[system.body];
+  const Range range{first, first + count, outer_columns(m, system.body) + 2 * body.contact};
+  const Panel panel{m, system.body, range, data, ld};
+  fill_own_columns(system, panel);
+  if (body.free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
+  if (body.lines != 0) hold_by_symmetry(system, panel);
 }
 
 } // namespace c2d

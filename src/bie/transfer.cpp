@@ -58,11 +58,29 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
 }
 
+namespace {
+
+// Is tau at an end of the element of side 1 among what is wanted?
+bool is_wanted(const Model& m, const Zone& z, const TransferWalk& walk) {
+  if (walk.to == 0) return true;
+  const int32_t element = zone_element(m, z, 1, walk.place);
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t i = pair_of_end(m, z.body[1], element, l).pair;
+    if (i < 0) continue;
+    const int32_t first = dof_on(m, m.pair[i], 0);
+    if (first + m.pair[i].tangential >= walk.from && first < walk.to) return true;
+  }
+  return false;
+}
+
+} // namespace
+
 bool next_transfer(const Model& m, TransferWalk& walk) {
   for (; walk.zone < m.head->zones; ++walk.zone, walk.place = 0) {
     const Zone& z = m.zone[walk.zone];
     if (z.is_free == 0 || z.body[0] != walk.body) continue;
     for (; walk.place < z.elements; ++walk.place) {
+      if (!walk.inside && !is_wanted(m, z, walk)) continue;
       if (!walk.inside) walk.pieces = start_pieces(m, z, walk.place);
       walk.inside = next_piece(walk.pieces, walk.piece);
       if (walk.inside) return true;
@@ -131,42 +149,61 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
   }
 }
 
-// Integrals of the functions of a piece become those of tau at the ends of the element of side 1, in columns of tau.
-void send(const Model& m, const Columns& panel, const Transfer& t, const double value[kElementNodes], int32_t row,
-          int component) {
-  const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, panel.b));
-  for (int l = 0; l < m.head->function_nodes; ++l) {
-    const Pair& pair = m.pair[t.pair[l]];
-    double sum = 0.0;
-    for (int k = 0; k < t.in.functions; ++k) sum += t.weight[k][l] * value[k];
-    const int32_t column = outer_columns(m, panel.b) + m.body[panel.b].contact + dof_on(m, pair, 0);
-    for (int d = 0; d <= pair.tangential; ++d) panel.add(row, column + d, scale * along(pair, d, component) * sum);
+// Integrals of the functions of a piece become those of tau at the ends of the element of side 1, in columns of tau. Where
+// these are does not depend on the row.
+struct Receiver {
+  const Columns& panel;
+  int functions, ends;
+  const double (*weight)[kElementNodes];
+  struct End {
+    int32_t column;
+    int slots;
+    double factor[2][2]; // of slot, of component
+  } end[kElementNodes];
+
+  Receiver(const Model& m, const Columns& to, const Transfer& t)
+      : panel(to), functions(t.in.functions), ends(m.head->function_nodes), weight(t.weight) {
+    const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, to.b));
+    for (int l = 0; l < ends; ++l) {
+      const Pair& pair = m.pair[t.pair[l]];
+      end[l].column = outer_columns(m, to.b) + m.body[to.b].contact + dof_on(m, pair, 0);
+      end[l].slots = 1 + pair.tangential;
+      for (int d = 0; d < end[l].slots; ++d)
+        for (int c = 0; c < 2; ++c) end[l].factor[d][c] = scale * along(pair, d, c);
+    }
   }
-}
+  void send(const double value[kElementNodes], int32_t row, int component) const {
+    for (int l = 0; l < ends; ++l) {
+      double sum = 0.0;
+      for (int k = 0; k < functions; ++k) sum += weight[k][l] * value[k];
+      for (int d = 0; d < end[l].slots; ++d) panel.add(row, end[l].column + d, end[l].factor[d][component] * sum);
+    }
+  }
+};
 
 // What a piece adds to the equations at the nodes of a hole. (Not inlined, like the others: the search for the next piece would
 // stand on their frames.)
 [[gnu::noinline]] void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
-  const Model& m = system.model;
+  const Receiver to(system.model, panel, t);
   HoleRow& row = system.scratch->hole_row;
-  kHolePart.hole_row(m, panel.b, hole, t.in, false, true, system.scratch->hole_field, row);
+  kHolePart.hole_row(system.model, panel.b, hole, t.in, false, true, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {
         double value[kElementNodes];
         for (int k = 0; k < t.in.functions; ++k) value[k] = n[i] * row.g[k][c];
-        if (!is_held_by_symmetry(m, panel.b, node, i)) send(m, panel, t, value, 2 * node + i, c);
+        to.send(value, 2 * node + i, c);
       }
   });
 }
 
 [[gnu::noinline]] void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
+  const Receiver to(m, panel, t);
   Blocks& blocks = system.scratch->blocks;
   const Body& body = m.body[panel.b];
   for (int32_t source = 0; source < body.nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
-    const bool held[2] = {is_held_by_symmetry(m, panel.b, source, 0), is_held_by_symmetry(m, panel.b, source, 1)};
     for (int image = 0; image <= body.lines; ++image) {
       if (!is_image(body.lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
@@ -176,7 +213,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
         for (int c = 0; c < 2; ++c) {
           double value[kElementNodes];
           for (int k = 0; k < t.in.functions; ++k) value[k] = image_sign(image, i) * blocks.g[k][i][c];
-          if (!held[i]) send(m, panel, t, value, 2 * source + i, c);
+          to.send(value, 2 * source + i, c);
         }
     }
   }
@@ -184,17 +221,20 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
   for (int c = 0; c < 2; ++c)
-    if ((lines >> c & 1) == 0) send(m, panel, t, w, row + c, c);
+    if ((lines >> c & 1) == 0) to.send(w, row + c, c);
   if (lines != 0) return;
   for (double& moment : wy) moment = -moment;
-  send(m, panel, t, wy, row + 2, 0);
-  send(m, panel, t, wx, row + 2, 1);
+  to.send(wy, row + 2, 0);
+  to.send(wx, row + 2, 1);
 }
 
-// Every piece, to the equations at the nodes of a hole or to all others.
+// Every piece, to the equations at the nodes of a hole or to all others. (Those that symmetry takes are emptied later.)
 [[gnu::noinline]] void add_pieces(const ColumnSystem& system, const Hole* hole, const Columns& panel) {
+  const int32_t before = outer_columns(system.model, panel.b) + system.model.body[panel.b].contact;
   TransferWalk walk{};
   walk.body = system.body;
+  walk.from = panel.first - before;
+  walk.to = panel.first + panel.count - before;
   Transfer& transfer = system.scratch->transfer;
   while (next_transfer(system.model, walk)) {
     make_transfer(system.model, system.quadrature, walk, transfer);

@@ -22,6 +22,7 @@ struct Transfer {
 // piece stands for is made apart from finding it, which goes deep: none need be in memory then.
 struct TransferWalk {
   int32_t body;
+  int32_t from, to;    // where `to` is not 0: elements of side 1 with one of these contact unknowns of the body alone
   int32_t zone, place; // of the element of side 1
   bool inside;         // pieces of that element are under way
   PieceWalk pieces;
