@@ -174,16 +174,9 @@ int side_of_chord(const double a[2], const double b[2], const double c[2], bool*
   return 0;
 }
 
-// By more than the breadth of both.
-bool are_apart(const double p0[2], const double p1[2], const double q0[2], const double q1[2], int c) {
-  const double breadth = 2 * fmax(rounding_of(p0, p1, q0), rounding_of(p0, p1, q1));
-  return fmax(p0[c], p1[c]) + breadth < fmin(q0[c], q1[c]) || fmax(q0[c], q1[c]) + breadth < fmin(p0[c], p1[c]);
-}
-
 } // namespace
 
 bool chords_cross(const double p0[2], const double p1[2], const double q0[2], const double q1[2]) {
-  if (are_apart(p0, p1, q0, q1, 0) || are_apart(p0, p1, q0, q1, 1)) return false;
   bool touches = false;
   const int a = side_of_chord(q0, q1, p0, &touches), b = side_of_chord(q0, q1, p1, &touches),
             c = side_of_chord(p0, p1, q0, &touches), d = side_of_chord(p0, p1, q1, &touches);

@@ -180,7 +180,29 @@ bool elements_cross(const Chords& p, const Chords& q, bool after, bool before) {
   return false;
 }
 
+// Most elements that meet are neighbours, and neither turns back: what is between them goes on in one direction. (Small code
+// does without these.) Does every chord go on along d, by more than rounding?
+bool advances(const Chords& c, const double d[2]) {
+  double most = 0, least = HUGE_VAL;
+  for (int i = 0; i <= c.count; ++i) most = fmax(most, fmax(fabs(c.x[i]), fabs(c.y[i])));
+  for (int i = 0; i < c.count; ++i) least = fmin(least, (c.x[i + 1] - c.x[i]) * d[0] + (c.y[i + 1] - c.y[i]) * d[1]);
+  return least > 1e-13 * most * hypot(d[0], d[1]);
+}
+
+// From the start of one polyline to the end of another one.
+bool advance_together(const Chords& p, const Chords& q) {
+  const double d[2] = {q.x[q.count] - p.x[0], q.y[q.count] - p.y[0]};
+  return advances(p, d) && (&p == &q || advances(q, d));
+}
+
+Box box_around_chords(const Chords& c) {
+  Box out{c.x[0], c.x[0], c.y[0], c.y[0]};
+  for (int i = 1; i <= c.count; ++i) widen(out, Box{c.x[i], c.x[i], c.y[i], c.y[i]});
+  return out;
+}
+
 bool crosses_itself(const Chords& c) {
+  if (!kSmallCode && advance_together(c, c)) return false;
   for (int i = 0; i < c.count; ++i) {
     for (int j = i + 2; j < c.count; ++j) {
       const double p0[2] = {c.x[i], c.y[i]}, p1[2] = {c.x[i + 1], c.y[i + 1]};
@@ -191,22 +213,32 @@ bool crosses_itself(const Chords& c) {
   return false;
 }
 
+// By what rounding may leave of coordinates.
+Box widened(const Box& b) {
+  const double by = 1e-14 * fmax(fmax(fabs(b.x_min), fabs(b.x_max)), fmax(fabs(b.y_min), fabs(b.y_max)));
+  return Box{b.x_min - by, b.x_max + by, b.y_min - by, b.y_max + by};
+}
+
 bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
   // Joined directly or through a double node: by position, which serves both.
   const bool after = same_point(m, p.x[p.count], p.y[p.count], q.x[0], q.y[0]);
   const bool before = same_point(m, p.x[0], p.y[0], q.x[q.count], q.y[q.count]);
+  if (!kSmallCode && after != before && advance_together(after ? p : q, after ? q : p)) return false;
+  if (!kSmallCode && !after && !before && !boxes_meet(box_around_chords(p), widened(box_around_chords(q)))) return false;
   return elements_cross(p, q, after, before);
 }
 
 bool some_cross(const Model& m, int b) {
   if (kSmallCode) return true;
   Chords p, q;
+  int32_t last = -1; // whose chords p are
   const Range all{0, body_of(m, b).elements};
   return visit_meeting(
       all, all, [&](int32_t i) { return box_around(m, b, i); },
       [&](int32_t i, int32_t j) {
         if (is_zero_length(m, b, i) || is_zero_length(m, b, j)) return false;
-        chords_of(m, b, i, p);
+        if (i != last) chords_of(m, b, i, p);
+        last = i;
         if (i == j) return crosses_itself(p);
         chords_of(m, b, j, q);
         return pair_crosses(m, p, q);
