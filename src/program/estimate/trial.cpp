@@ -65,6 +65,7 @@ c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
   if (workspace_.bytes + (compressed ? sum / 4 : sum) > app::free_memory()) return C2D_ERR_MEMORY;
   region_.reset(sum < SIZE_MAX ? std::calloc(static_cast<size_t>(sum), 1) : nullptr);
   if (region_ == nullptr) return C2D_ERR_MEMORY;
+  if (!compressed) app::ask_for_huge_pages(region_.get(), sum);
   c2d_memory_store_init(&store_, region_.get(), sum);
   c2d_memory_store_port(&store_, &port);
   return C2D_OK;
