@@ -1,6 +1,7 @@
 #include "deck/number.hpp"
 
 #include "memory/characters.hpp"
+#include "memory/config.hpp"
 #include "memory/wide_integer.hpp"
 
 #include <string.h>
@@ -126,6 +127,48 @@ FieldFault convert(WideInteger& digits, int32_t count, int32_t exponent, double*
   return assemble(quotient, bits, exponent - shift, digits.used != 0, value);
 }
 
+// As convert(), in single words, where the digits and the power of five are so few; most numbers are of that kind. Small code
+// does without.
+constexpr int32_t kNarrowDigits = 18, kNarrowPower = 27;
+
+int32_t raise_to_bit_62(uint64_t& a) {
+  int32_t shift = 0;
+  for (; a >> 62 == 0; ++shift) a <<= 1;
+  return shift;
+}
+
+FieldFault convert_narrow(uint64_t digits, int32_t exponent, double* value) {
+  *value = 0;
+  if (digits == 0) return FieldFault::none;
+  uint64_t divisor = 1;
+  for (int32_t i = exponent; i < 0; ++i) divisor *= 5;
+  const int32_t shift = 62 + raise_to_bit_62(digits) - raise_to_bit_62(divisor);
+  uint64_t quotient = digits >= divisor ? 1 : 0, rest = quotient != 0 ? digits - divisor : digits;
+  for (int i = 0; i < 62; ++i) {
+    rest <<= 1, quotient <<= 1;
+    if (rest < divisor) continue;
+    rest -= divisor, quotient |= 1;
+  }
+  return assemble(quotient, quotient >> 62 != 0 ? 63 : 62, exponent - shift, rest != 0, value);
+}
+
+FieldFault convert(const Parts& parts, double* value) {
+  WideInteger digits;
+  wide_set(digits, 0);
+  uint64_t narrow = 0;
+  int32_t count = 0; // without leading zeros
+  for (int32_t i = 0; i < parts.length; ++i) {
+    if (parts.first[i] == '.') continue;
+    narrow = 10 * narrow + static_cast<uint64_t>(parts.first[i] - '0'); // (of no use if there are too many)
+    if (narrow != 0 || count > 0) ++count;
+  }
+  if (!kSmallCode && count <= kNarrowDigits && parts.exponent <= 0 && parts.exponent >= -kNarrowPower)
+    return convert_narrow(narrow, parts.exponent, value);
+  for (int32_t i = 0; i < parts.length; ++i)
+    if (parts.first[i] != '.') wide_multiply(digits, 10, static_cast<uint32_t>(parts.first[i] - '0'));
+  return convert(digits, count, parts.exponent, value);
+}
+
 } // namespace
 
 bool is_blank(const char* text, int32_t width) {
@@ -165,15 +208,7 @@ FieldFault real_field(const char* text, int32_t width, double* value) {
   }
   Parts parts;
   if (width > 80 || !split(text, width, parts)) return malformed(text, width);
-  WideInteger digits;
-  wide_set(digits, 0);
-  int32_t count = 0; // without leading zeros
-  for (int32_t i = 0; i < parts.length; ++i) {
-    if (parts.first[i] == '.') continue;
-    wide_multiply(digits, 10, static_cast<uint32_t>(parts.first[i] - '0'));
-    if (digits.used != 0) ++count;
-  }
-  const FieldFault fault = convert(digits, count, parts.exponent, value);
+  const FieldFault fault = convert(parts, value);
   if (fault == FieldFault::none && parts.negative && *value > 0) *value = -*value;
   return fault;
 }
