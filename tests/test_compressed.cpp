@@ -872,7 +872,7 @@ TEST_CASE("compressed: records of a stranger lead nowhere") {
   Compressed compressed(d, 0, 100, 8, trouble);
   REQUIRE(compressed.status == C2D_OK);
   const c2d::CompressedPlan& plan = compressed.plan;
-  const uint64_t first = c2d::upper_use(plan.border).blocks;
+  const uint64_t first = c2d::most_upper_use(plan.border).blocks;
   Numbers x(static_cast<size_t>(compressed.pivots)), w(static_cast<size_t>(compressed.trailing));
   const Numbers c(w.size(), 0);
   Aligned work(std::max(c2d::compressed_back_bytes(plan), c2d::compressed_check_bytes(plan)));

@@ -772,6 +772,24 @@ TEST_CASE("the n-th transfer fails, for every n: the right error, and a new atte
   CHECK(n > 20);
 }
 
+// As of a border that keeps less than its plan has room for: where its pivots end inside a panel there is a chunk more.
+TEST_CASE("elimination: blocks of one with fewer pivots, cut alike, are within what most_upper_use tells") {
+  bool some_more = false; // than the whole plan has
+  for (const auto& [width, block] : {std::pair(7, 3), std::pair(10, 5), std::pair(10, 1), std::pair(64, 9)}) {
+    const EliminationPlan most{40, 35, 25, width, block, 0, 0, 0, 0, 0};
+    const TapeUse room = c2d::most_upper_use(most);
+    for (int32_t pivots = 1; pivots <= most.pivots; ++pivots) {
+      EliminationPlan plan{pivots + 5, pivots, most.trailing, 1, 1, 0, 0, 0, 0, 0};
+      c2d::cut_alike(most, plan);
+      const TapeUse use = upper_use(plan);
+      CHECK(use.blocks <= room.blocks);
+      CHECK(use.max_data_bytes <= room.max_data_bytes);
+      some_more = some_more || use.blocks > upper_use(most).blocks;
+    }
+  }
+  CHECK(some_more);
+}
+
 TEST_CASE("factors of an earlier generation, and damaged ones, are never used") {
   Problem p(14, 9, 6, 57);
   const EliminationPlan plan = plan_of(p, 4, 2);

@@ -1,8 +1,8 @@
 // Which points of two surfaces face each other: what bounds leave out is nowhere near, against all points of all elements.
 #include "bie/transfer.hpp"
+#include "dice.hpp"
 #include "model/facing.hpp"
 #include "model_fixture.hpp"
-#include "dice.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Bodies that only smooth contact holds: one outcome and the same numbers however the model is described, those of a
 // coefficient of friction that vanishes.
-#include "many_bodies.hpp"
 #include "dice.hpp"
+#include "many_bodies.hpp"
 
 #include <doctest/doctest.h>
 

@@ -40,11 +40,11 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed);
 CompressedPlan plan_around(const Model& model, int b, const EliminationPlan& border);
 bool is_border(const Model& model, int b, const EliminationPlan& border);
 
-// Upper bounds, known before: of the work area, of blocks of the tapes and of their largest data. With `most` of any body
+// Upper bounds, known before: of the work area, of blocks of the tapes and of their largest data; UPPER also for any body
 // within the plan's numbers whose border is cut alike.
 uint64_t compressed_bytes(const CompressedPlan& plan);
 TapeUse compressed_lower_use(const CompressedPlan& plan);
-TapeUse compressed_upper_use(const CompressedPlan& plan, bool most = false);
+TapeUse compressed_upper_use(const CompressedPlan& plan);
 
 // What has been found on the way.
 struct CompressedStats {

@@ -8,7 +8,7 @@
 namespace c2d {
 
 Stream records_of(const CompressedPlan& plan, Tapes& tapes, char* buffer) {
-  const uint64_t dense = upper_use(plan.border).blocks;
+  const uint64_t dense = most_upper_use(plan.border).blocks;
   return open_stream(tapes, C2D_TAPE_UPPER, plan.border.upper_first_block + dense + 1,
                      compressed_upper_use(plan).blocks - dense - 1, plan.block_bytes, buffer);
 }

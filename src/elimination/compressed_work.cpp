@@ -285,9 +285,10 @@ KeptPlace kept_place(const CompressedPlan& plan) {
   const uint64_t before = passing_use(plan).blocks;
   return {plan.border.lower_first_block + before, compressed_lower_use(plan).blocks - before};
 }
-TapeUse compressed_upper_use(const CompressedPlan& plan, bool most) {
+// (The border's elimination may have fewer pivots than its plan.)
+TapeUse compressed_upper_use(const CompressedPlan& plan) {
   const uint64_t border = static_cast<uint64_t>(plan.border.pivots) * sizeof(int32_t) + sizeof(uint64_t);
-  return with_stream(plan, most ? most_upper_use(plan.border) : upper_use(plan.border),
+  return with_stream(plan, most_upper_use(plan.border),
                      numbers_of_cells(plan, true) * sizeof(double) + border + sample_bytes(plan), 1);
 }
 

@@ -106,7 +106,7 @@ c2d_status compression_tape(const PhaseSizes& most, uint64_t bytes, bool upper, 
     uint64_t blocks = 0;
     for (int32_t keeps = 0; keeps <= (demands(most) ? 1 : 0); ++keeps) {
       const CompressedPlan plan = cut_most(most, bytes, b, rank, keeps);
-      const TapeUse use = upper ? compressed_upper_use(plan, true) : compressed_lower_use(plan);
+      const TapeUse use = upper ? compressed_upper_use(plan) : compressed_lower_use(plan);
       blocks = larger(blocks, use.blocks);
       out.max_data_bytes = larger(out.max_data_bytes, use.max_data_bytes);
     }
