@@ -47,7 +47,8 @@
        C2D_ADD_, zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases), point_sets, curves)) +        \
    0 * UINT64_C(1) * (contact_elements) /* kept within their zones */ +                                                \
    C2D_PHASE_BYTES_(nodes, C2D_ROWS_(nodes) + 2 * (free_pairs), results_bytes, UINT64_C(2) * (pairs),                  \
-                    C2D_MOTIONS_(bodies, pairs), C2D_CASES_(load_cases), C2D_WIDTH_(panel_columns)))
+                    C2D_MOTIONS_(bodies, pairs), C2D_CASES_(load_cases), C2D_SLIP_(curves),                            \
+                    C2D_WIDTH_(panel_columns)))
 /* What one body is made of, and what its results take while the load path is followed. */
 #define C2D_BODY_BYTES(function_nodes, points, elements, regions, load_cases)                                          \
   (0 C2D_BODY_ARRAYS_(C2D_ADD_, points, C2D_ENDS_(function_nodes, elements),                                           \
@@ -132,6 +133,7 @@
   ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* the same                                                  */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
+  ARRAY(SlipGap, SlipGaps, (curves) > 0 ? (pairs) : 0, 1) /* what slip adds to gaps, model/slip_gap.hpp             */ \
   ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
 
 /* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */
@@ -186,9 +188,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2408 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2424 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2336
+#define C2D_SOLVER_BYTES 2352
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
@@ -209,6 +211,7 @@
 #define C2D_BYTES_OF_RigidMotion 64
 #define C2D_BYTES_OF_PointSet 56
 #define C2D_BYTES_OF_Curve 48
+#define C2D_BYTES_OF_SlipGap 56
 
 #define C2D_ADD_(type, name, count, each) +(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type + 7) / 8 * 8
 #define C2D_ADD_LINES_(type, name, count, each) +C2D_ROUND_(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type)
@@ -221,6 +224,8 @@
 /* Columns of T, and as many rows, for the exchanges that a tableau of m rows keeps back. */
 #define C2D_DELAYED_(m) ((m) < 160 ? 0 : C2D_SMALLER_((m) / 8, 64))
 #define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
+/* A column of the tableau for the gaps that follow slip: as of one load case more. */
+#define C2D_SLIP_(curves) (UINT64_C(1) * ((curves) > 0 ? 1 : 0))
 #define C2D_WIDTH_(panel_columns) (UINT64_C(1) * ((panel_columns) > 0 ? (panel_columns) : 1))
 #define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */  \
   (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1) +                                        \
@@ -237,10 +242,10 @@
 /* Free motions of all bodies that the contact can hold: of all together it holds none. */
 #define C2D_MOTIONS_(bodies, pairs) C2D_SMALLER_(3 * UINT64_C(1) * ((bodies)-1), 2 * UINT64_C(1) * (pairs))
 
-#define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, width)                                         \
+#define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, slip, width)                                   \
   C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
               C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, m, motions)),                                          \
-                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, m, cases)) +                                   \
+                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, m, (cases) + (slip))) +                        \
                               C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
                                           C2D_ROUND_(2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m))                          \
                                                          C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) +                            \

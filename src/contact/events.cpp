@@ -3,8 +3,11 @@
 
 #include "contact/asleep.hpp"
 #include "contact/path.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_USES(CurvePart);
 
 namespace {
 
@@ -85,6 +88,13 @@ void slide_guided(Follower& f, double step) {
   add_column_to(t, column_of(t, t.guided - 1, 1), by, constants(t));
 }
 
+// Gaps that follow slip have moved on, and what they move.
+void move_gaps(const Tableau& t, double step) {
+  if (!follows_slip(t)) return;
+  for (int32_t i = 0; i < t.pairs; ++i) t.slip[i].now += step * t.slip[i].rate;
+  for (int32_t i = 0; i < t.m; ++i) constants(t)[i] += static_cast<Real>(step) * slip_rates(t)[i];
+}
+
 // Does the path go on in the direction of the piece before it, from a load that is not zero?
 bool goes_straight_on(const Follower& f, const double* target) {
   double both = 0.0, old = 0.0, now = 0.0, load = 0.0;
@@ -155,6 +165,12 @@ c2d_status tell_change(const Follower& f) {
 
 } // namespace
 
+void hold_gaps(const Tableau& t) {
+  if (!follows_slip(t)) return;
+  for (int32_t i = 0; i < t.pairs; ++i) t.slip[i].rate = 0.0;
+  for (int32_t i = 0; i < t.m; ++i) slip_rates(t)[i] = 0;
+}
+
 bool apply_change(Follower& f, int32_t index, int32_t status, int32_t sign, double at) {
   Pair& pair = f.t->pair[index];
   const bool slipped = pair.status == C2D_SLIP;
@@ -223,6 +239,7 @@ double slip_sum(const Follower& f, int32_t index) {
 
 c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome) {
   *part = 0.0;
+  hold_gaps(*f.t);
   refresh(f);
   const c2d_status status = settle(f, outcome);
   if (status != C2D_OK || *outcome != C2D_REACHED) return status;
@@ -252,6 +269,21 @@ static c2d_status rebuild_for(Follower& f, const double* target, c2d_outcome* ou
   return status;
 }
 
+// Where gaps follow slip they are aimed at ends of so many parts of a piece at least: they go there along chords.
+constexpr double kParts = 4.0;
+static double goal_from(const Follower& f, double part) {
+  return follows_slip(*f.t) ? fmin(1.0, (floor(kParts * part + 1e-6) + 1.0) / kParts) : 1.0;
+}
+
+// Statuses that agree with the rates, and with what slip at these rates adds to the gaps up to the goal.
+static c2d_status settle_to(Follower& f, bool jumps, double rest, c2d_outcome* outcome) {
+  c2d_status status = settle_all(f, jumps, outcome);
+  if (!follows_slip(*f.t) || status != C2D_OK || *outcome != C2D_REACHED) return status;
+  f.goes_on = true;
+  kCurvePart.aim_gaps(f, rest);
+  return settle_all(f, jumps, outcome);
+}
+
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
   *outcome = C2D_REACHED;
   f.goes_on = goes_straight_on(f, target);
@@ -262,23 +294,26 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
   c2d_status begun = C2D_OK;
   if (f.t->resting > 0) begun = rebuild_for(f, target, outcome);
   if (begun != C2D_OK || *outcome != C2D_REACHED) return begun;
+  hold_gaps(*f.t);
   refresh(f);
   double part = 0.0, before = 0.0;
   int64_t told = f.stats.changes;
   int32_t standing = 0; // events in a row that together come nowhere, however many
   const bool jumps = may_jump(f);
   for (;;) {
-    c2d_status status = settle_all(f, jumps, outcome);
+    const double goal = goal_from(f, part);
+    c2d_status status = settle_to(f, jumps, goal - part, outcome);
     if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(f, part))) return status;
     if (*outcome != C2D_REACHED) break;
     f.goes_on = true;
     if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
     if (status != C2D_OK) return status;
     told = f.stats.changes;
-    const Event event = nearest_event(f, 1.0 - part);
+    const Event event = nearest_event(f, goal - part);
     if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
     slide_guided(f, event.step);
-    if (event.pair < 0) break;
+    move_gaps(*f.t, event.step);
+    if (event.pair < 0 && goal == 1.0) break;
     standing = part + event.step > before + kAnyProgress ? 0 : standing + 1;
     if (standing == 0) before = part + event.step;
     if (standing > 20 + 8 * f.t->pairs) {
@@ -289,6 +324,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     part += event.step;
     move(f, part);
     refresh(f);
+    if (event.pair < 0) continue; // the goal, not the end
     ++f.stats.events;
     f.last_pair = event.pair;
     f.bound = event;

@@ -125,7 +125,7 @@ ForceCone cone_for_tableau(Follower& f, Real** column) {
   out.resultant = f.rate_area.numbers;
   out.unit = reinterpret_cast<double*>(out.resultant + before);
   out.triangle = reinterpret_cast<double*>(f.t->t);
-  const int64_t numbers = f.t->m * tableau_columns(f.t->n, f.t->cases);
+  const int64_t numbers = f.t->m * static_cast<int64_t>(tableau_columns(*f.t));
   if (n * n > doubles_in(rate_numbers(f) - before) || n * n > doubles_in(numbers)) out.load = nullptr;
   return out;
 }

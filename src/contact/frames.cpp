@@ -564,6 +564,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   if (reporter.faults != before) return false;
   warn_overlapping_bodies(m, reporter);
   place_bodies(m);
+  if (m.head->curves > 0) kCurvePart.find_slip_gaps(m);
   return true;
 }
 

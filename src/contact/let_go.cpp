@@ -80,7 +80,7 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
   }
   const bool apart = least.prepare(t);
   if (C2D_NEVER(!apart)) return false; // (there)
-  for (int32_t j = t.n; j < tableau_columns(t.n, t.cases); ++j) least.add_to(t, column(t, j), j == t.n);
+  for (int32_t j = t.n; j < tableau_columns(t); ++j) least.add_to(t, column(t, j), j == t.n);
   return true;
 }
 
@@ -171,7 +171,7 @@ bool rest_along(const Tableau& t, int32_t slot, Real* response) {
       if (i != slot) values[i] += static_cast<Real>(x) * motion[i];
     values[slot] = static_cast<Real>(base + x);
   };
-  for (int32_t j = 0; j < tableau_columns(t.n, t.cases); ++j) {
+  for (int32_t j = 0; j < tableau_columns(t); ++j) {
     Real* const values = column(t, j);
     if (values == motion || (j >= used_columns(t) && j < t.n)) continue;
     const bool at_rest = j >= t.n; // no force there, but the gap
@@ -196,7 +196,7 @@ double largest_motion(const Follower& f) {
   double most = 0.0;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const PairState now = pair_state(*f.t, i, f.y);
-    most = larger(most, larger(fabs(now.wn - f.t->pair[i].gap / f.t->length_unit), fabs(now.wt)));
+    most = larger(most, larger(fabs(now.wn - gap_of(*f.t, f.t->pair[i])), fabs(now.wt)));
   }
   return most;
 }

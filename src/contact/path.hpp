@@ -105,6 +105,9 @@ bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, doubl
 // The same without the exchange: the tableau has to be built anew.
 void set_status(Follower& f, int32_t pair, int32_t status, int32_t sign);
 
+// Gaps that follow slip stay what they are, until follow_events() moves them.
+void hold_gaps(const Tableau& t);
+
 // Follow from `load` to `target` exactly, event by event. *outcome says whether it was reached; `load` holds how far
 // it got. Errors: what the watch returns.
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome);

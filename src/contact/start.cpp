@@ -34,6 +34,7 @@ void touch_statuses(Tableau& t) {
     reset_pair(pair);
     pair.status = pair.gap > 0.0 ? C2D_OPEN : (pair.mu == 0.0 ? C2D_SLIP : C2D_STICK);
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
+    if (follows_slip(t)) t.slip[i].now = t.slip[i].rate = t.slip[i].work = 0.0;
   }
 }
 

@@ -27,7 +27,7 @@ constexpr double kGoodPivot = 1e-3;      // building: no need to look for a bett
 
 Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
-int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
+int32_t all_columns(const Tableau& t) { return tableau_columns(t); }
 
 // What is kept of T beside it, of all that are awake.
 void read_all_own(const Tableau& t) {
@@ -123,7 +123,7 @@ void add_row(Tableau& t, int32_t target, double by, int32_t source) {
   if (factor == 0) return;
   if (!delays(t)) return row_add(all_columns(t), t.t, t.m, target, source, factor);
   delayed_row_add(t.delayed, target, source, factor);
-  row_add(1 + t.cases, constants(t), t.m, target, source, factor);
+  row_add(all_columns(t) - t.n, constants(t), t.m, target, source, factor);
   t.own[target] += factor * t.cross[source];
   t.cross[target] += factor * t.own[source];
 }
@@ -350,6 +350,7 @@ c2d_status load_start(Tableau& t, const ContactTape& tape) {
   if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
   if (status != C2D_OK) return status;
   for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
+  for (int32_t i = 0; i < t.m && follows_slip(t); ++i) slip_rates(t)[i] = 0;
   if (!(t.stiffness > 0.0)) t.stiffness = 1.0; // pairs that hold a body and nothing else
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
@@ -371,25 +372,27 @@ bool has_left(const Pair& pair, int slot) { return (pair.mark.exchanged >> slot 
 
 // From w = (gap, 0) a pair in contact comes to w = (0, offset), if it slips (0, 0): by how much in a slot.
 double closing(const Tableau& t, const Pair& pair, int slot) {
-  if (slot == 0) return -pair.gap / t.length_unit;
+  if (slot == 0) return -gap_of(t, pair);
   return pair.status == C2D_STICK ? pair.offset : 0.0;
 }
 
-// Close the gaps of the pairs in contact. Slots in which forces are given on the tape have those motions to come to rest at,
-// in the others they are given.
+// Slots in which forces are given on the tape have those motions to come to rest at, in the others they are given.
+void impose(const Tableau& t, int32_t pair, int slot, double by, Real* c) {
+  if (has_left(t.pair[pair], slot)) {
+    c[t.pair[pair].dof + slot] -= static_cast<Real>(by);
+    return;
+  }
+  for (int32_t row = 0; row < t.m && by != 0.0; ++row)
+    c[row] += static_cast<Real>(by) * entry(t, row, column_of(t, pair, slot));
+}
+
+// Close the gaps of the pairs in contact.
 void impose_contact(Tableau& t) {
-  Real* c = constants(t);
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    for (int slot = 0; slot <= pair.tangential && pair.status != C2D_OPEN; ++slot) {
-      const double by = closing(t, pair, slot);
-      if (has_left(pair, slot)) {
-        c[pair.dof + slot] -= static_cast<Real>(by);
-        continue;
-      }
-      for (int32_t row = 0; row < t.m && by != 0.0; ++row)
-        c[row] += static_cast<Real>(by) * entry(t, row, column_of(t, i, slot));
-    }
+    if (pair.status == C2D_OPEN) continue;
+    for (int slot = 0; slot <= pair.tangential; ++slot) impose(t, i, slot, closing(t, pair, slot), constants(t));
+    if (follows_slip(t)) impose(t, i, 0, -gap_rate(t, pair), slip_rates(t));
   }
 }
 
@@ -589,8 +592,12 @@ void leave_normal_columns(Tableau& t) {
 }
 
 void restore_gaps(Tableau& t) {
-  for (int32_t i = 0; i < t.pairs; ++i)
-    if (t.pair[i].status == C2D_OPEN) constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    if (pair.status != C2D_OPEN) continue;
+    constants(t)[pair.dof] += static_cast<Real>(gap_of(t, pair));
+    if (follows_slip(t)) slip_rates(t)[pair.dof] += static_cast<Real>(gap_rate(t, pair));
+  }
 }
 
 // While the tableau is built a guided pair is what it is there, a sticking one.
@@ -674,6 +681,21 @@ void add_column_to(const Tableau& t, int32_t j, double factor, Real* y) {
   if (delays(t)) return add_column_to(t.delayed, t.engine, j, by, y);
   for (int32_t i = 0; i < t.m; ++i) y[i] += by * entry(t, i, j);
 }
+void find_slip_rates(const Tableau& t) {
+  Real *const rates = slip_rates(t), by[kMostDelayed] = {};
+  for (int32_t i = 0; i < t.m; ++i) rates[i] = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Real rate = static_cast<Real>(t.slip[i].rate);
+    if (rate == 0) continue;
+    if (t.pair[i].status == C2D_OPEN)
+      rates[t.pair[i].dof] += rate;
+    else if (delays(t))
+      add_before_list(t.delayed, column_of(t, i, 0), -rate, rates, by);
+    else
+      add_column_to(t, column_of(t, i, 0), -t.slip[i].rate, rates);
+  }
+  if (delays(t)) subtract_list(t.delayed, t.engine, by, rates);
+}
 void apply_list(Tableau& t) {
   if (delays(t)) apply_delayed(t.delayed, t.engine);
 }
@@ -683,7 +705,7 @@ void combine(const Tableau& t, const double* factor, bool with_constants, Real* 
   if (with_constants)
     for (int32_t i = 0; i < t.m; ++i) out[i] = from[i];
   else
-    for (int32_t i = 0; i < t.m; ++i) out[i] = 0;
+    for (int32_t i = 0; i < t.m; ++i) out[i] = follows_slip(t) ? slip_rates(t)[i] : Real(0);
   for (int32_t k = 0; k < t.cases; ++k) {
     const Real f = static_cast<Real>(factor[k]);
     const Real* rate = load_rates(t, k);

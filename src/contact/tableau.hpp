@@ -20,7 +20,7 @@ struct FreeBody; // contact/start.hpp
 struct Tableau {
   int32_t m, n, cases, pairs; // rows: all contact unknowns; columns: those of the first `pairs` pairs, which may change
   Pair* pair;
-  Real* t; // m * tableau_columns(n, cases)
+  Real* t; // m * tableau_columns()
   double length_unit;
   double stiffness;  // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges; // so far
@@ -38,7 +38,18 @@ struct Tableau {
   int32_t* column = nullptr;          // [pairs] likewise: where the columns of a pair's slots begin in t; -1: they are asleep
   bool smooth = false;                // there is a list, and no pair has friction: only columns of normal slots are left
   bool open = false, sliding = false; // of the form on the tape (contact/basis.hpp)
+  SlipGap* slip = nullptr;            // [pairs] where gaps follow slip (contact/slip_path.hpp)
 };
+// Do gaps follow slip? Then there is a column more, behind those of the loads: the rates of everything with what is added to
+// the gaps along the rest of the path's piece.
+inline bool follows_slip(const Tableau& t) { return !kSmallCode && t.slip != nullptr; }
+// Between the points that face each other, as they were made and by slip: w_n less this is the motion. With its rate, less that
+// of w_n.
+inline double gap_by_slip(const Tableau& t, const Pair& pair) { return follows_slip(t) ? t.slip[&pair - t.pair].now : 0.0; }
+inline double gap_of(const Tableau& t, const Pair& pair) { return pair.gap / t.length_unit + gap_by_slip(t, pair); }
+inline double gap_rate(const Tableau& t, const Pair& pair) {
+  return follows_slip(t) ? t.slip[&pair - t.pair].rate : 0.0;
+}
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
 // Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.
@@ -73,9 +84,15 @@ inline Real cross_entry(const Tableau& t, int32_t slot, int32_t other) {
 // read_own: once T is the tableau, of a pair that is awake.
 void read_own(const Tableau& t, int32_t pair);
 void add_column_to(const Tableau& t, int32_t column, double factor, Real* y);
+// slip_rates(), of the rates that gaps have.
+void find_slip_rates(const Tableau& t);
 void apply_list(Tableau& t);
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
+inline Real* slip_rates(const Tableau& t) { return load_rates(t, t.cases); }
 constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
+inline int32_t tableau_columns(const Tableau& t) {
+  return static_cast<int32_t>(tableau_columns(t.n, t.cases)) + (follows_slip(t) ? 1 : 0);
+}
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from that on the tape
 // (contact/basis.hpp). Load-free reference: w = (gap, 0), tau = 0. Errors: the block
@@ -87,7 +104,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);
 // False if a pivot is unusable: the pair is the last to hold a motion; then nothing has changed.
 bool change_status(Tableau& t, int32_t pair, int32_t status, int32_t sign, double at);
 
-// c + sum_k factor_k b_k (with_constants) or sum_k factor_k b_k into out[m].
+// c + sum_k factor_k b_k (with_constants), or the rates along a direction: sum_k factor_k b_k with slip_rates, into out[m].
 void combine(const Tableau& t, const double* factor, bool with_constants, Real* out);
 
 // Quantities of a pair out of combined values y (zero where z holds them; w_t of a sticking pair: its offset). They are read

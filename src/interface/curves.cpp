@@ -1,11 +1,13 @@
 // What surfaces are between boundary points, where it is told.
 #include <string.h>
 
+#include "contact/slip_path.hpp"
 #include "interface/zone_calls.hpp"
 #include "memory/parts.hpp"
+#include "model/slip_gap.hpp"
 #include "model/validate.hpp"
 
-const c2d::CurvePart c2d::kCurvePart = {true, validate_curves};
+const c2d::CurvePart c2d::kCurvePart = {true, validate_curves, find_slip_gaps, aim_gaps, slip_gap};
 
 using namespace c2d;
 

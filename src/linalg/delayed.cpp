@@ -89,12 +89,22 @@ Real read_entry(const DelayedExchanges& d, int32_t i, int32_t j) {
   return sum;
 }
 
-void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t j, Real factor, Real* y) {
-  Real by[kMostDelayed];
-  by_column(d, j, factor, by);
+void add_before_list(const DelayedExchanges& d, int32_t j, Real factor, Real* y, Real* by) {
+  Real own[kMostDelayed];
+  by_column(d, j, factor, own);
+  for (int32_t k = 0; k < d.count; ++k) by[k] += own[k];
   const Real* const from = column(d, j);
   for (int32_t i = 0; i < d.rows; ++i) y[i] += factor * from[i];
+}
+
+void subtract_list(const DelayedExchanges& d, const Engine& engine, const Real* by, Real* y) {
   subtract(d, engine, d.rows, list_left(d), by, y);
+}
+
+void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t j, Real factor, Real* y) {
+  Real by[kMostDelayed] = {};
+  add_before_list(d, j, factor, y, by);
+  subtract_list(d, engine, by, y);
 }
 
 // What the exchange left of row and column must not have been mixed with others since.

@@ -30,6 +30,10 @@ void read_row(const DelayedExchanges& d, const Engine& engine, int32_t row, Real
 Real read_entry(const DelayedExchanges& d, int32_t row, int32_t column);
 // y (rows) += factor times a column.
 void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t column, Real factor, Real* y);
+// The same of many columns: first of each what T has, with what the list takes off gathered in `by` (kMostDelayed numbers, from
+// zero), then that.
+void add_before_list(const DelayedExchanges& d, int32_t column, Real factor, Real* y, Real* by);
+void subtract_list(const DelayedExchanges& d, const Engine& engine, const Real* by, Real* y);
 
 // y_r and z_c change places. A full list is applied first, and one that most of the pivot cancels with. False, and nothing else
 // has changed, if the pivot is below the smallest normal number. Else what was done to an entry outside row r and column c is

@@ -89,9 +89,14 @@ struct HolePart { // bie/holes.cpp
   Function<void, const Model&, int, int32_t, double*> hole_normal = Nothing();
 };
 
-struct CurvePart { // model/validate_curves.cpp
+struct Follower;
+
+struct CurvePart { // model/validate_curves.cpp, slip_gap.cpp, contact/slip_path.cpp
   bool linked = false;
   Function<bool, const Model&, Reporter&> validate_curves = Nothing();
+  Function<void, const Model&> find_slip_gaps = Nothing();
+  Function<void, Follower&, double> aim_gaps = Nothing();
+  Function<double, const Model&, const Zone&, const FacePoint*, const double*, double, double> slip_gap = Nothing();
 };
 
 struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/particular.cpp, energy_body_force.cpp

@@ -41,6 +41,14 @@ struct Curve {
   int32_t kind, body, first, last, line, padding;
   double centre[2], radius;
 };
+// What sliding adds to the gap of a pair, where surfaces are told (model/slip_gap.hpp).
+struct SlipGap {
+  int32_t follows, padding; // 1: the curvature changes along the zone, so that it adds something
+  double even;              // curvature of both sides together along the longest stretch of the zone where it is the same
+  double now, rate;         // added so far, and its rate along the rest of the path's piece, in the length unit of the model
+  double work;              // of the pressure on what was added
+  double good, good_work;   // of the last state that was judged and found good (solver/judge.hpp)
+};
 struct Path {
   int32_t increments, padding;
   double load;
@@ -141,6 +149,7 @@ C2D_AS_LISTED(BodyForce);
 C2D_AS_LISTED(RigidMotion);
 C2D_AS_LISTED(PointSet);
 C2D_AS_LISTED(Curve);
+C2D_AS_LISTED(SlipGap);
 
 // How a body enters the contact system, Body::keeps_equations (contact/reduction_plan.hpp).
 enum Enters : int8_t {
@@ -236,6 +245,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   Pair* pair;
   PointLoad* point_load;
   Curve* curve;
+  SlipGap* slip_gap; // [pairs]; null where no surface is told
   double* friction;
   Path* path;
   double* path_load; // [path * cases + case]
@@ -341,11 +351,6 @@ inline void rigid_displacement(const Model& m, int b, int32_t load_case, double 
   const RigidMotion& motion = m.rigid_motion[b][load_case];
   u[0] = motion.ux - motion.rotation * (y - motion.y0);
   u[1] = motion.uy + motion.rotation * (x - motion.x0);
-}
-
-// (u1 - u0).n of the sides + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
-inline double effective_gap(const ModelHeader& head, const Pair& pair, const double* load) {
-  return head.interference == 0 ? pair.gap : pair.gap - load[head.interference - 1] * pair.overlap;
 }
 
 // ---- materials --------------------------------------------------------------------------------------------------

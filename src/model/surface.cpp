@@ -47,6 +47,8 @@ struct Walk {
   double sign[2]; // of the image
 };
 
+} // namespace
+
 int32_t element_beside(const Model& m, int b, int32_t element, int way) {
   if (way > 0) return element_after(m, b, element);
   const Region& r = m.region[b][region_of_element(m, b, element)];
@@ -54,7 +56,6 @@ int32_t element_beside(const Model& m, int b, int32_t element, int way) {
   return r.open != 0 ? -1 : r.last;
 }
 
-// What is told of an element's surface, null: nothing.
 const Curve* curve_of(const Model& m, int b, int32_t element) {
   for (int32_t i = 0; i < m.head->curves; ++i) {
     const Curve& c = m.curve[i];
@@ -62,6 +63,8 @@ const Curve* curve_of(const Model& m, int b, int32_t element) {
   }
   return nullptr;
 }
+
+namespace {
 
 bool go_on(const Model& m, int b, Walk& walk) {
   const int32_t next = element_beside(m, b, walk.element, walk.way);

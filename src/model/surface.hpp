@@ -47,6 +47,10 @@ struct SurfaceElement {
 SurfaceElement surface_element(const Model& m, int b, int32_t element);
 SurfacePoint surface_point(const SurfaceElement& element, double eta);
 SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta);
+// What is told of an element's surface; null: nothing.
+const Curve* curve_of(const Model& m, int b, int32_t element);
+// The element that follows (way 1) or goes before (-1) along the boundary; -1 at an end of an open region.
+int32_t element_beside(const Model& m, int b, int32_t element, int way);
 
 // The normal of the pairs of a zone is part n0 - (1 - part) n1, n0 and n1 the outward normals of its two sides. With
 // part = k1 / (k0 + k1) and the curvatures k it is, about the point where two circles touch, the one direction along which

@@ -13,6 +13,7 @@
 
 namespace c2d {
 
+C2D_USES(CurvePart);
 C2D_USES(FreeZonePart);
 C2D_USES(RigidPart);
 
@@ -175,14 +176,18 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   return out;
 }
 
-// Between the surfaces before any load, less what interference has closed of it.
-[[gnu::noinline]] double initial_gap(const Session& session, const Zone& z, const FacePoint at[2], const double n[2]) {
+// Between the surfaces before any load, less what interference has closed of it, and what slip has added.
+[[gnu::noinline]] double gap_without_motion(const Session& session, const Zone& z, const FacePoint at[2], const double n[2],
+                                            double wt) {
   const Model& m = session.model;
   const SurfacePoint p = surface_point(m, z.body[0], at[0].element, at[0].eta);
   const SurfacePoint q = surface_point(m, z.body[1], at[1].element, at[1].eta);
   const double gap = (q.x - p.x) * n[0] + (q.y - p.y) * n[1];
-  if (gap >= 0.0) return gap;
-  return m.head->interference != 0 ? gap * session.follower.load[m.head->interference - 1] : 0.0;
+  const double closed = m.head->interference != 0 ? session.follower.load[m.head->interference - 1] : 0.0;
+  const double left = gap >= 0.0 ? gap : gap * closed;
+  const Tableau& t = session.tableau;
+  if (!follows_slip(t) || t.slip[z.first_pair].follows == 0) return left;
+  return left + kCurvePart.slip_gap(m, z, at, n, wt, t.slip[z.first_pair].even);
 }
 
 // What an element has so far: residuals at its samples, and the work of what should be zero.
@@ -231,7 +236,7 @@ void look_at_sample(const Session& session, const Sampled& s, int i, Residuals& 
     out.drift = fmax(out.drift, fabs(wt));
     return;
   }
-  look_at_gap(now, initial_gap(session, z, at, now.n) + wn, out.normal[i], out);
+  look_at_gap(now, gap_without_motion(session, z, at, now.n, now.wt) + wn, out.normal[i], out);
   look_at_drift(now, wt - now.wt, out.tangential[i], out);
 }
 

@@ -18,7 +18,7 @@ void put_motion(const Session& session, Real* motion) {
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    motion[pair.dof] = static_cast<Real>(now.wn - pair.gap / f.t->length_unit);
+    motion[pair.dof] = static_cast<Real>(now.wn - gap_of(*f.t, pair));
     if (pair.tangential) motion[pair.dof + 1] = static_cast<Real>(now.wt);
   }
 }
@@ -130,6 +130,13 @@ void fill_row(const Session& session, int32_t i, double* row) {
   row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
 }
 
+// What w_n is beyond the motion: what interference has closed of the gap is none of it.
+double gap_now(const Follower& f, const Pair& pair) {
+  const ModelHeader& head = *f.model->head;
+  const double closed = head.interference == 0 ? 0.0 : f.load[head.interference - 1] * pair.overlap;
+  return gap_of(*f.t, pair) - closed / f.t->length_unit;
+}
+
 // The other side moves with a pair's motion.
 void follow_pair(const Session& session, int32_t i, int known_side) {
   const Follower& f = session.follower;
@@ -137,7 +144,7 @@ void follow_pair(const Session& session, int32_t i, int known_side) {
   const PairState now = pair_state(*f.t, i, f.y);
   const Real* known = session.area.u[known_side] + pair.dof;
   Real* out = session.area.u[1 - known_side] + pair.dof;
-  const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
+  const double gap = gap_now(f, pair);
   out[0] = known[0] + static_cast<Real>(signed_on(1 - known_side, now.wn - gap));
   if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(1 - known_side, now.wt));
 }
@@ -159,7 +166,7 @@ c2d_status move_on_demand(const Session& session) {
   for (int32_t i = 0; i < m.head->pairs && form.count > 0; ++i) {
     const Pair& pair = m.pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    const double w[2] = {now.wn - effective_gap(*m.head, pair, f.load) / f.t->length_unit, now.wt};
+    const double w[2] = {now.wn - gap_now(f, pair), now.wt};
     for (int32_t k = 0; k < form.count; ++k)
       if (form.held[k] >= pair.dof && form.held[k] <= pair.dof + pair.tangential) amount[k] = w[form.held[k] - pair.dof];
     for (int32_t k = 0; k < form.count && m.head->interference != 0; ++k) // h has the overlaps taken off

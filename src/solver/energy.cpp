@@ -78,7 +78,8 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
       const Pair& pair = f.t->pair[i];
       const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
       const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
-      const double wn = now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit;
+      const double slid = values ? gap_by_slip(*f.t, pair) : gap_rate(*f.t, pair);
+      const double wn = now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit - slid;
       const auto take = [&](int32_t j, double force, double motion, double& of_u, double& of_r) {
         of_u += work[j] * force + work[book.m + j] * motion;
         of_r += reaction[j] * force + reaction[book.m + j] * motion;
@@ -105,6 +106,16 @@ void add_friction(c2d_solver* s, const Pair& pair, double term) {
 
 } // namespace
 
+// Where surfaces slide past each other's curvature pressure is along neither normal: it does the work of what slip adds to the
+// gap.
+static void add_slip_work(const Session& session, double unit, double part) {
+  const Tableau& t = session.tableau;
+  for (int32_t i = 0; i < t.pairs && follows_slip(t); ++i) {
+    const double now = pair_state(t, i, session.follower.y).p, rate = pair_rates(t, i, session.follower.dy).p;
+    t.slip[i].work -= unit * t.pair[i].weight * part * (now + 0.5 * part * rate) * t.slip[i].rate;
+  }
+}
+
 void add_segment(Session& session, double part) {
   if (part <= 0.0) return;
   const Follower& f = session.follower;
@@ -127,6 +138,7 @@ void add_segment(Session& session, double part) {
     const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
     add_friction(session.solver, pair, -unit * pair.weight * part * (now.q + 0.5 * part * rate.q) * rate.wt);
   }
+  add_slip_work(session, unit, part);
 }
 
 // After evaluate() of the values.
@@ -137,7 +149,7 @@ static double elastic_energy(const Session& session, const EnergyBook& book) {
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    elastic += pair.weight * (now.p * (now.wn - pair.gap / f.t->length_unit) + now.q * now.wt);
+    elastic += pair.weight * (now.p * (now.wn - gap_of(*f.t, pair)) + now.q * now.wt);
   }
   return 0.5 * energy_unit(session) * elastic;
 }
@@ -190,6 +202,7 @@ void close_balance(Session& session) {
   evaluate(session, book, true);
   s->work = 0.0;
   for (int32_t k = 0; k < book.cases; ++k) s->work += book.work[k];
+  for (int32_t i = 0; i < session.tableau.pairs && follows_slip(session.tableau); ++i) s->work += session.tableau.slip[i].work;
   s->elastic = elastic_energy(session, book);
   const double sizes[] = {fabs(s->work), fabs(s->elastic), fabs(s->dissipated)};
   for (double size : sizes)

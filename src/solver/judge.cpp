@@ -314,6 +314,11 @@ void keep_good(Session& session) {
     pair.good_slip_done = pair.slip_done;
     pair.good_slip_from = pair.slip_from;
   }
+  for (int32_t i = 0; i < s->model.pairs && follows_slip(session.tableau); ++i) {
+    SlipGap& gap = session.model.slip_gap[i];
+    gap.good = gap.now;
+    gap.good_work = gap.work;
+  }
   copy(session.area.good, f.y, s->model.contact);
   s->good_floating = s->floating;
   s->good_guided = session.tableau.guided;
@@ -364,7 +369,8 @@ struct State {
 void add_pair(const Session& session, const Book& book, const Pair& pair, const PairState& now, const PairState& rate,
               State& out) {
   const double tau[2] = {now.p, now.q}, tau_rate[2] = {rate.p, rate.q};
-  const double motion[2] = {now.wn - pair.gap / session.tableau.length_unit, now.wt}, motion_rate[2] = {rate.wn, rate.wt};
+  const double motion[2] = {now.wn - gap_of(session.tableau, pair), now.wt},
+               motion_rate[2] = {rate.wn - gap_rate(session.tableau, pair), rate.wt};
   for (int32_t d = 0; d <= pair.tangential; ++d) {
     const int32_t j = pair.dof + d;
     const bool open = !kSmallCode && session.solver->open != 0;
@@ -580,6 +586,12 @@ c2d_status return_to_good(Session& session) {
     pair.offset = pair.good_offset;
     pair.slip_done = pair.good_slip_done;
     pair.slip_from = pair.good_slip_from;
+  }
+  for (int32_t i = 0; i < s->model.pairs && follows_slip(session.tableau); ++i) {
+    SlipGap& gap = session.model.slip_gap[i];
+    gap.now = gap.good;
+    gap.work = gap.good_work;
+    gap.rate = 0.0;
   }
   s->floating = s->good_floating;
   session.tableau.guided = s->good_guided;

@@ -46,6 +46,7 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
   s.columns = s.square = columns_of(sizes);
   s.motions = sizes.motions;
   s.cases = sizes.load_cases;
+  s.slip = C2D_SLIP_(sizes.curves);
   s.bodies = sizes.bodies;
   s.limits = &sizes;
   for (int b = 0; b < sizes.bodies; ++b) {
@@ -65,6 +66,7 @@ PhaseSizes model_sizes(const Model& m) {
   s.motions = m.head->motions;
   s.further = further_unknowns(m);
   s.cases = m.head->load_cases;
+  s.slip = C2D_SLIP_(m.head->curves);
   s.bodies = m.head->bodies;
   s.model = &m;
   for (int b = 0; b < s.bodies; ++b) {
@@ -181,7 +183,7 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   const uint64_t nodes = static_cast<uint64_t>(s.nodes), ends = static_cast<uint64_t>(s.ends);
   const uint64_t widest = static_cast<uint64_t>(s.widest);
   const uint64_t columns = static_cast<uint64_t>(s.columns);
-  C2D_PATH_ARRAYS_(C2D_TAKE, m, columns, widest, cases)
+  C2D_PATH_ARRAYS_(C2D_TAKE, m, columns, widest, cases + s.slip)
   carver.align();
   PhaseCarver rates = carver;
   for (int side = 0; side < 2; ++side) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_SIDE, m)

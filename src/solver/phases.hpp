@@ -36,6 +36,7 @@ struct BodyPhase {
 };
 struct PhaseSizes {
   int64_t m, motions, cases;
+  int64_t slip;        // columns of the tableau for gaps that follow slip: 0 or 1
   int64_t further;     // displacements that are unknowns of the contact system (Enters)
   int64_t widest;      // contact unknowns of the model or of a body: one that meets itself has two for each of the model's
   int64_t columns;     // of the tableau: m, or as many as there is room for on demand

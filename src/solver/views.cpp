@@ -26,6 +26,7 @@ Model model_of(c2d_solver* s) {
   m.pair = array_of<Pair>(s, kPairs);
   m.point_load = array_of<PointLoad>(s, kPointLoads);
   m.curve = array_of<Curve>(s, kCurves);
+  m.slip_gap = s->model.curves > 0 ? array_of<SlipGap>(s, kSlipGaps) : nullptr;
   m.friction = array_of<double>(s, kFriction);
   m.path = array_of<Path>(s, kPaths);
   m.path_load = array_of<double>(s, kPathLoads);

@@ -1,0 +1,199 @@
+#include "model/slip_gap.hpp"
+
+#include "model/geometry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+constexpr double kSame = 1e-9;    // curvatures that differ less, relatively, are one
+constexpr double kNoPart = 1e-9;  // a side that takes so small a part of the slip
+constexpr double kCorner = 0.1;   // radians: a kink at which a curve ends
+constexpr double kNoSlope = 1e-3; // a curve that goes on along the normal ends there
+constexpr double kExact = 1e-14;  // of the way along a curve
+
+
+// The point of a pair on a side.
+FacePoint point_of_pair(const Model& m, int32_t pair, int side) {
+  const Pair& p = m.pair[pair];
+  if (p.node[side] < 0) return FacePoint{p.element, 0, p.eta};
+  const int b = body_on(m, p, side), f = m.head->function_nodes;
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, p.node[side], ends);
+  int32_t end = -1;
+  for (int i = 0; i < count; ++i)
+    if (end < 0 || pair_of_end(m, b, ends[i] / f, ends[i] % f).pair == pair) end = ends[i];
+  return end < 0 ? FacePoint{-1, 0, 0.0} : FacePoint{end / f, 0, node_eta(f, end % f)};
+}
+
+// A surface seen from one of its points: x along t from there, y along n.
+struct View {
+  double x0, y0, n[2];
+  void see(const SurfacePoint& p, double* x, double* y) const {
+    const double dx = p.x - x0, dy = p.y - y0;
+    *x = dx * n[1] - dy * n[0];
+    *y = dx * n[0] + dy * n[1];
+  }
+};
+
+struct Place {
+  double x, y;
+};
+
+// The place on an element at x, which lies between those at eta `from` and `to`: regula falsi (Illinois).
+Place place_at(const SurfaceElement& element, const View& view, double from, double to, double x) {
+  constexpr int kMost = 60;
+  double a = from, b = to, xa, xb, y;
+  view.see(surface_point(element, a), &xa, &y);
+  view.see(surface_point(element, b), &xb, &y);
+  const double exact = kExact * fabs(xb - xa);
+  double fa = xa - x, fb = xb - x;
+  Place out{xb, y};
+  for (int i = 0; i < kMost && fb != 0.0 && fa != fb; ++i) {
+    const double at = b - fb * (b - a) / (fb - fa);
+    view.see(surface_point(element, at), &out.x, &out.y);
+    const double f = out.x - x;
+    if (fabs(f) <= exact) break;
+    if (f * fb < 0.0)
+      a = b, fa = fb;
+    else
+      fa *= 0.5;
+    b = at, fb = f;
+  }
+  return out;
+}
+
+// The element that goes on with the surface beyond one end of another: told as well, and without a corner; else -1.
+int32_t goes_on(const Model& m, int b, int32_t element, int way) {
+  const int32_t next = element_beside(m, b, element, way);
+  if (next < 0 || is_zero_length(m, b, next) || curve_of(m, b, next) == nullptr || !is_integrated(m, b, next)) return -1;
+  const SurfacePoint here = surface_point(m, b, element, way), there = surface_point(m, b, next, -way);
+  const double n[2] = {here.nx, here.ny}, beside[2] = {there.nx, there.ny};
+  return angle_between(n, beside) > kCorner ? -1 : next;
+}
+
+// The surface at x along t from one of its points, or as far that way as the curves go.
+Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[2], double x) {
+  int32_t element = at.element;
+  double eta = at.eta;
+  SurfaceElement surface = surface_element(m, b, element);
+  const SurfacePoint start = surface_point(surface, eta);
+  const View view{start.x, start.y, {n[0], n[1]}};
+  // The way along the boundary, (-ny, nx) of its normal, against t = (n_y, -n_x).
+  const double along = -(start.nx * n[0] + start.ny * n[1]);
+  if (x == 0.0 || fabs(along) < kNoSlope) return Place{0.0, 0.0};
+  const int way = (x > 0.0) == (along > 0.0) ? 1 : -1;
+  Place last{0.0, 0.0};
+  while (element >= 0) {
+    Place end;
+    view.see(surface_point(surface, way), &end.x, &end.y);
+    if (fabs(end.x) >= fabs(x) && end.x * x > 0.0) return place_at(surface, view, eta, way, x);
+    if ((end.x - last.x) * x < 0.0) break; // it turns back
+    last = end;
+    element = goes_on(m, b, element, way);
+    if (element >= 0) surface = surface_element(m, b, element);
+    eta = -way;
+  }
+  return last;
+}
+
+// ---- which pairs ----
+
+// Positive where the body is convex; of the whole element.
+double curvature_of(const Model& m, int b, int32_t element) {
+  const Curve* const told = curve_of(m, b, element);
+  if (told != nullptr && told->kind == C2D_CURVE_LINE) return 0.0;
+  const SurfaceElement surface = surface_element(m, b, element);
+  const SurfacePoint from = surface_point(surface, -1), to = surface_point(surface, 1);
+  const double turn = atan2(from.nx * to.ny - from.ny * to.nx, from.nx * to.nx + from.ny * to.ny);
+  if (told != nullptr && told->kind == C2D_CURVE_ARC) return turn > 0.0 ? 1.0 / told->radius : -1.0 / told->radius;
+  return turn / element_length(m, b, element);
+}
+
+// The part of the slip that a side takes: as much of its curve passes the pair.
+double part_of(const Zone& z, int side) { return side == 0 ? z.normal_part : 1.0 - z.normal_part; }
+
+// What is known of a zone's pairs one after another.
+struct Course {
+  const Curve* curve[2] = {nullptr, nullptr};
+  double length = 0.0, bend = 0.0;   // of the stretch of pairs on these curves: of both sides together
+  double longest = 0.0, even = 0.0;  // of the longest one
+  double curvature[2] = {0.0, 0.0};  // of the pair before
+  bool told = true, changes = false; // all surfaces; the curvature of one that is slid along
+
+  void end_stretch() {
+    if (length > longest) {
+      longest = length;
+      even = bend / length;
+    }
+    length = bend = 0.0;
+  }
+  void add(const Model& m, const Zone& z, int32_t pair, bool first) {
+    const Curve* now[2];
+    double k[2] = {0.0, 0.0}, both = 0.0;
+    for (int side = 0; side < 2; ++side) {
+      const FacePoint at = point_of_pair(m, pair, side);
+      const double part = part_of(z, side);
+      now[side] = at.element >= 0 ? curve_of(m, z.body[side], at.element) : nullptr;
+      if (part <= kNoPart || !told) continue;
+      told = now[side] != nullptr;
+      if (told) k[side] = curvature_of(m, z.body[side], at.element);
+      both += part * part * k[side];
+      const double size = fmax(fabs(k[side]), fabs(curvature[side]));
+      changes = changes || (told && now[side]->kind == C2D_CURVE_SPLINE) ||
+                (!first && fabs(k[side] - curvature[side]) > kSame * size);
+    }
+    if (now[0] != curve[0] || now[1] != curve[1]) end_stretch();
+    for (int side = 0; side < 2; ++side) {
+      curve[side] = now[side];
+      curvature[side] = k[side];
+    }
+    length += m.pair[pair].length;
+    bend += m.pair[pair].length * both;
+  }
+};
+
+} // namespace
+
+void find_slip_gaps(const Model& m) {
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    const Zone& z = m.zone[i];
+    Course course;
+    for (int32_t k = 0; k < z.pairs && z.is_tied == 0; ++k) course.add(m, z, z.first_pair + k, k == 0);
+    course.end_stretch();
+    const bool follows = z.is_tied == 0 && course.told && course.changes;
+    for (int32_t k = 0; k < z.pairs; ++k) {
+      SlipGap& out = m.slip_gap[z.first_pair + k];
+      out = SlipGap{};
+      out.follows = follows ? 1 : 0;
+      out.even = course.even;
+    }
+  }
+}
+
+double slip_gap(const Model& m, const Zone& z, const FacePoint at[2], const double n[2], double s, double even) {
+  // A point of side 0 and one of side 1 face each other now that were s apart.
+  const double way[2] = {z.normal_part * s, -(1.0 - z.normal_part) * s};
+  Place there[2];
+  double part = 1.0; // to the end of a curve
+  for (int side = 0; side < 2; ++side) {
+    there[side] = follow_surface(m, z.body[side], at[side], n, way[side]);
+    if (fabs(there[side].x) < (1.0 - kSame) * fabs(way[side])) part = fmin(part, fabs(there[side].x / way[side]));
+  }
+  for (int side = 0; side < 2 && part < 1.0; ++side)
+    there[side] = follow_surface(m, z.body[side], at[side], n, part * way[side]);
+  // What evenly curved surfaces have added is what the linear motion of small strains leaves out everywhere: a pin that turns in
+  // its hole does not press against it.
+  return there[1].y - there[0].y - 0.5 * even * part * part * s * s;
+}
+
+double slip_gap(const Model& m, int32_t pair, double s) {
+  const Pair& p = m.pair[pair];
+  const FacePoint at[2] = {point_of_pair(m, pair, 0), point_of_pair(m, pair, 1)};
+  const double n[2] = {p.nx, p.ny};
+  return slip_gap(m, zone_of(m, p), at, n, s, m.slip_gap[pair].even);
+}
+
+} // namespace c2d
