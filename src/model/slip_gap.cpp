@@ -14,7 +14,6 @@ constexpr double kCorner = 0.1;   // radians: a kink at which a curve ends
 constexpr double kNoSlope = 1e-3; // a curve that goes on along the normal ends there
 constexpr double kExact = 1e-14;  // of the way along a curve
 
-
 // The point of a pair on a side.
 FacePoint point_of_pair(const Model& m, int32_t pair, int side) {
   const Pair& p = m.pair[pair];

@@ -96,6 +96,8 @@ void warn_friction_work(Session& session, bool at_end) {
   if (tell_friction_work(session, at_end, text)) warn(session, C2D_WARN_ENERGY, 0, 0, room);
 }
 
+constexpr double kMatters = 0.05; // of what touches: on fine meshes more than an element may be nothing
+
 double closed_length(const Session& session, const Zone& z) {
   double sum = 0.0;
   for (int32_t i = z.first_pair; i < z.first_pair + z.pairs; ++i)
@@ -119,7 +121,6 @@ void warn_sideways(Session& session) {
     moved = way;
     worst = i;
   }
-  constexpr double kMatters = 0.05; // of what touches: on fine meshes more than an element may be nothing
   if (worst < 0 || moved <= kMatters * closed_length(session, session.model.zone[session.model.pair[worst].zone])) return;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
@@ -140,12 +141,20 @@ void warn_between_nodes(Session& session) {
   if (tell_between_nodes(session, text, &zone, &pair)) warn(session, C2D_WARN_BETWEEN, zone + 1, pair + 1, room);
 }
 
+// Gaps that follow slip are those of the points that face each other now: what is left is where on the bodies pressure acts.
 void warn_slip(Session& session) {
-  const double unit = session.model.head->length_unit;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    if (fabs(slip_sum(session.follower, i) - session.model.pair[i].slip_before) * unit > 0.5 * session.model.pair[i].length)
-      warn(session, C2D_WARN_LARGE_SLIP, session.model.pair[i].zone + 1, i + 1,
-           "slip since it last touched exceeds half a contact element: pairs no longer face each other");
+  const Model& m = session.model;
+  for (int32_t z = 0; z < m.head->zones; ++z) {
+    const Zone& zone = m.zone[z];
+    const bool follows = follows_slip(session.tableau) && session.tableau.slip[zone.first_pair].follows != 0;
+    const double least = follows ? kMatters * closed_length(session, zone) : 0.0;
+    for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
+      const double slip = fabs(slip_sum(session.follower, i) - m.pair[i].slip_before) * m.head->length_unit;
+      if (slip > fmax(least, 0.5 * m.pair[i].length))
+        warn(session, C2D_WARN_LARGE_SLIP, z + 1, i + 1,
+             "slip since it last touched exceeds half a contact element: pairs no longer face each other");
+    }
+  }
 }
 
 // Beyond 1e6 adhesion is meant.

@@ -71,6 +71,7 @@ struct Facing {
   OnMesh side[2];
   double gap;
   sketch::Point normal;
+  double length; // along side 2
 };
 
 std::vector<Facing> facing_points(const sketch::Sketch& sketch, size_t number, sketch::Mesh& mesh) {
@@ -78,7 +79,7 @@ std::vector<Facing> facing_points(const sketch::Sketch& sketch, size_t number, s
   const Finder finders[2] = {{sketch, number, 0, mesh}, {sketch, number, 1, mesh}};
   std::vector<Facing> out;
   for (const std::array<double, 2>& lengths : contact.map) {
-    Facing f{{finders[0].at(lengths[0]), finders[1].at(lengths[1])}, 0, {}};
+    Facing f{{finders[0].at(lengths[0]), finders[1].at(lengths[1])}, 0, {}, lengths[1]};
     // Across the gap, or, where surfaces touch or the point is a corner's, out of side 1.
     const sketch::Point way = f.side[0].at - f.side[1].at, outward = f.side[1].outward;
     const double size = sketch::length(way), across = sketch::dot(way, outward);
@@ -99,14 +100,35 @@ double displacement(const std::vector<double>& ends, int32_t nodes, const OnMesh
   return out;
 }
 
-// How far a state has opened the gap.
-double opening(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f) {
+// What a state moves side 1 against side 2 by along a direction.
+double motion_along(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f, sketch::Point way) {
   double out = 0;
   for (size_t side = 0; side < 2; ++side) {
     const auto& ends = state.ends[static_cast<size_t>(contact.side[side].body)];
-    const double along = displacement(ends[kUx], trial.nodes, f.side[side]) * f.normal.x +
-                         displacement(ends[kUy], trial.nodes, f.side[side]) * f.normal.y;
+    const double along = displacement(ends[kUx], trial.nodes, f.side[side]) * way.x +
+                         displacement(ends[kUy], trial.nodes, f.side[side]) * way.y;
     out += side == 0 ? along : -along;
+  }
+  return out;
+}
+
+// How far it has opened the gap.
+double opening(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f) {
+  return motion_along(contact, trial, state, f, f.normal);
+}
+
+// How much farther below the point of side 1 lies the point of side 2 that it has come to by going so far along the surfaces.
+double fall(const Finder& side2, const Facing& f, double far) {
+  constexpr int kSteps = 6;
+  const sketch::Point along = sketch::turned_left(f.normal);
+  double length = f.length, out = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const OnMesh there = side2.at(length);
+    const sketch::Point way = there.at - f.side[1].at;
+    out = -sketch::dot(way, f.normal);
+    const double slope = sketch::dot(sketch::turned_left(there.outward), along);
+    if (slope == 0) break;
+    length += (far - sketch::dot(way, along)) / slope;
   }
   return out;
 }
@@ -130,7 +152,8 @@ class Survey {
 public:
   Survey(const sketch::Sketch& sketch, size_t contact, const Solved& coarse, sketch::Mesh& coarse_mesh, const Solved& fine)
       : contact_(sketch.contacts[contact]), coarse_(coarse.trial), fine_(fine.trial), fine_mesh_(fine.mesh),
-        coarse_points_(facing_points(sketch, contact, coarse_mesh)), points_(facing_points(sketch, contact, fine_mesh_)) {
+        side2_(sketch, contact, 1, fine_mesh_), coarse_points_(facing_points(sketch, contact, coarse_mesh)),
+        points_(facing_points(sketch, contact, fine_mesh_)) {
     for (size_t k = 0; k < states(); ++k)
       for (const Facing& f : points_) motion_ = std::max(motion_, std::fabs(opening(contact_, fine_, fine_.states[k], f)));
   }
@@ -140,7 +163,14 @@ public:
   double drawn(size_t i) const { return points_[i].gap; }
   const OnMesh& on_coarse(size_t i) const { return coarse_points_[i].side[1]; }
   bool touches(size_t k, size_t i) const { return estimate::touches(fine_, fine_.states[k], contact_, points_[i].side[1]); }
-  double gap(size_t k, size_t i) const { return points_[i].gap + opening(contact_, fine_, fine_.states[k], points_[i]); }
+  // Bodies that slide come to face each other at other points: what overlaps does so there, too.
+  double gap(size_t k, size_t i) const {
+    const Facing& f = points_[i];
+    const double out = f.gap + opening(contact_, fine_, fine_.states[k], f);
+    if (out >= 0) return out;
+    const double far = motion_along(contact_, fine_, fine_.states[k], f, sketch::turned_left(f.normal));
+    return std::min(0.0, out + std::max(0.0, fall(side2_, f, far)));
+  }
   // By how much that differs on the coarser mesh.
   double change(size_t k, size_t i) const {
     return std::fabs(opening(contact_, fine_, fine_.states[k], points_[i]) -
@@ -155,6 +185,7 @@ private:
   const sketch::Contact& contact_;
   const Trial &coarse_, &fine_;
   sketch::Mesh fine_mesh_;
+  Finder side2_; // of that
   std::vector<Facing> coarse_points_, points_;
   double motion_ = 0;
 };
