@@ -33,6 +33,7 @@ struct ModelData {
   std::vector<c2d::Pair> pairs;
   std::vector<c2d::PointLoad> point_loads;
   std::vector<c2d::Curve> surfaces;
+  std::vector<c2d::SlipGap> slip_gaps;
   std::vector<c2d::Path> paths;
   std::vector<c2d_error> told;
   int32_t faults = 0;
@@ -148,6 +149,8 @@ struct ModelData {
     m.point_load = point_loads.data();
     head.curves = static_cast<int32_t>(surfaces.size());
     m.curve = surfaces.data();
+    slip_gaps.resize(pairs.size());
+    m.slip_gap = surfaces.empty() ? nullptr : slip_gaps.data();
     m.friction = friction.data();
     m.path = paths.data();
     return m;

@@ -85,7 +85,7 @@ Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[
   if (x == 0.0 || fabs(along) < kNoSlope) return Place{0.0, 0.0};
   const int way = (x > 0.0) == (along > 0.0) ? 1 : -1;
   Place last{0.0, 0.0};
-  while (element >= 0) {
+  for (int32_t left = body_of(m, b).elements; element >= 0 && left > 0; --left) {
     Place end;
     view.see(surface_point(surface, way), &end.x, &end.y);
     if (fabs(end.x) >= fabs(x) && end.x * x > 0.0) return place_at(surface, view, eta, way, x);

@@ -62,8 +62,9 @@ Engine engine_of_path(c2d_solver* s, const Session& session) {
   return {kernel_for(s->instructions), session.area.rates, n * n, nullptr, workers_of(&s->port)};
 }
 
-// Those of the model, if a pair's gap follows its slip.
-SlipGap* slip_gaps(const Model& m) {
+// Those of the model, if a pair's gap follows its slip: from event to event.
+SlipGap* slip_gaps(const c2d_solver* s, const Model& m) {
+  if (s->options.stepping == C2D_STEPPING_DECK) return nullptr;
   for (int32_t i = 0; i < m.head->path_pairs && m.slip_gap != nullptr; ++i)
     if (m.slip_gap[i].follows != 0) return m.slip_gap;
   return nullptr;
@@ -95,7 +96,7 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   t.sliding = s->sliding != 0;
   t.model = &session.model;
   t.body = &session.free_body;
-  t.slip = slip_gaps(session.model);
+  t.slip = slip_gaps(s, session.model);
 }
 
 void open_follower(c2d_solver* s, Session& session, double* loads) {

@@ -1,0 +1,200 @@
+// Gaps that follow slip past changes of curvature (model/slip_gap.hpp, contact/slip_path.hpp), METHOD 8.7: closed forms of the
+// profiles as they have moved.
+#include "model/slip_gap.hpp"
+#include "model_fixture.hpp"
+#include "program/estimate/loop.hpp"
+#include "program/estimate/wanted.hpp"
+#include "program/sketch/read.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+// ---- the gap itself ----
+
+constexpr double kFlat = 4, kRadius = 10, kArc = 0.3; // of a flat from -2 on; of the arc behind it, and its angle
+
+// Of body 1; body 2 is its image in y = 0.
+double height(double x) {
+  return x < kFlat ? 0 : std::sqrt(kRadius * kRadius - (x - kFlat) * (x - kFlat)) - kRadius;
+}
+double end_of_arc() { return kFlat + kRadius * std::sin(kArc); }
+
+// The flat in elements 5 ... 10, the arc in 1 ... 4, from the right; of body 2 from the left.
+fixture::ModelData facing_bodies(const std::vector<c2d::Curve>& told) {
+  std::vector<double> x;
+  for (int i = 4; i > 0; --i) x.push_back(kFlat + kRadius * std::sin(kArc * i / 4));
+  for (int i = 6; i >= 0; --i) x.push_back(i - 2);
+  fixture::Points one, two;
+  for (size_t i = 0; i < x.size(); ++i) {
+    one.insert(one.end(), {x[i], height(x[i])});
+    const double back = x[x.size() - 1 - i];
+    two.insert(two.end(), {back, -height(back)});
+  }
+  one.insert(one.end(), {-2, -3, end_of_arc(), -3});
+  two.insert(two.end(), {end_of_arc(), 3, -2, 3});
+  fixture::ModelData d(2);
+  d.body(2, {one});
+  d.body(2, {two});
+  for (int l = 1; l <= 2; ++l) d.condition(1, 12, l, "1100");
+  d.zone(11, 10, 1, 1, 1, 10, -1, 11);
+  d.surfaces = told;
+  REQUIRE_MESSAGE(d.complete(), d.all());
+  return d;
+}
+
+std::vector<c2d::Curve> all_told() {
+  return {{C2D_CURVE_ARC, 0, 0, 3, 0, 0, {kFlat, -kRadius}, kRadius},
+          {C2D_CURVE_LINE, 0, 4, 9, 0, 0, {0, 0}, 0},
+          {C2D_CURVE_LINE, 1, 0, 5, 0, 0, {0, 0}, 0},
+          {C2D_CURVE_ARC, 1, 6, 9, 0, 0, {kFlat, kRadius}, kRadius}};
+}
+
+// ---- sketches ----
+
+estimate::Adapted adapt(const std::string& text, const sketch::Parameters& given = {}) {
+  sketch::Reading r = sketch::read_sketch(text, given, [](const std::string&, std::string&) { return false; });
+  for (const sketch::Fault& f : r.faults) MESSAGE(f.at.line << ": " << f.text);
+  REQUIRE(r.faults.empty());
+  r.sketch.most_work = 1e12;
+  estimate::Demand demand;
+  estimate::ask(r.sketch, demand);
+  return estimate::adapt(r.sketch, demand, [](const app::MeshRound&) {});
+}
+
+app::Stated number(const estimate::Adapted& a, const std::string& name, size_t which = 0) {
+  for (const app::Stated& s : a.loop.stated)
+    if (s.name == name && which-- == 0) return s;
+  FAIL("no " << name);
+  return {};
+}
+
+void check_peak(const estimate::Adapted& a, double right, double part) {
+  CHECK(a.loop.stopped.empty());
+  CHECK_FALSE(a.loop.missed());
+  const app::Stated peak = number(a, "peak pressure");
+  CHECK(std::fabs(peak.value - right) <= std::max(peak.error, part * right));
+  CHECK(std::fabs(peak.value - right) <= 0.01 * right);
+}
+
+// Two half planes, each flat and arc, C2 symmetric; the upper one is moved by d.
+const std::string kPads = R"(
+parameter R 50 b 5 P 4000 L 400 d 0.14 w 8 mu 0 nu 0.3
+parameter Es 5e4 E {2*Es*(1-nu^2)}
+parameter ax {b+w} ay {R-sqrt(R^2-w^2)} sl {w/sqrt(R^2-w^2)}
+body block E E nu nu
+  from -L -L
+  line bottom to L -L
+  line right to L 0
+  line top to -b 0
+  arc round to -ax -ay centre -b -R
+  line slope to -40 {-ay-(40-ax)*sl}
+  line far to -L {-ay-(40-ax)*sl}
+  line left close
+body pad E E nu nu
+  from L L
+  line lid to -L L
+  line pleft to -L 0
+  line flat to b 0
+  arc toe to ax ay centre b R
+  line pslope to 40 {ay+(40-ax)*sl}
+  line pfar to L {ay+(40-ax)*sl}
+  line pright close
+contact block.top+round pad.flat+toe mu mu
+fix block.bottom
+case normal
+  platen pad.lid about 0 L x 0 fy -P turn 0
+case shift
+  platen pad.lid about 0 L x d
+want pressure edges
+)";
+
+// The peak of a flat of half width a with arcs beyond it on a half plane (Ciavarella, Hills and Monno): the flats of both
+// overlap by so much.
+double rounded_punch(double a) {
+  const double R = 50, P = 4000, Es = 5e4;
+  double low = 1e-3, high = kPi / 2 - 1e-9; // of the angle of the junction
+  const auto off = [&](double q) {
+    return (kPi - 2 * q) / (2 * std::sin(q) * std::sin(q)) - 1 / std::tan(q) - 2 * P * R / (a * a * Es);
+  };
+  for (int i = 0; i < 100; ++i) (off(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+  const double q = low, c = a / std::sin(q);
+  double most = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = std::asin((a + (c - a) * (i + 0.37) / 4000) / c);
+    const double p = (kPi - 2 * q) * std::cos(t) + std::sin(t) * std::log(std::fabs(std::sin(t + q) / std::sin(t - q))) +
+                     std::sin(q) * std::log(std::fabs(std::tan((t + q) / 2) * std::tan((t - q) / 2)));
+    most = std::max(most, 2 * P / (kPi * c) / (kPi - 2 * q - std::sin(2 * q)) * p);
+  }
+  return most;
+}
+
+constexpr double kSlopes = 5e-3; // friction is along the slopes, up to 0.03, which the closed form takes for level
+
+} // namespace
+
+TEST_CASE("slip gap: an arc behind a flat on both sides, exactly, and held at the end of what is told") {
+  fixture::ModelData d = facing_bodies(all_told());
+  const c2d::Model m = d.view();
+  for (int32_t i = 0; i < 11; ++i) {
+    CAPTURE(i);
+    CHECK(m.slip_gap[i].follows == 1);
+    CHECK(m.slip_gap[i].even == 0); // the flats are longer
+    CHECK(m.pair[i].ny == doctest::Approx(1).epsilon(1e-15));
+    const double x = m.xy[0][2 * m.pair[i].node[0]];
+    for (const double s : {-1.3, -0.4, 0.0, 1e-6, 0.4, 1.3}) {
+      CAPTURE(s);
+      const double far = std::min({std::fabs(0.5 * s), x + 2, end_of_arc() - x}); // corners end the curves
+      const double right = 2 * height(x) - height(x + far) - height(x - far);
+      CHECK(std::fabs(c2d::slip_gap(m, i, s) - right) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("slip gap: none where curvature does not change, where a side is not told, and at one flat side") {
+  const std::vector<c2d::Curve> told = all_told();
+  for (const std::vector<c2d::Curve>& some : {std::vector<c2d::Curve>{told[0], told[1], told[2]}, {told[0], told[2], told[3]}}) {
+    fixture::ModelData d = facing_bodies(some);
+    for (const c2d::SlipGap& gap : d.slip_gaps) CHECK(gap.follows == 0);
+  }
+  fixture::ModelData d = facing_bodies(told);
+  c2d::Model m = d.view();
+  m.zone[0].normal_part = 0; // all of the slip passes side 2
+  m.curve[3].kind = C2D_CURVE_LINE;
+  c2d::find_slip_gaps(m);
+  for (const c2d::SlipGap& gap : d.slip_gaps) CHECK(gap.follows == 0);
+}
+
+TEST_CASE("slip gap: what even curvature adds is left out: a pin that turns in its hole") {
+  fixture::ModelData d = facing_bodies(all_told());
+  const c2d::Model m = d.view();
+  // As if the arcs were the longest: pairs 1 ... 4 lie on both, away from their ends.
+  m.zone[0].normal_part = 0.5;
+  for (const double s : {-0.1, 0.1}) {
+    const c2d::FacePoint at[2] = {{1, 1, 0.0}, {8, 1, 0.0}};
+    const double n[2] = {0, 1}, even = 2 * 0.25 / kRadius;
+    const double c = c2d::slip_gap(m, m.zone[0], at, n, s, even), whole = c2d::slip_gap(m, m.zone[0], at, n, s, 0);
+    CHECK(whole > 2e-4);
+    CHECK(std::fabs(c) < 0.1 * whole); // the arc's slope there: 1/cos^3 of its angle
+  }
+}
+
+TEST_CASE("slip gap: half planes, flat and arc, slid to and fro with friction: the rounded punch as the flats overlap now") {
+  const estimate::Adapted a =
+      adapt(kPads + "history normal 1; shift 1, -1\nsteps 2\ntolerance 2 %\n", {{"mu", 0.3}, {"d", 0.43}});
+  check_peak(a, rounded_punch(5 - 0.215), kSlopes);
+}
+
+TEST_CASE("slip gap, proof: half planes, flat and arc, to 0.1 %, with and without friction") {
+  for (const double d : {-0.14, 0.43})
+    for (const double mu : {0.0, 0.3}) {
+      CAPTURE(d);
+      CAPTURE(mu);
+      const estimate::Adapted a = adapt(kPads + "history normal 1; shift 1\ntolerance 0.1 %\n", {{"mu", mu}, {"d", d}});
+      check_peak(a, rounded_punch(5 + 0.5 * d), mu > 0 ? kSlopes : 1e-3);
+    }
+}
