@@ -6,6 +6,7 @@
 #include "paths.hpp"
 #include "program/path_record.hpp"
 #include "shell.hpp"
+#include "slip_pads.hpp"
 
 #include <c2d_posix.h>
 #include <doctest/doctest.h>
@@ -192,6 +193,16 @@ TEST_CASE("resume in the path: with a tie, and two coefficients of friction") {
   REQUIRE(contains(deck, "*TIE 2"));
   const Whole whole("deck.dat", deck, "--save-every 0");
   kill_and_resume(whole, "path", 2, kInPath, 1);
+}
+
+TEST_CASE("resume in the path: with gaps that follow slip") {
+  if (kSanitized) return; // whose run-time must be loaded first
+  const Folder folder;
+  write_file(folder / "pads.c2s", slip_pads() + "history normal 1; shift 1, -1\nsteps 3\ntolerance 9 %\n");
+  const Result mesh = run_shell("'" + paths::program() + "' mesh '" + (folder / "pads.c2s") + "' mu=0.3 d=0.4");
+  REQUIRE_MESSAGE(mesh.status == 0, mesh.err);
+  const Whole whole("deck.dat", mesh.out, "--save-every 0");
+  kill_and_resume(whole, "path", 1, kInPath, 1);
 }
 
 TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
