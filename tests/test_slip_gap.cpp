@@ -20,9 +20,7 @@ const double kPi = std::acos(-1.0);
 constexpr double kFlat = 4, kRadius = 10, kArc = 0.3; // of a flat from -2 on; of the arc behind it, and its angle
 
 // Of body 1; body 2 is its image in y = 0.
-double height(double x) {
-  return x < kFlat ? 0 : std::sqrt(kRadius * kRadius - (x - kFlat) * (x - kFlat)) - kRadius;
-}
+double height(double x) { return x < kFlat ? 0 : std::sqrt(kRadius * kRadius - (x - kFlat) * (x - kFlat)) - kRadius; }
 double end_of_arc() { return kFlat + kRadius * std::sin(kArc); }
 
 // The flat in elements 5 ... 10, the arc in 1 ... 4, from the right; of body 2 from the left.
@@ -161,7 +159,8 @@ TEST_CASE("slip gap: an arc behind a flat on both sides, exactly, and held at th
 
 TEST_CASE("slip gap: none where curvature does not change, where a side is not told, and at one flat side") {
   const std::vector<c2d::Curve> told = all_told();
-  for (const std::vector<c2d::Curve>& some : {std::vector<c2d::Curve>{told[0], told[1], told[2]}, {told[0], told[2], told[3]}}) {
+  for (const std::vector<c2d::Curve>& some :
+       {std::vector<c2d::Curve>{told[0], told[1], told[2]}, {told[0], told[2], told[3]}}) {
     fixture::ModelData d = facing_bodies(some);
     for (const c2d::SlipGap& gap : d.slip_gaps) CHECK(gap.follows == 0);
   }
@@ -198,13 +197,15 @@ TEST_CASE("slip gap, proof: half planes, flat and arc, to 0.1 %, with and withou
     for (const double mu : {0.0, 0.3}) {
       CAPTURE(d);
       CAPTURE(mu);
-      const estimate::Adapted a = adapt(test::slip_pads() + "history normal 1; shift 1\ntolerance 0.1 %\n", {{"mu", mu}, {"d", d}});
+      const estimate::Adapted a =
+          adapt(test::slip_pads() + "history normal 1; shift 1\ntolerance 0.1 %\n", {{"mu", mu}, {"d", d}});
       check_peak(a, rounded_punch(5 + 0.5 * d), mu > 0 ? kSlopes : 1e-3);
     }
 }
 
 TEST_CASE("slip gap, proof: a dovetail has no spike where its flank begins") {
-  // Of passes over the whole path with the gaps of its end; they and these differ in where on the bodies pressure acts, by 0.2 %.
+  // Of passes over the whole path with the gaps of its end; they and these differ in where on the bodies pressure acts, by 0.2
+  // %.
   for (const double mu : {0.0, 0.2}) {
     CAPTURE(mu);
     check_peak(adapt(kDovetail + "tolerance 1 %\n", {{"mu", mu}}), mu > 0 ? 1142.0 : 1299.8, 2e-3);

@@ -47,9 +47,7 @@ inline bool follows_slip(const Tableau& t) { return !kSmallCode && t.slip != nul
 // of w_n.
 inline double gap_by_slip(const Tableau& t, const Pair& pair) { return follows_slip(t) ? t.slip[&pair - t.pair].now : 0.0; }
 inline double gap_of(const Tableau& t, const Pair& pair) { return pair.gap / t.length_unit + gap_by_slip(t, pair); }
-inline double gap_rate(const Tableau& t, const Pair& pair) {
-  return follows_slip(t) ? t.slip[&pair - t.pair].rate : 0.0;
-}
+inline double gap_rate(const Tableau& t, const Pair& pair) { return follows_slip(t) ? t.slip[&pair - t.pair].rate : 0.0; }
 
 inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
 // Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.

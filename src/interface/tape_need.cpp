@@ -21,7 +21,8 @@ struct Tape {
 Tape control_tape(const Sizes& sizes, const Layout& layout) {
   const uint64_t m = static_cast<uint64_t>(sizes.contact), cases = static_cast<uint64_t>(sizes.load_cases);
   const uint64_t room = static_cast<uint64_t>(columns_of(sizes));
-  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, room, m, cases + C2D_SLIP_(sizes.curves)), columns = C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
+  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, room, m, cases + C2D_SLIP_(sizes.curves)),
+                 columns = C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
   const uint64_t surface = C2D_SURFACE_ARRAYS_(C2D_ADD_, m);
   return {save_blocks(layout.persistent - offsetof(c2d_solver, model) + round_up(path) + 2 * surface + columns), kPieceBytes};
 }

@@ -183,8 +183,8 @@ double slip_gap(const Model& m, const Zone& z, const FacePoint at[2], const doub
   }
   for (int side = 0; side < 2 && part < 1.0; ++side)
     there[side] = follow_surface(m, z.body[side], at[side], n, part * way[side]);
-  // What evenly curved surfaces have added is what the linear motion of small strains leaves out everywhere: a pin that turns in
-  // its hole does not press against it.
+  // What evenly curved surfaces have added is what the linear motion of small strains leaves out everywhere: a pin that turns
+  // in its hole does not press against it.
   return there[1].y - there[0].y - 0.5 * even * part * part * s * s;
 }
 

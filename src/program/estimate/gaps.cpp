@@ -101,12 +101,13 @@ double displacement(const std::vector<double>& ends, int32_t nodes, const OnMesh
 }
 
 // What a state moves side 1 against side 2 by along a direction.
-double motion_along(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f, sketch::Point way) {
+double motion_along(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f,
+                    sketch::Point way) {
   double out = 0;
   for (size_t side = 0; side < 2; ++side) {
     const auto& ends = state.ends[static_cast<size_t>(contact.side[side].body)];
-    const double along = displacement(ends[kUx], trial.nodes, f.side[side]) * way.x +
-                         displacement(ends[kUy], trial.nodes, f.side[side]) * way.y;
+    const double along =
+        displacement(ends[kUx], trial.nodes, f.side[side]) * way.x + displacement(ends[kUy], trial.nodes, f.side[side]) * way.y;
     out += side == 0 ? along : -along;
   }
   return out;
