@@ -204,11 +204,10 @@ TEST_CASE("slip gap, proof: half planes, flat and arc, to 0.1 %, with and withou
 }
 
 TEST_CASE("slip gap, proof: a dovetail has no spike where its flank begins") {
-  // Of passes over the whole path with the gaps of its end; they and these differ in where on the bodies pressure acts, by 0.2
-  // %.
-  for (const double mu : {0.0, 0.2}) {
-    CAPTURE(mu);
-    check_peak(adapt(kDovetail + "tolerance 1 %\n", {{"mu", mu}}), mu > 0 ? 1142.0 : 1299.8, 2e-3);
-  }
-  check_peak(adapt(kDovetail + "tolerance 0.1 %\n"), 1299.8, 2e-3);
+  // 1301.2: the disc drawn where slip takes it, 0.02757 along the flank, its flat's normal at all pairs, no gap that follows
+  // slip. 1299.8 +- 0.7, and 1142.0 with friction: passes over the whole path with the gaps of its end, in a study; they differ
+  // in where on the bodies pressure acts, up to 0.2 %.
+  check_peak(adapt(kDovetail + "tolerance 0.1 %\n"), 1301.2, 1e-3);
+  check_peak(adapt(kDovetail + "tolerance 1 %\n"), 1299.8, 0);
+  check_peak(adapt(kDovetail + "tolerance 1 %\n", {{"mu", 0.2}}), 1142.0, 2e-3);
 }
