@@ -5,7 +5,8 @@
 namespace test {
 
 // Two half planes, each flat and arc, C2 symmetric; the upper one is moved by d.
-inline std::string slip_pads() {
+inline std::string slip_pads(const std::string& round = "arc round to -ax -ay centre -b -R",
+                             const std::string& toe = "arc toe to ax ay centre b R") {
   return R"(
 parameter R 50 b 5 P 4000 L 400 d 0.14 w 8 mu 0 nu 0.3
 parameter Es 5e4 E {2*Es*(1-nu^2)}
@@ -15,7 +16,8 @@ body block E E nu nu
   line bottom to L -L
   line right to L 0
   line top to -b 0
-  arc round to -ax -ay centre -b -R
+  )" + round +
+         R"(
   line slope to -40 {-ay-(40-ax)*sl}
   line far to -L {-ay-(40-ax)*sl}
   line left close
@@ -24,7 +26,8 @@ body pad E E nu nu
   line lid to -L L
   line pleft to -L 0
   line flat to b 0
-  arc toe to ax ay centre b R
+  )" + toe +
+         R"(
   line pslope to 40 {ay+(40-ax)*sl}
   line pfar to L {ay+(40-ax)*sl}
   line pright close
