@@ -188,9 +188,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2424 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2416 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2352
+#define C2D_SOLVER_BYTES 2344
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
