@@ -17,8 +17,7 @@ bool is_about_mesh(int32_t warning);
 // Does a warning say that contact reaches the end of a zone where surfaces end, or where another zone goes on?
 bool is_at_natural_end(const c2d_error& warning, const std::string& deck);
 
-// The deck without what it says of ends that the loop over meshes cut off where coarser ones did not touch: for one whose contact
-// stays away from them.
+// The deck without what it says of ends that the loop over meshes cut off: for one whose contact stays away from them.
 std::string without_cut_ends(std::string deck);
 
 // Elements, nodes and pairs of the text become curves of bodies, which the deck lists beside its numbers.
