@@ -192,7 +192,7 @@ TEST_CASE("slip gap: half planes, flat and arc, slid to and fro with friction: t
   check_peak(a, rounded_punch(5 - 0.215), kSlopes);
 }
 
-TEST_CASE("slip gap, proof: half planes, flat and arc, to 0.1 %, with and without friction") {
+TEST_CASE("slip gap in full: half planes, flat and arc, to 0.1 %, with and without friction") {
   for (const double d : {-0.14, 0.43})
     for (const double mu : {0.0, 0.3}) {
       CAPTURE(d);
@@ -203,13 +203,13 @@ TEST_CASE("slip gap, proof: half planes, flat and arc, to 0.1 %, with and withou
     }
 }
 
-TEST_CASE("slip gap, proof: the same with splines for arcs") {
+TEST_CASE("slip gap in full: the same with splines for arcs") {
   const std::string pads =
       test::slip_pads("curve round t -b -ax x t y {sqrt(R^2-(t+b)^2)-R}", "curve toe t b ax x t y {R-sqrt(R^2-(t-b)^2)}");
   check_peak(adapt(pads + "history normal 1; shift 1\ntolerance 0.1 %\n", {{"d", 0.43}}), rounded_punch(5.215), 1e-3);
 }
 
-TEST_CASE("slip gap, proof: a dovetail has no spike where its flank begins") {
+TEST_CASE("slip gap in full: a dovetail has no spike where its flank begins") {
   // 1301.2: the disc drawn where slip takes it, 0.02757 along the flank, its flat's normal at all pairs, no gap that follows
   // slip. 1299.8 +- 0.7, and 1142.0 with friction: passes over the whole path with the gaps of its end, in a study; they differ
   // in where on the bodies pressure acts, up to 0.2 %.
