@@ -115,7 +115,7 @@ TEST_CASE("coarse contact: nothing is said of what slips up to the end of a zone
     REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
     const std::vector<many::Row> rows = r.zone_rows(1);
     int slip = 0;
-    for (const many::Row& row : rows) slip += row[C2D_STATUS] == C2D_SLIP ? 1 : 0;
+    for (const many::Row& row : rows) slip += static_cast<int>(row[C2D_STATUS]) == C2D_SLIP ? 1 : 0;
     CHECK(slip == 1);
     CHECK((right ? rows.front() : rows.back())[C2D_STATUS] == C2D_SLIP);
     CHECK(!r.told_of("the zone of slip"));

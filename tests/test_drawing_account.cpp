@@ -282,8 +282,9 @@ TEST_CASE("drawing: where points of stretched arcs and ellipses go") {
   const std::string block =
       in_lines("0 SECTION 2 BLOCKS 0 BLOCK 2 b 10 1 20 2 0 ARC 8 rim 10 4 20 2 40 2 50 20 51 200 0 ELLIPSE 8 rim 10 4 20 2 "
                "11 1 21 1 40 0.4 41 0.3 42 2.5 0 ENDBLK 0 ENDSEC");
-  for (const auto& [x, y, turn] : {std::array<double, 3>{2, 3, 0}, {-2, 0.5, 40}, {0.3, -4, 250}, {-1, -7, 10}})
+  for (const std::array<double, 3>& scales : {std::array<double, 3>{2, 3, 0}, {-2, 0.5, 40}, {0.3, -4, 250}, {-1, -7, 10}})
     for (const double normal : {1.0, -1.0}) {
+      const double x = scales[0], y = scales[1], turn = scales[2];
       std::vector<std::string> notes;
       drawing::Drawing d;
       const std::string insert = "0 INSERT 2 b 10 7 20 -3 41 " + sketch::show(x) + " 42 " + sketch::show(y) + " 50 " +

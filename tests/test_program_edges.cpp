@@ -268,7 +268,7 @@ TEST_CASE("store choice: tapes go where there is room, and what goes wrong is to
   CHECK(store.open(3, UINT64_MAX / 2, 64) != 0); // no such number of bytes
   CHECK(store.system_text(-12345) == "error -12345");
   CHECK(store.remove_tapes(error));
-  REQUIRE(kept.empty() ? ::unsetenv("TMPDIR") == 0 : ::setenv("TMPDIR", kept.c_str(), 1) == 0);
+  REQUIRE((kept.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", kept.c_str(), 1)) == 0);
 }
 
 TEST_CASE("deck file: a fault is shown at its place, whatever stands there") {

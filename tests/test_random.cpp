@@ -85,7 +85,7 @@ bool holds(const std::string& text, const char* part) { return text.find(part) !
 
 } // namespace
 
-TEST_CASE("random decks: a draw") { draw(Kind::any, 1, test::effort(20, 40)); }
+TEST_CASE("random decks: a draw") { draw(Kind::any, 1, test::effort<uint64_t>(20, 40)); }
 
 TEST_CASE("random decks: bodies that touch without any force, which round-off once took for one") {
   for (const uint64_t seed : {2533u, 103814u, 109514u, 100076u, 109109u, 109283u}) is_solved(Kind::any, seed);

@@ -170,14 +170,14 @@ const char kInPath[] = "goes on behind step";
 TEST_CASE("resume in the path: killed at any operation, with several coefficients and a cyclic history") {
   if (kSanitized) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", cyclic_deck(), "--save-every 0");
-  kill_and_resume(whole, "path", effort(1, 4), kInPath, effort(1, 2));
-  kill_and_resume(whole, "tape0", effort(1, 4), kInPath, effort(1, 2));
+  kill_and_resume(whole, "path", effort<size_t>(1, 4), kInPath, effort(1, 2));
+  kill_and_resume(whole, "tape0", effort<size_t>(1, 4), kInPath, effort(1, 2));
 }
 
 TEST_CASE("resume in the path: with the increments of the deck, and little memory") {
   if (kSanitized) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", cyclic_deck(), "--save-every 0 --stepping deck --memory 160K");
-  kill_and_resume(whole, "path", effort(1, 3), kInPath, 1);
+  kill_and_resume(whole, "path", effort<size_t>(1, 3), kInPath, 1);
 }
 
 TEST_CASE("resume in the path: with a tie, and two coefficients of friction") {

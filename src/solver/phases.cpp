@@ -180,10 +180,11 @@ uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, 
   PhaseCarver carver(base);
   PathArea area{};
   const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
+  const uint64_t loads = static_cast<uint64_t>(s.cases + s.slip);
   const uint64_t nodes = static_cast<uint64_t>(s.nodes), ends = static_cast<uint64_t>(s.ends);
   const uint64_t widest = static_cast<uint64_t>(s.widest);
   const uint64_t columns = static_cast<uint64_t>(s.columns);
-  C2D_PATH_ARRAYS_(C2D_TAKE, m, columns, widest, cases + s.slip)
+  C2D_PATH_ARRAYS_(C2D_TAKE, m, columns, widest, loads)
   carver.align();
   PhaseCarver rates = carver;
   for (int side = 0; side < 2; ++side) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_SIDE, m)
