@@ -37,11 +37,12 @@ int main(int argc, char** argv) {
   const std::string part = argc > 4 ? argv[4] : "", wanted = argc > 5 ? argv[5] : "";
   faults::Place place;
   place.program = fs::absolute(argv[1]).string();
-  place.library = fs::absolute(argv[2]).string();
   // In memory where that can be had: there are many runs, and nothing has to last.
   const char* base = ::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : std::getenv("TMPDIR");
   place.base = std::string(base != nullptr ? base : "/tmp") + "/contact2d-faults-" + std::to_string(::getpid());
   fs::create_directories(place.base);
+  place.library = place.base + "/preload.so"; // a name without blanks, which part those of LD_PRELOAD
+  fs::create_symlink(fs::absolute(argv[2]), place.library);
   std::string error;
   const std::vector<faults::Job> jobs = faults::make_jobs(place, error);
   uint64_t all = 0;
