@@ -11,6 +11,7 @@
 #: make clean                       removes what was built
 
 # ---------------------------------------------------------------- variables
+.DEFAULT_GOAL := all
 BUILD    ?= build
 CXX      ?= g++
 CC       ?= cc

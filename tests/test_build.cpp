@@ -200,6 +200,16 @@ TEST_CASE("build: make and CMake read that list and no other") {
   CHECK(members == sources);
 }
 
+TEST_CASE("build: make without a target makes library and program") {
+  const Result said = run_shell("cd '" + kRoot.string() + "' && env -u MAKEFLAGS -u MAKELEVEL make -pnq 2>/dev/null");
+  CHECK(said.out.find("\n.DEFAULT_GOAL := all\n") != std::string::npos);
+  const size_t all = said.out.find("\nall: ");
+  REQUIRE(all != std::string::npos);
+  const std::string needs = said.out.substr(all, said.out.find('\n', all + 1) - all);
+  CHECK(needs.find("build/libcontact2d.a") != std::string::npos);
+  CHECK(needs.find("build/contact2d") != std::string::npos);
+}
+
 TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
   std::vector<fs::path> files = {kRoot / "README.md", kRoot / "CMakeLists.txt", kRoot / "Makefile"};
   for (const char* folder : {"src", "include", "port", "tests", "examples"})

@@ -270,9 +270,9 @@ static c2d_status rebuild_for(Follower& f, const double* target, c2d_outcome* ou
 }
 
 // Where gaps follow slip they are aimed at ends of so many parts of a piece at least: they go there along chords.
-constexpr double kParts = 4.0;
+constexpr double kLegs = 4.0;
 static double goal_from(const Follower& f, double part) {
-  return follows_slip(*f.t) ? fmin(1.0, (floor(kParts * part + 1e-6) + 1.0) / kParts) : 1.0;
+  return follows_slip(*f.t) ? fmin(1.0, (floor(kLegs * part + 1e-6) + 1.0) / kLegs) : 1.0;
 }
 
 // Statuses that agree with the rates, and with what slip at these rates adds to the gaps up to the goal.
