@@ -773,7 +773,7 @@ TEST_CASE("the n-th transfer fails, for every n: the right error, and a new atte
 }
 
 // As of a border that keeps less than its plan has room for: where its pivots end inside a panel there is a chunk more.
-TEST_CASE("elimination: blocks of one with fewer pivots, cut alike, are within what most_upper_use tells") {
+TEST_CASE("elimination: blocks of one with fewer pivots, cut alike, are within most_upper_use") {
   bool some_more = false; // than the whole plan has
   for (const auto& [width, block] : {std::pair(7, 3), std::pair(10, 5), std::pair(10, 1), std::pair(64, 9)}) {
     const EliminationPlan most{40, 35, 25, width, block, 0, 0, 0, 0, 0};

@@ -24,7 +24,7 @@ double height(double x) { return x < kFlat ? 0 : std::sqrt(kRadius * kRadius - (
 double end_of_arc() { return kFlat + kRadius * std::sin(kArc); }
 
 // The flat in elements 5 ... 10, the arc in 1 ... 4, from the right; of body 2 from the left.
-fixture::ModelData facing_bodies(const std::vector<c2d::Curve>& told) {
+fixture::ModelData facing_bodies(const std::vector<c2d::Curve>& curves) {
   std::vector<double> x;
   for (int i = 4; i > 0; --i) x.push_back(kFlat + kRadius * std::sin(kArc * i / 4));
   for (int i = 6; i >= 0; --i) x.push_back(i - 2);
@@ -41,12 +41,12 @@ fixture::ModelData facing_bodies(const std::vector<c2d::Curve>& told) {
   d.body(2, {two});
   for (int l = 1; l <= 2; ++l) d.condition(1, 12, l, "1100");
   d.zone(11, 10, 1, 1, 1, 10, -1, 11);
-  d.surfaces = told;
+  d.surfaces = curves;
   REQUIRE_MESSAGE(d.complete(), d.all());
   return d;
 }
 
-std::vector<c2d::Curve> all_told() {
+std::vector<c2d::Curve> all_curves() {
   return {{C2D_CURVE_ARC, 0, 0, 3, 0, 0, {kFlat, -kRadius}, kRadius},
           {C2D_CURVE_LINE, 0, 4, 9, 0, 0, {0, 0}, 0},
           {C2D_CURVE_LINE, 1, 0, 5, 0, 0, {0, 0}, 0},
@@ -139,8 +139,8 @@ constexpr double kSlopes = 5e-3; // friction is along the slopes, up to 0.03, wh
 
 } // namespace
 
-TEST_CASE("slip gap: an arc behind a flat on both sides, exactly, and held at the end of what is told") {
-  fixture::ModelData d = facing_bodies(all_told());
+TEST_CASE("slip gap: an arc behind a flat on both sides, exactly, and held at the end of the curves") {
+  fixture::ModelData d = facing_bodies(all_curves());
   const c2d::Model m = d.view();
   for (int32_t i = 0; i < 11; ++i) {
     CAPTURE(i);
@@ -157,14 +157,14 @@ TEST_CASE("slip gap: an arc behind a flat on both sides, exactly, and held at th
   }
 }
 
-TEST_CASE("slip gap: none where curvature does not change, where a side is not told, and at one flat side") {
-  const std::vector<c2d::Curve> told = all_told();
+TEST_CASE("slip gap: none where curvature does not change, where a side has no curve, and at one flat side") {
+  const std::vector<c2d::Curve> curves = all_curves();
   for (const std::vector<c2d::Curve>& some :
-       {std::vector<c2d::Curve>{told[0], told[1], told[2]}, {told[0], told[2], told[3]}}) {
+       {std::vector<c2d::Curve>{curves[0], curves[1], curves[2]}, {curves[0], curves[2], curves[3]}}) {
     fixture::ModelData d = facing_bodies(some);
     for (const c2d::SlipGap& gap : d.slip_gaps) CHECK(gap.follows == 0);
   }
-  fixture::ModelData d = facing_bodies(told);
+  fixture::ModelData d = facing_bodies(curves);
   c2d::Model m = d.view();
   m.zone[0].normal_part = 0; // all of the slip passes side 2
   m.curve[3].kind = C2D_CURVE_LINE;
@@ -173,7 +173,7 @@ TEST_CASE("slip gap: none where curvature does not change, where a side is not t
 }
 
 TEST_CASE("slip gap: what even curvature adds is left out: a pin that turns in its hole") {
-  fixture::ModelData d = facing_bodies(all_told());
+  fixture::ModelData d = facing_bodies(all_curves());
   const c2d::Model m = d.view();
   // As if the arcs were the longest: pairs 1 ... 4 lie on both, away from their ends.
   m.zone[0].normal_part = 0.5;

@@ -41,7 +41,7 @@ struct Curve {
   int32_t kind, body, first, last, line, padding;
   double centre[2], radius;
 };
-// What sliding adds to the gap of a pair, where surfaces are told (model/slip_gap.hpp).
+// What sliding adds to the gap of a pair, where curves are given (model/slip_gap.hpp).
 struct SlipGap {
   int32_t follows, padding; // 1: the curvature changes along the zone, so that it adds something
   double even;              // curvature of both sides together along the longest stretch of the zone where it is the same
@@ -245,7 +245,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   Pair* pair;
   PointLoad* point_load;
   Curve* curve;
-  SlipGap* slip_gap; // [pairs]; null where no surface is told
+  SlipGap* slip_gap; // [pairs]; null where no curve is given
   double* friction;
   Path* path;
   double* path_load; // [path * cases + case]

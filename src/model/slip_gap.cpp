@@ -64,7 +64,8 @@ Place place_at(const SurfaceElement& element, const View& view, double from, dou
   return out;
 }
 
-// The element that goes on with the surface beyond one end of another: told as well, and without a corner; else -1.
+// The element that goes on with the surface beyond one end of another, if it has a curve too and no corner lies between; else
+// -1.
 int32_t goes_on(const Model& m, int b, int32_t element, int way) {
   const int32_t next = element_beside(m, b, element, way);
   if (next < 0 || is_zero_length(m, b, next) || curve_of(m, b, next) == nullptr || !is_integrated(m, b, next)) return -1;
@@ -102,12 +103,12 @@ Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[
 
 // Positive where the body is convex; of the whole element.
 double curvature_of(const Model& m, int b, int32_t element) {
-  const Curve* const told = curve_of(m, b, element);
-  if (told != nullptr && told->kind == C2D_CURVE_LINE) return 0.0;
+  const Curve* const curve = curve_of(m, b, element);
+  if (curve != nullptr && curve->kind == C2D_CURVE_LINE) return 0.0;
   const SurfaceElement surface = surface_element(m, b, element);
   const SurfacePoint from = surface_point(surface, -1), to = surface_point(surface, 1);
   const double turn = atan2(from.nx * to.ny - from.ny * to.nx, from.nx * to.nx + from.ny * to.ny);
-  if (told != nullptr && told->kind == C2D_CURVE_ARC) return turn > 0.0 ? 1.0 / told->radius : -1.0 / told->radius;
+  if (curve != nullptr && curve->kind == C2D_CURVE_ARC) return turn > 0.0 ? 1.0 / curve->radius : -1.0 / curve->radius;
   return turn / element_length(m, b, element);
 }
 
@@ -117,10 +118,10 @@ double part_of(const Zone& z, int side) { return side == 0 ? z.normal_part : 1.0
 // What is known of a zone's pairs one after another.
 struct Course {
   const Curve* curve[2] = {nullptr, nullptr};
-  double length = 0.0, bend = 0.0;   // of the stretch of pairs on these curves: of both sides together
-  double longest = 0.0, even = 0.0;  // of the longest one
-  double curvature[2] = {0.0, 0.0};  // of the pair before
-  bool told = true, changes = false; // all surfaces; the curvature of one that is slid along
+  double length = 0.0, bend = 0.0;    // of the stretch of pairs on these curves: of both sides together
+  double longest = 0.0, even = 0.0;   // of the longest one
+  double curvature[2] = {0.0, 0.0};   // of the pair before
+  bool given = true, changes = false; // curves of all pairs; the curvature of a side that is slid along
 
   void end_stretch() {
     if (length > longest) {
@@ -136,12 +137,12 @@ struct Course {
       const FacePoint at = point_of_pair(m, pair, side);
       const double part = part_of(z, side);
       now[side] = at.element >= 0 ? curve_of(m, z.body[side], at.element) : nullptr;
-      if (part <= kNoPart || !told) continue;
-      told = now[side] != nullptr;
-      if (told) k[side] = curvature_of(m, z.body[side], at.element);
+      if (part <= kNoPart || !given) continue;
+      given = now[side] != nullptr;
+      if (given) k[side] = curvature_of(m, z.body[side], at.element);
       both += part * part * k[side];
       const double size = fmax(fabs(k[side]), fabs(curvature[side]));
-      changes = changes || (told && now[side]->kind == C2D_CURVE_SPLINE) ||
+      changes = changes || (given && now[side]->kind == C2D_CURVE_SPLINE) ||
                 (!first && fabs(k[side] - curvature[side]) > kSame * size);
     }
     if (now[0] != curve[0] || now[1] != curve[1]) end_stretch();
@@ -162,7 +163,7 @@ void find_slip_gaps(const Model& m) {
     Course course;
     for (int32_t k = 0; k < z.pairs && z.is_tied == 0; ++k) course.add(m, z, z.first_pair + k, k == 0);
     course.end_stretch();
-    const bool follows = z.is_tied == 0 && course.told && course.changes;
+    const bool follows = z.is_tied == 0 && course.given && course.changes;
     for (int32_t k = 0; k < z.pairs; ++k) {
       SlipGap& out = m.slip_gap[z.first_pair + k];
       out = SlipGap{};

@@ -9,7 +9,7 @@ namespace c2d {
 // Finds the pairs whose gap follows their slip. Once the model has its frames.
 void find_slip_gaps(const Model& m);
 // What slip by w_t = s, in the caller's unit, adds to the gap along n between two points that faced each other. Beyond the ends
-// of the curves that are told it stays what it is there.
+// of the curves that are given it stays what it is there.
 double slip_gap(const Model& m, const Zone& z, const FacePoint at[2], const double n[2], double s, double even);
 // The same of a pair.
 double slip_gap(const Model& m, int32_t pair, double s);

@@ -47,7 +47,7 @@ struct SurfaceElement {
 SurfaceElement surface_element(const Model& m, int b, int32_t element);
 SurfacePoint surface_point(const SurfaceElement& element, double eta);
 SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta);
-// What is told of an element's surface; null: nothing.
+// The curve that is given for an element's surface; null: none.
 const Curve* curve_of(const Model& m, int b, int32_t element);
 // The element that follows (way 1) or goes before (-1) along the boundary; -1 at an end of an open region.
 int32_t element_beside(const Model& m, int b, int32_t element, int way);
