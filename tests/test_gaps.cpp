@@ -206,14 +206,14 @@ fix block.foot
 drive cap about 0 0 x 0 y -0.01 turn 0
 tolerance 5 %
 )";
-  for (const char* mu : {"2", "0"}) {
+  for (const std::string mu : {"2", "0"}) {
     CAPTURE(mu);
     const estimate::Adapted a = adapt(std::string(text).replace(text.find("MU"), 2, mu));
     CHECK(is_met(a));
     for (const app::Stated& s : a.loop.stated) {
       if (s.name != "dissipated") continue;
-      CHECK((s.value > 0 || *mu == '0'));
-      CHECK((s.error > 0 || *mu == '0'));
+      CHECK((s.value > 0 || mu == "0"));
+      CHECK((s.error > 0 || mu == "0"));
     }
   }
 }
