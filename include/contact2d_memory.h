@@ -129,8 +129,7 @@
   ARRAY(double, Loads, cases, 4)                      /* load factors: reached, target, direction, at stick        */  \
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
   ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
-  ARRAY(Real, MotionOfContact, pairs, 16)             /* results/approach.cpp                                      */  \
-  ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* the same                                                  */  \
+  ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* results/approach.cpp                                      */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
   ARRAY(SlipGap, SlipGaps, (curves) > 0 ? (pairs) : 0, 1) /* what slip adds to gaps, model/slip_gap.hpp             */ \
@@ -163,7 +162,8 @@
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
   ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
-  ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 3)) /* exchanges (contact/tableau.hpp) */
+  ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 3)) /* exchanges (contact/tableau.hpp) */\
+  ARRAY(Real, mean_motion, m, C2D_MEAN_MOTION_(m))    /* of the bodies (results/approach.cpp)                      */
 /* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
    side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
    bodies, in units of the model; and what back substitution takes. */
@@ -223,6 +223,8 @@
 
 /* Columns of T, and as many rows, for the exchanges that a tableau of m rows keeps back. */
 #define C2D_DELAYED_(m) ((m) < 160 ? 0 : C2D_SMALLER_((m) / 8, 64))
+/* Numbers per contact unknown of the bodies' mean motions. Of few pairs displacements are summed instead. */
+#define C2D_MEAN_MOTION_(m) ((m) < 32 ? 0 : 8)
 #define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
 /* A column of the tableau for the gaps that follow slip: as of one load case more. */
 #define C2D_SLIP_(curves) (UINT64_C(1) * ((curves) > 0 ? 1 : 0))

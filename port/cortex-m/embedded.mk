@@ -48,6 +48,7 @@ flags_obj := -fstack-usage -fcallgraph-info=su
 flags_lto := -flto --param=large-stack-frame=48 --param=large-stack-frame-growth=60
 link_lto  := $(ARM_FLAGS) $(flags_lto) -flto=1 -flto-partition=one
 form_m3   := lto
+form_m4f  := lto
 form = $(or $(form_$(1)),obj)
 told = $(if $(form_$(1)),plain,run_deck)
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)

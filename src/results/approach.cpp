@@ -43,7 +43,7 @@ struct MeanMotion {
 
 MeanMotion mean_motion(const Session& session, int b) {
   const Model& m = session.model;
-  Real* contact = array_of<Real>(session.solver, kMotionOfContact);
+  Real* contact = session.area.mean_motion;
   double* loads = array_of<double>(session.solver, kMotionOfLoads);
   for (int before = 0; before < b; ++before) {
     contact += 4 * static_cast<int64_t>(m.body[before].contact);
@@ -135,10 +135,12 @@ bool takes_part(const Model& m, int b) {
   return false;
 }
 
-// On demand columns of the contact come later: there displacements are found, and summed.
+// Of few pairs, and on demand, where columns of the contact come later, displacements are found and summed instead.
+bool has_functionals(const Model& m) { return C2D_MEAN_MOTION_(m.head->contact) > 0 && !is_on_demand(m); }
+
 c2d_status make_ready(Session& session) {
   c2d_solver* s = session.solver;
-  if (is_on_demand(session.model)) return back_substitute_all(session);
+  if (!has_functionals(session.model)) return back_substitute_all(session);
   c2d_status status = C2D_OK;
   for (int b = 0; b < session.model.head->bodies && status == C2D_OK && s->mean_motions == 0; ++b)
     if (takes_part(session.model, b)) status = find_mean_motion(session, b);
@@ -184,11 +186,9 @@ void body_motion(const Session& session, int b, double u[2]) {
     u[0] = motion[0], u[1] = motion[1];
     return;
   }
-  trailing_coefficients(session, b, session.area.coefficient);
+  if (has_functionals(m)) trailing_coefficients(session, b, session.area.coefficient);
   for (int c = 0; c < 2; ++c)
-    u[c] = is_mirrored(m, b, c)          ? 0.0
-           : is_on_demand(session.model) ? sum_of_displacements(session, b, c)
-                                         : value_of(session, b, c);
+    u[c] = is_mirrored(m, b, c) ? 0.0 : has_functionals(m) ? value_of(session, b, c) : sum_of_displacements(session, b, c);
 }
 
 // ---- directions ---------------------------------------------------------------------------------------------------------
