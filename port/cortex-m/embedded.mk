@@ -55,7 +55,7 @@ ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 # Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them as far as 256 KiB of ROM have room for
 # them beside the rest: decks that need another are refused, with the name of its call.
 PART_CALLS := c2d_link_holes c2d_set_symmetry
-parts_m3   := c2d_link_free_zones
+parts_m3   :=
 parts_m7   := c2d_link_free_zones c2d_set_body_force c2d_set_rigid
 
 # $(1) board, $(2) source, $(3) obj or lto
