@@ -1,6 +1,6 @@
 #include "bie/boundary_stress.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,7 @@
 #include "bie/chosen.hpp"
 
-#include <math.h>
-
 #include "bie/panel.hpp"
+#include "memory/math.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {

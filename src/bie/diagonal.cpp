@@ -3,9 +3,8 @@
 #include "bie/integrals_detail.hpp"
 #include "bie/panel.hpp"
 #include "memory/config.hpp"
+#include "memory/math.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,8 +1,7 @@
 #include "bie/far_field.hpp"
 
-#include <math.h>
-
 #include "bie/integrals_detail.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 

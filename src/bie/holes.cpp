@@ -1,9 +1,8 @@
 #include "bie/holes.hpp"
 
-#include <math.h>
-
 #include "bie/interior.hpp"
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 

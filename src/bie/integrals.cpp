@@ -2,10 +2,9 @@
 
 #include "bie/integrals_detail.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace {

@@ -4,10 +4,9 @@
 #include "bie/integrals_detail.hpp"
 #include "memory/config.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace {

@@ -1,10 +1,9 @@
 // The quadrature rule of the thesis's appendix A: 2, 4 or 10 Gauss points by distance, and at the source's own node ln(1/r) =
 // ln(1/|tau|) + ln(1/|q|), r = |tau q|, the first part with the logarithmic rule on either side.
 #include "bie/integrals_detail.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace {

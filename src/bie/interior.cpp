@@ -1,10 +1,10 @@
 // The kernels at a point, and Gauss rules over curved elements. See interior.hpp for the formulas.
-#include <math.h>
 
 #include "bie/integrals_detail.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 

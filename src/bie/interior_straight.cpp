@@ -1,10 +1,10 @@
 // Closed forms on straight elements. In axes along the element, in units of its half length, about its middle, P is the
 // complex number z = xi + i zeta and rho = eta - z with real eta: then rho* = rho + 2 i zeta and n = -i, and all kernels
 // follow from the moments of bie/straight_moments.hpp.
-#include <math.h>
 
 #include "bie/interior_detail.hpp"
 #include "bie/straight_moments.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

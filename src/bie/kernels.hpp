@@ -1,10 +1,9 @@
 #pragma once
+#include "memory/math.hpp"
 // The 2-D Kelvin kernels in the four numbers that survive a rotation: a 2x2 block is
 //   [ alpha + beta,  gamma + delta ]
 //   [ gamma - delta, alpha - beta  ],
 // alpha and delta do not change when the axes turn, (beta, gamma) turn by twice the angle.
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,8 +1,8 @@
 // Right-hand sides of point loads.
-#include <math.h>
 
 #include "bie/kernels.hpp"
 #include "bie/panel.hpp"
+#include "memory/math.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {

@@ -1,6 +1,6 @@
 #include "bie/straight_moments.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

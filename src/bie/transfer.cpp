@@ -2,11 +2,10 @@
 
 #include "bie/panel.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

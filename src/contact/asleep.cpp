@@ -1,6 +1,5 @@
 #include "contact/asleep.hpp"
 
-#include <math.h>
 #include <string.h>
 
 #include "contact/held_columns.hpp"
@@ -8,6 +7,7 @@
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,7 @@
 #include "contact/basis.hpp"
 
-#include <math.h>
-
 #include "contact/frictionless.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,11 +1,10 @@
 #include "contact/body_compliance.hpp"
 #include "contact/body_unknowns.hpp"
 
-#include <math.h>
-
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 #include "linalg/dense.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

@@ -2,10 +2,10 @@
 // only, those that it has in one of these cells: a system of linear inequalities, which knows nothing of the cells but that.
 // If it has no solution, no set of those cells has rates. If it has one, and no pair is between two cells there, these are
 // the rates; else the cells of the pair that is farthest between are divided, and both parts are looked at.
-#include <math.h>
 
 #include "contact/rate_cells.hpp"
 #include "linalg/exchange.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,8 @@
 // From one event to the next: a pair touches, lifts, or starts to slip (METHOD 12).
-#include <math.h>
 
 #include "contact/asleep.hpp"
 #include "contact/path.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

@@ -1,8 +1,7 @@
 #include "contact/force_cone.hpp"
 
-#include <math.h>
-
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -3,6 +3,7 @@
 #include "contact/facing_pairs.hpp"
 #include "contact/ties.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/body_overlaps.hpp"
 #include "model/geometry.hpp"
@@ -11,8 +12,6 @@
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

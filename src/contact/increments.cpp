@@ -1,9 +1,9 @@
 // The thesis's own stepping on the tableau: an increment is applied at once, statuses are corrected by Table 4 until
 // they agree with the values at its end. A pair that closes or turns back sticks where it was when the increment began.
-#include <math.h>
 
 #include "contact/asleep.hpp"
 #include "contact/let_go.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,9 +1,8 @@
 #include "contact/let_go.hpp"
 
-#include <math.h>
-
 #include "contact/limit_analysis.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

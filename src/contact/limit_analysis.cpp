@@ -1,12 +1,11 @@
 #include "contact/limit_analysis.hpp"
 
-#include <math.h>
-
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/force_cone.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

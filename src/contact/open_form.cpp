@@ -1,10 +1,9 @@
 #include "contact/open_form.hpp"
 
-#include <math.h>
-
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

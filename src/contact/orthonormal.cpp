@@ -1,8 +1,7 @@
 #include "contact/orthonormal.hpp"
 
-#include <math.h>
-
 #include "linalg/dense.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -3,9 +3,9 @@
 // are in doubt each stretch is one bordered system, solved anew: nothing gathers round-off, and the system of a stretch's
 // cells alone may be singular. Where many are, the tableau itself goes along, one exchange a stretch, with c in place of its
 // constants.
-#include <math.h>
 
 #include "contact/rate_cells.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,10 +1,9 @@
 // One set of cells: its linear system, its conditions, and all sets one after another.
 #include "contact/rate_problem.hpp"
 
-#include <math.h>
-
 #include "contact/rate_cells.hpp"
 #include "linalg/lu.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,13 +1,12 @@
 #include "contact/reduction.hpp"
 
-#include <math.h>
-
 #include "contact/body_compliance.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/open_form.hpp"
 #include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

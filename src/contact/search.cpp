@@ -1,9 +1,8 @@
 #include "contact/search.hpp"
 
-#include <math.h>
-
 #include "contact/limit_analysis.hpp"
 #include "contact/rate_cells.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

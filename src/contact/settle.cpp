@@ -1,11 +1,11 @@
 // Statuses that agree with the rates: the complementarity problem within one load (METHOD 13).
-#include <math.h>
 
 #include "contact/asleep.hpp"
 #include "contact/let_go.hpp"
 #include "contact/path.hpp"
 #include "contact/rate_cells.hpp"
 #include "contact/search.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

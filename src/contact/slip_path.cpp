@@ -1,7 +1,6 @@
 #include "contact/slip_path.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "model/slip_gap.hpp"
 
 namespace c2d {

@@ -6,10 +6,9 @@
 #include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/free_zones.hpp"
 #include "model/pair_frame.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,7 +1,5 @@
 #include "contact/tableau.hpp"
 
-#include <math.h>
-
 #include "contact/asleep.hpp"
 #include "contact/basis.hpp"
 #include "contact/held_columns.hpp"
@@ -10,6 +8,7 @@
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

@@ -2,10 +2,9 @@
 
 #include "contact/facing_pairs.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

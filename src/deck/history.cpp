@@ -7,8 +7,7 @@
 //   a straight piece of path, which begins where the last one ended (at zero at first).
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
-
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

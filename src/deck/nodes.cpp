@@ -1,8 +1,7 @@
 // Boundary points: origin, node cards, generation along lines and arcs.
 #include "deck/deck.hpp"
+#include "memory/math.hpp"
 #include "model/polar.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace {

@@ -1,6 +1,6 @@
 #include "elimination/cells.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 

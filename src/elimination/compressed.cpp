@@ -1,10 +1,10 @@
-#include <math.h>
 #include <string.h>
 
 #include "elimination/cells.hpp"
 #include "elimination/compressed_work.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,10 +1,10 @@
 // Which equations and unknowns stand for a cell: those of which the others are combinations in all that the cell has to do with
 // the rest of the body. Of the rest, what is within a circle round the cell is looked at as it is. What lies outside acts on
 // the cell like forces on the circle, and feels of it what the circle feels.
-#include <math.h>
 
 #include "bie/kernels.hpp"
 #include "elimination/compressed_work.hpp"
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,8 @@
 // What a solution leaves of equations that are assembled anew: the dense ones, of a few nodes.
-#include <math.h>
 #include <string.h>
 
 #include "elimination/compressed_work.hpp"
+#include "memory/math.hpp"
 #include "memory/sizes.hpp"
 #include "model/symmetry.hpp"
 

@@ -1,9 +1,8 @@
 // Begin and advance.
 #include "interface/advance.hpp"
 
-#include <math.h>
-
 #include "interface/refuse.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/validate.hpp"
 #include "solver/judge.hpp"

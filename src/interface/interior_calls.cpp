@@ -1,6 +1,5 @@
+#include "memory/math.hpp"
 #include "results/interior.hpp"
-
-#include <math.h>
 
 #include "interface/refuse.hpp"
 

@@ -1,7 +1,7 @@
 // Loads by calls that are no conditions of the boundary, friction, and the path.
-#include <math.h>
 
 #include "interface/refuse.hpp"
+#include "memory/math.hpp"
 #include "model/validate.hpp"
 
 namespace c2d {

@@ -1,7 +1,7 @@
 // Boundary points by calls: from arrays, along lines and arcs.
-#include <math.h>
 
 #include "interface/refuse.hpp"
+#include "memory/math.hpp"
 #include "model/polar.hpp"
 #include "model/validate.hpp"
 

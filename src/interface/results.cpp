@@ -1,8 +1,8 @@
 // Answers: fields, lists.
-#include <math.h>
 #include <string.h>
 
 #include "interface/refuse.hpp"
+#include "memory/math.hpp"
 #include "model/surface.hpp"
 #include "model/symmetry.hpp"
 #include "results/back.hpp"

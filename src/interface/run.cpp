@@ -1,8 +1,8 @@
 // The model's own load path.
-#include <math.h>
 #include <string.h>
 
 #include "interface/advance.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/back.hpp"
 #include "results/table.hpp"

@@ -1,8 +1,8 @@
 // The summary of model, path and work done.
-#include <math.h>
 #include <string.h>
 
 #include "interface/refuse.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/balance.hpp"
 #include "solver/energy.hpp"

@@ -3,7 +3,7 @@
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

@@ -1,6 +1,6 @@
 #include "linalg/dense.hpp"
 #include "linalg/packed.hpp"
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

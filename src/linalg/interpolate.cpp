@@ -1,6 +1,6 @@
 #include "linalg/interpolate.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 

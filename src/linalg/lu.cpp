@@ -1,7 +1,7 @@
 #include "linalg/lu.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

@@ -1,7 +1,6 @@
 #include "model/body_overlaps.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/validate_finding.hpp"
 

@@ -1,8 +1,7 @@
 #include "model/element.hpp"
 
+#include "memory/math.hpp"
 #include "model/shape.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace {

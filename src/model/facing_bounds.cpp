@@ -1,9 +1,8 @@
 // Bounds that spare most elements a look.
+#include "memory/math.hpp"
 #include "model/facing.hpp"
 
 #include "model/geometry.hpp"
-
-#include <math.h>
 
 namespace c2d::facing {
 

@@ -1,10 +1,9 @@
 // Pieces of elements of side 1 and what they face, one after the other.
+#include "memory/math.hpp"
 #include "model/facing.hpp"
 
 #include "memory/hostile.hpp"
 #include "model/geometry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace facing {

@@ -1,10 +1,9 @@
 // Points of two surfaces that face each other.
+#include "memory/math.hpp"
 #include "model/facing.hpp"
 
 #include "memory/hostile.hpp"
 #include "model/geometry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace facing {

@@ -1,11 +1,10 @@
 #include "model/free_zones.hpp"
 
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/facing.hpp"
 #include "model/geometry.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

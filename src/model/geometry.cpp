@@ -1,7 +1,6 @@
 #include "model/geometry.hpp"
+#include "memory/math.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,6 +1,6 @@
 #include "model/polar.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 namespace {

@@ -1,8 +1,7 @@
 #include "model/slip_gap.hpp"
 
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,9 +1,8 @@
 #include "model/surface.hpp"
 
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

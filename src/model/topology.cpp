@@ -1,10 +1,9 @@
 // Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between symmetry lines.
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/model.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

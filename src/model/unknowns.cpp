@@ -1,9 +1,8 @@
 // Which of displacement and tractions is the unknown of a node: the rules of the condition cards.
 #include "model/unknowns.hpp"
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,7 +1,6 @@
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

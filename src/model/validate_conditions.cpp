@@ -1,12 +1,11 @@
 // Exactly one unknown per functional node and global component.
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,9 +1,8 @@
 // Do the curves that are told fit the boundary points, and is no element in two of them?
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

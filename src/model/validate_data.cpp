@@ -1,8 +1,8 @@
 // Is everything there, and are the numbers numbers? The other checks rely on what is found here.
+#include "memory/math.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
 
-#include <math.h>
 #include <string.h>
 
 namespace c2d {

@@ -1,10 +1,9 @@
 // Are the boundaries proper closed curves with the material on their left?
 #include "memory/config.hpp"
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,10 +1,9 @@
 // Lines of symmetry: those asked for, or found among the elements, and whether the model fits them.
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

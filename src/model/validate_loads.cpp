@@ -1,11 +1,10 @@
 // Point loads lie inside their body, away from its boundary.
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

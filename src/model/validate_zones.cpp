@@ -1,12 +1,11 @@
 // Do contact zones refer to what is there, and do their sides face each other?
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -1,10 +1,9 @@
 // The surface of a side of a zone, with one normal where its elements meet.
+#include "memory/math.hpp"
 #include "model/facing.hpp"
 
 #include "memory/hostile.hpp"
 #include "model/symmetry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 namespace facing {

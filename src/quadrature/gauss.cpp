@@ -1,6 +1,7 @@
 #include "quadrature/gauss.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
+
 #include <stdint.h>
 
 namespace c2d {

@@ -1,11 +1,10 @@
 // How far the bodies of a zone have come closer, and past each other (METHOD 16.8).
 #include "results/approach.hpp"
 
-#include <math.h>
-
 #include "bie/columns.hpp"
 #include "bie/measure.hpp"
 #include "contact/body_unknowns.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"

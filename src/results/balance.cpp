@@ -1,11 +1,11 @@
 // Resultants of what acts on the bodies, and their balance. Optional (memory/parts.hpp).
-#include <math.h>
 
+#include "results/balance.hpp"
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/back.hpp"
-#include "results/balance.hpp"
 #include "results/body_state.hpp"
 #include "results/transferred.hpp"
 #include "solver/load_path.hpp"

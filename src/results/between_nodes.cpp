@@ -1,7 +1,6 @@
 #include "results/between_nodes.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/surface.hpp"
 #include "model/unknowns.hpp"

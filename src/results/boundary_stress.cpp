@@ -1,8 +1,8 @@
 // Stress tensor on the boundary: tractions, and slopes of the displacement recovered from where they are most accurate.
-#include <math.h>
 
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
+#include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "model/symmetry.hpp"
 #include "quadrature/gauss.hpp"

@@ -1,8 +1,7 @@
 #include "results/facing_meshes.hpp"
 
-#include <math.h>
-
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 

@@ -1,6 +1,6 @@
 #include "results/friction_work.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,7 @@
 #include "results/indicator.hpp"
 
-#include <math.h>
-
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"

@@ -1,13 +1,13 @@
 // Displacements and stresses at interior points (METHOD 16.3).
 #include "results/interior.hpp"
 
-#include <math.h>
 #include <string.h>
 
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "memory/workers.hpp"
 #include "results/back.hpp"

@@ -1,9 +1,8 @@
 #include "results/interior_cells.hpp"
 
-#include <math.h>
-
 #include "bie/kernels.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/workers.hpp"
 #include "results/back.hpp"
 #include "results/interior_elements.hpp"

@@ -1,9 +1,8 @@
 #include "results/interior_nodes.hpp"
 
-#include <math.h>
-
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "results/interior.hpp"

@@ -1,10 +1,9 @@
 #include "results/interior_placing.hpp"
 
-#include <math.h>
-
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/interior.hpp"
 #include "solver/particular.hpp"

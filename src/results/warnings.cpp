@@ -1,8 +1,8 @@
 // What a user should know about a contact state: each warning once per path (src/report/OUTPUT.md).
 #include <float.h>
-#include <math.h>
 
 #include "contact/let_go.hpp"
+#include "memory/math.hpp"
 #include "memory/text.hpp"
 #include "model/body_overlaps.hpp"
 #include "model/geometry.hpp"

@@ -1,9 +1,9 @@
 // Resultants and statuses of a contact zone as it stands.
-#include <math.h>
 
-#include "bie/columns.hpp"
-#include "model/pair_frame.hpp"
 #include "results/zone_state.hpp"
+#include "bie/columns.hpp"
+#include "memory/math.hpp"
+#include "model/pair_frame.hpp"
 
 namespace c2d {
 

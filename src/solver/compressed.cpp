@@ -1,11 +1,10 @@
 #include "solver/compressed.hpp"
 
-#include <math.h>
-
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/body_unknowns.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "model/validate_finding.hpp"
 #include "solver/far_cells.hpp"
 #include "solver/judge.hpp"

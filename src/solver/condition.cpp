@@ -1,7 +1,7 @@
 // How many digits the equations of the bodies leave.
-#include <math.h>
 
 #include "bie/columns.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
 #include "solver/judge.hpp"

@@ -1,7 +1,7 @@
 // The books of energy: work, friction, elastic energy, and their balance.
 #include "solver/energy.hpp"
 
-#include <math.h>
+#include "memory/math.hpp"
 
 namespace c2d {
 

@@ -1,9 +1,9 @@
 // Point loads in the energy's functionals.
-#include <math.h>
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "bie/kernels.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/shape.hpp"

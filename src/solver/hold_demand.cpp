@@ -1,11 +1,10 @@
 #include "solver/hold_demand.hpp"
 
-#include <math.h>
-
 #include "contact/body_unknowns.hpp"
 #include "contact/held_columns.hpp"
 #include "contact/reduction.hpp"
 #include "linalg/dense.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "solver/on_demand.hpp"
 

@@ -1,6 +1,5 @@
 #include "solver/judge.hpp"
 
-#include <math.h>
 #include <string.h>
 
 #include "bie/columns.hpp"
@@ -12,6 +11,7 @@
 #include "contact/rigid_balance.hpp"
 #include "contact/start.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/energy.hpp"

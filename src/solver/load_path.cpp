@@ -1,11 +1,11 @@
 #include "solver/load_path.hpp"
 
-#include <math.h>
 #include <string.h>
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"

@@ -4,8 +4,7 @@
 // body as if rigid, against unilateral contact with friction.
 #include "solver/motion.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "model/rigid.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"

@@ -1,6 +1,5 @@
 #include "solver/on_demand.hpp"
 
-#include <math.h>
 #include <string.h>
 
 #include "bie/batch.hpp"
@@ -9,6 +8,7 @@
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/orthonormal.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "model/pair_frame.hpp"

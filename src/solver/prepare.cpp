@@ -1,6 +1,6 @@
 // Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
-#include <math.h>
 
+#include "solver/prepare.hpp"
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/basis.hpp"
@@ -9,6 +9,7 @@
 #include "contact/reduction_plan.hpp"
 #include "elimination/far_sums.hpp"
 #include "memory/hostile.hpp"
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
@@ -20,7 +21,6 @@
 #include "solver/model_hash.hpp"
 #include "solver/phases.hpp"
 #include "solver/port.hpp"
-#include "solver/prepare.hpp"
 #include "solver/session.hpp"
 #include "solver/support.hpp"
 

@@ -1,6 +1,6 @@
 // The motion of a body whose pressed pairs hold it no longer, and what is told of it.
-#include <math.h>
 
+#include "memory/math.hpp"
 #include "model/rigid.hpp"
 #include "solver/load_path.hpp"
 #include "solver/motion.hpp"

@@ -1,7 +1,6 @@
 #include "solver/support.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

@@ -1,7 +1,6 @@
 #include "solver/unheld.hpp"
 
-#include <math.h>
-
+#include "memory/math.hpp"
 #include "model/rigid.hpp"
 #include "model/validate_finding.hpp"
 #include "solver/support.hpp"

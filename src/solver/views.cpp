@@ -1,6 +1,6 @@
 // The arrays of the workspace as the rooms below see them.
-#include <math.h>
 
+#include "memory/math.hpp"
 #include "model/validate.hpp"
 #include "solver/solver.hpp"
 
