@@ -13,7 +13,7 @@ CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-e
 DEPS      := -MMD -MP
 
 BATCH ?= 30
-FLAGS_NOW := $(BATCH) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
+FLAGS_NOW := $(BATCH) $(ONE_FILE) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@

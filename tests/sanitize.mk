@@ -8,8 +8,8 @@ SANITIZE_FLAGS := -O1 -g1 -fsanitize=address,undefined
 sanitize:
 	+@$(MAKE) -s test-all BUILD=$(BUILD)/sanitize CXXFLAGS='$(SANITIZE_FLAGS) -fno-sanitize-recover=all' CFLAGS='$(SANITIZE_FLAGS)' \
 	  LDFLAGS='-fsanitize=address,undefined'
-sanitize-library: test-objects
-	+@$(FUZZ_MAKE) test TESTS_FROM=$(BUILD)
+sanitize-library: test-objects amalgamation
+	+@$(FUZZ_MAKE) BUILD=$(BUILD)/sanitize-library ONE_FILE=$(AMALGAMATION)/contact2d.cpp test TESTS_FROM=$(BUILD)
 
 # make sanitize-threads: what runs side by side, and nothing else, under the thread sanitizer: the pool of threads, tasks, transfers
 # on their way, a solver in each thread, cancel. THREADS_NOT='PATTERN,PATTERN': but those.

@@ -9,11 +9,12 @@ AMALGAMATION := $(BUILD)/amalgamation
 AMALGAMATED  := $(CORE_SOURCES) port/memory/c2d_memory.cpp
 $(BUILD)/obj/amalgamate: port/packaging/amalgamate.cpp $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
-amalgamation: $(BUILD)/obj/amalgamate
-	@mkdir -p $(AMALGAMATION)
-	@$(BUILD)/obj/amalgamate $(VERSION) $(AMALGAMATED) > $(AMALGAMATION)/contact2d.cpp.new
-	@mv $(AMALGAMATION)/contact2d.cpp.new $(AMALGAMATION)/contact2d.cpp
-	@cp include/*.h port/memory/c2d_memory.h $(AMALGAMATION)/
+$(AMALGAMATION)/contact2d.cpp: $(BUILD)/obj/amalgamate $(AMALGAMATED) $(wildcard include/*.h src/*/*.hpp port/memory/*.h) LICENSE
+	@mkdir -p $(@D)
+	@$(BUILD)/obj/amalgamate $(VERSION) $(AMALGAMATED) > $@.new
+	@mv $@.new $@
+	@cp include/*.h port/memory/c2d_memory.h $(@D)/
+amalgamation: $(AMALGAMATION)/contact2d.cpp
 	@echo 'One file: $(AMALGAMATION)/contact2d.cpp, with the headers beside it (and c2d_memory.h for the store that is in it)'
 
 # ---------------------------------------------------------------- make api
