@@ -5,25 +5,29 @@
 .PHONY: web
 WEB       := $(BUILD)/web
 WEB_CXX   ?= clang++
-WEB_COMMON := --target=wasm32-wasi -std=c++17 -O2 -ffp-contract=off -isystem port/web/include -Isrc -Iinclude $(addprefix -Iport/,$(filter-out fortran,$(PORTS))) \
+# What is compiled how: the core, and report and program.
+WEB_FLAGS ?= -O2
+WEB_PROGRAM_FLAGS ?= -O1
+WEB_COMMON := --target=wasm32-wasi -std=c++17 -ffp-contract=off -isystem port/web/include -Isrc -Iinclude $(addprefix -Iport/,$(filter-out fortran,$(PORTS))) \
   -D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_MMAN -D_WASI_EMULATED_PROCESS_CLOCKS -Wall -Wextra
 WEB_CORE_ONLY := -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 # Not the FORTRAN names, and nothing that needs threads: port/web/platform.cpp stands in for it.
-WEB_CORE  := $(CORE_SOURCES) $(filter-out port/fortran/% port/threads/% port/posix/transfers.cpp,$(PORT_SOURCES))
+WEB_CORE  := $(or $(ONE_FILE),$(CORE_SOURCES)) $(filter-out port/fortran/% port/threads/% port/posix/transfers.cpp \
+  $(if $(ONE_FILE),port/memory/%),$(PORT_SOURCES))
 WEB_REST  := $(REPORT_BATCHES) $(FAMILY_BATCHES) $(PROGRAM_MAIN) port/web/exceptions.cpp port/web/platform.cpp
 web_object = $(patsubst $(BUILD)/%,$(WEB)/%,$(call batch_object,$(1)))
 web_kernel = $(if $(findstring /kernel_,$(1)),-ffp-contract=off -msimd128)
 
 $(WEB)/flags: FORCE
 	@mkdir -p $(WEB)/obj
-	@echo '$(WEB_CXX) $(WEB_COMMON)' | cmp -s - $@ || echo '$(WEB_CXX) $(WEB_COMMON)' > $@
+	@echo '$(WEB_CXX) $(WEB_COMMON) $(WEB_FLAGS) $(WEB_PROGRAM_FLAGS) $(ONE_FILE)' | cmp -s - $@ || echo '$(WEB_CXX) $(WEB_COMMON) $(WEB_FLAGS) $(WEB_PROGRAM_FLAGS) $(ONE_FILE)' > $@
 define web_compile
 $(call web_object,$(1)): $(call batch_needs,$(1)) $(WEB)/flags port/web/web.mk
 	$(call write_batch,$(1))
 	$(WEB_CXX) $(WEB_COMMON) $(2) -MMD -MP -c $(call batch_source,$(1)) -o $$@
 endef
-$(foreach s,$(WEB_CORE),$(eval $(call web_compile,$(s),$(WEB_CORE_ONLY) $(call web_kernel,$(s)))))
-$(foreach s,$(WEB_REST),$(eval $(call web_compile,$(s),-O1 -fwasm-exceptions -include port/web/system.hpp)))
+$(foreach s,$(WEB_CORE),$(eval $(call web_compile,$(s),$(WEB_FLAGS) $(WEB_CORE_ONLY) $(call web_kernel,$(s)))))
+$(foreach s,$(WEB_REST),$(eval $(call web_compile,$(s),$(WEB_PROGRAM_FLAGS) -fwasm-exceptions -include port/web/system.hpp)))
 $(WEB)/contact2d.wasm: $(foreach s,$(WEB_CORE) $(WEB_REST),$(call web_object,$(s)))
 	$(WEB_CXX) --target=wasm32-wasi -O2 -Wl,--strip-all -Wl,-z,stack-size=1048576 -o $@ $^ \
 	  -lwasi-emulated-signal -lwasi-emulated-mman
