@@ -74,11 +74,12 @@ def core_flags(source):
 
 
 def batches(sources, folder, name):
-    """Sources that include ten each, as the headers of the C++ library take longer to compile than what follows them."""
+    """Sources that include ten or more each, as the headers of the C++ library take longer to compile than what follows them."""
     out = []
-    for i in range(0, len(sources), 10):
+    size = max(10, len(sources) // (2 * (os.cpu_count() or 2)) + 1)
+    for i in range(0, len(sources), size):
         out.append(folder / ("%s%d.cpp" % (name, i)))
-        out[-1].write_text("".join('#include "%s"\n' % source for source in sources[i:i + 10]), encoding="utf-8")
+        out[-1].write_text("".join('#include "%s"\n' % source for source in sources[i:i + size]), encoding="utf-8")
     return out
 
 
