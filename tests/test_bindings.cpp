@@ -275,6 +275,12 @@ TEST_CASE("bindings: every function of the headers is in the Fortran module, arg
     CHECK_MESSAGE(headers().functions.count(each.first) == 1, each.first << " is in no header");
 }
 
+TEST_CASE("bindings: the Fortran module is what the headers make of it") {
+  if (!can_host("python3")) return;
+  const Result run = run_shell("cd / && PYTHONDONTWRITEBYTECODE=1 python3 '" + kRoot + "/port/fortran/generate.py' --check");
+  CHECK_MESSAGE(run.status == 0, run.out << run.err);
+}
+
 TEST_CASE("bindings: every constant of the headers is in the Fortran module, with its value") {
   REQUIRE(headers().constants.size() > 120);
   for (const auto& each : headers().constants) {
