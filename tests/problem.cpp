@@ -354,7 +354,9 @@ void capture(c2d_solver* s, Problem& p) {
     c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load, 1);
 }
 
-Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
+namespace {
+
+Result solve_once(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
   Result r;
   host::Limits limits = wanted;
   limits.panel_columns = setup.panel_columns;
@@ -441,6 +443,17 @@ Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& 
   }
   c2d_close(s);
   return r;
+}
+
+} // namespace
+
+// In the least memory slender bodies upon each other are refused, with the bytes that would do: a host makes room for them.
+Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
+  const Result first = solve_once(wanted, setup, feeder, keep);
+  if (setup.memory != Memory::minimum || first.status != C2D_ERR_MEMORY || first.told.back().bytes_needed <= 0) return first;
+  Setup more = setup;
+  more.bytes = static_cast<uint64_t>(first.told.back().bytes_needed);
+  return solve_once(wanted, more, feeder, keep);
 }
 
 host::Limits deck_limits(const std::string& text) {
