@@ -5,8 +5,6 @@
 #include "problem.hpp"
 #include "solver_runs.hpp"
 
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -232,15 +230,6 @@ inline Verdict end_and_resume(const Job& job, size_t places = 4) {
     if (!out.difference.empty()) out.difference = "ended at step " + std::to_string(saved[k].step + 1) + ": " + out.difference;
   }
   return out;
-}
-
-// The job ends alike wherever it is interrupted, at `places` of its steps.
-inline void is_resumed(const std::string& kind, const Job& job, size_t least_steps = 3, size_t places = 4) {
-  CAPTURE(kind);
-  const Verdict v = end_and_resume(job, places);
-  CHECK_MESSAGE(v.difference == "", v.difference);
-  CHECK_MESSAGE(v.status == C2D_OK, v.messages);
-  CHECK(v.steps >= least_steps);
 }
 
 } // namespace interrupted

@@ -1,6 +1,6 @@
 // Every kind of model ended at one of its steps and taken up by another solver: the same bytes and the same messages.
 #include "family_runs.hpp"
-#include "interrupted.hpp"
+#include "is_resumed.hpp"
 #include "memory/config.hpp"
 #include "shell.hpp"
 

@@ -1,7 +1,8 @@
 // Models drawn at random in forms that must not matter, and interrupted.
-#include "interrupted.hpp"
+#include "is_resumed.hpp"
 #include "lifted_block.hpp"
 #include "random/forms.hpp"
+#include "random/resumed.hpp"
 #include "random/three_bodies.hpp"
 #include "solver_runs.hpp"
 
@@ -56,5 +57,13 @@ TEST_CASE("interrupted: random models of three bodies") {
     std::string title;
     const many::Model m = random_decks::generate_three(seed, title);
     interrupted::is_resumed(title, seed % 2 == 0 ? interrupted::also_with(0.1, job_of(m)) : job_of(m), 1);
+  }
+}
+
+TEST_CASE("interrupted: random decks") {
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    const random_decks::Verdict v = random_decks::judge_resumed(seed);
+    CHECK_MESSAGE(v.findings.empty(), "make random N=1 KIND=resume SEED=" << seed << ": " << v.findings.front());
+    CHECK(v.status == C2D_OK);
   }
 }

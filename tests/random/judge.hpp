@@ -6,7 +6,7 @@
 
 namespace random_decks {
 
-enum class Kind { any, few_pairs, lifted, symmetric, three }; // three bodies: three_bodies.hpp
+enum class Kind { any, few_pairs, lifted, symmetric, three, resumed }; // the last two: three_bodies.hpp, resumed.hpp
 
 struct Verdict {
   std::string title;

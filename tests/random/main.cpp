@@ -1,8 +1,9 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
-//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|punch]
+//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|resume|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
 #include "children.hpp"
 #include "judge.hpp"
+#include "resumed.hpp"
 #include "spence.hpp"
 #include "three_bodies.hpp"
 
@@ -37,7 +38,7 @@ void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   Verdict v;
   try {
-    v = kind == Kind::three ? judge_three(seed) : judge(kind, seed);
+    v = kind == Kind::three ? judge_three(seed) : kind == Kind::resumed ? judge_resumed(seed) : judge(kind, seed);
   } catch (const std::exception& e) {
     v.findings.push_back(std::string("the judge stopped: ") + e.what());
   }
@@ -85,6 +86,7 @@ int main(int argc, char** argv) {
                     : name == "lift"   ? Kind::lifted
                     : name == "mirror" ? Kind::symmetric
                     : name == "three"  ? Kind::three
+                    : name == "resume" ? Kind::resumed
                                        : Kind::any;
   Tally tally;
   random_work::Work work;

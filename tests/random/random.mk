@@ -1,6 +1,6 @@
 # make random N=1000 SEED=1: random decks, judged (tests/random/judge.hpp). Those that fail are left in build/random, each
 # named after its seed. KIND=few: few pairs, all their statuses tried. KIND=lift: lifted off and put back. KIND=mirror:
-# symmetric bodies. KIND=three: three bodies. KIND=punch: the 84 punches of Spence.
+# symmetric bodies. KIND=three: three bodies. KIND=resume: runs that are ended and taken up. KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
 # build/estimate. ELEMENTS and SECONDS are the limits of each.
 #: make random                      random decks, judged (N=, SEED=, KIND=)
