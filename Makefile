@@ -117,7 +117,7 @@ chapter9: $(BUILD)/obj/chapter9
 help:
 	@sed -n 's/^#: //p' $(filter Makefile %.mk,$(MAKEFILE_LIST))
 	@echo
-	@echo 'Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS PROGRAM_FLAGS HARDENING PORTS BUILD JOBS BATCH;'
+	@echo 'Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS PROGRAM_FLAGS HARDENING PORTS BUILD JOBS BATCH ONE_FILE;'
 	@echo 'for the tests DOCTEST_INCLUDE DOCTEST_SHA256 NO_INSTALL'
 
 # ---------------------------------------------------------------- tests, other machines, packages
