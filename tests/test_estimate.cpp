@@ -89,3 +89,44 @@ TEST_CASE("estimate: numbers without an error are left out, unless asked for") {
   estimate::drop_unknown(all);
   CHECK(all.size() == 2);
 }
+
+namespace {
+
+// Two bodies with one element each that are tied, and what the tie carries.
+estimate::Trial tied(double force, double moment) {
+  estimate::Trial out;
+  out.nodes = 2;
+  out.lengths = {{3}, {3}}, out.stiffness = {100, 100}, out.across = {0, 0};
+  out.zones = {{{{0, 0, 0}, {1, 0, 0}}}};
+  out.tied = {1};
+  estimate::State state;
+  state.turn = true, state.loads = {1}, state.work = 1;
+  state.ends.resize(2);
+  for (auto& body : state.ends)
+    for (auto& field : body) field.assign(2, 0.0);
+  state.ends[0][estimate::kUy] = {0.01, 0.01};
+  for (const auto& [what, value] : {std::pair{app::Measure::kForceY, force}, {app::Measure::kMoment, moment}}) {
+    app::Quantity q;
+    q.what = what, q.zone = 1, q.value = value;
+    state.quantities.push_back(q);
+  }
+  out.states = {state};
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("estimate: forces and moments that are nothing but round-off are compared with what counts") {
+  const estimate::Distance none{{}, {0}, 0, {0}};
+  const auto stated = [&](double force, double moment) {
+    return estimate::state_numbers(tied(force, -3 * moment), tied(force * (1 + 1e-15), moment), none, nullptr);
+  };
+  const std::vector<app::Stated> balanced = stated(2, 1e-15);
+  REQUIRE(balanced.size() == 2);
+  CHECK(balanced[1].scale == doctest::Approx(6)); // the force times the length of the tie
+  CHECK((balanced[1].error >= 4e-15 && balanced[1].error < 1e-8));
+  const std::vector<app::Stated> loose = stated(1e-19, 1e-19);
+  CHECK(loose[0].scale == doctest::Approx(1e-9 * 100 * 0.01));
+  CHECK((loose[0].error > 0 && loose[0].error < 1e-17));
+  CHECK(stated(1e-3, 0)[0].scale == doctest::Approx(1e-3)); // small, but a force
+}

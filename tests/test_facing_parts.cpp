@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
+
 using namespace sketch_test;
 
 namespace {
@@ -168,8 +170,35 @@ TEST_CASE("facing parts: messages about a mesh name curves") {
   CHECK(words("moved sideways by 0.00186, 3.9 elements, most of it before they touched: place them") ==
         "moved sideways by 0.00186, most of it before they touched: place them");
   CHECK(words("node 99 of body 1 stays") == "node 99 of body 1 stays");
-  CHECK(app::is_about_mesh(C2D_WARN_LEFT_OUT));
-  CHECK_FALSE(app::is_about_mesh(C2D_WARN_STRAIN));
+}
+
+TEST_CASE("facing parts: warnings say what they mean for the model, and nothing of a mesh") {
+  const auto words = [&](const std::string& text) { return app::in_words_of_drawing(text, ""); };
+  CHECK(
+      words(
+          "zone 1, pair 8, load factor 1: coarse contact: only 2 elements from the edge to the highest pressure; the edge may "
+          "be off by 0.1, 12 % of the width, that pressure by 5 %; the last element before the corner at pair 8 carries 5 % "
+          "of the force, and the pressure rises there to 4.2 times that of the next; it may have no bound: refine there") ==
+      "zone 1, load factor 1: at a corner of what touches the pressure rises to 4.2 times what it is beside it, and may have "
+      "no "
+      "bound: the highest pressure there means nothing; forces hold, and pressures some way off");
+  CHECK(words("slip since it last touched exceeds half a contact element and 5 % of what touches: pairs no longer face each "
+              "other") == "slip since it last touched exceeds 5 % of what touches: pressures act where surfaces faced each "
+                          "other as drawn, not where "
+                          "slip has taken them, and moments and stresses are off by about as much");
+  CHECK(words("between the nodes of side 2 the bodies overlap by 0.1 at (1, 2): contact conditions hold at the nodes of side 2 "
+              "alone, refine it there") ==
+        "where they touch the bodies overlap by 0.1 at (1, 2), and the pressure is off there: a smaller tolerance lowers it");
+  const auto is_about_mesh = [](int32_t number, const char* text) {
+    c2d_error warning = C2D_INIT(c2d_error);
+    warning.status = number;
+    std::snprintf(warning.text, sizeof warning.text, "%s", text);
+    return app::is_about_mesh(warning);
+  };
+  CHECK(is_about_mesh(C2D_WARN_LEFT_OUT, ""));
+  CHECK_FALSE(is_about_mesh(C2D_WARN_STRAIN, ""));
+  CHECK(is_about_mesh(C2D_WARN_FEW_PAIRS, "coarse contact: the zone of slip of pairs 7 to 7 holds only 1 element"));
+  CHECK_FALSE(is_about_mesh(C2D_WARN_FEW_PAIRS, "coarse contact: and the pressure rises there to 4.2 times that of the next"));
 }
 
 namespace {

@@ -97,6 +97,24 @@ TEST_CASE("quantities: slip is largest at an edge, between nodes") {
   CHECK(slip.s == doctest::Approx(b));
 }
 
+TEST_CASE("quantities: slip that is largest within the contact is that between nodes, in doubt by what its node stands out") {
+  const ZoneLine line = line_of(steps(40));
+  LineState state = state_of(line, 2.3, 37.6);
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> table;
+    for (size_t i = 0; i < line.size(); ++i) {
+      std::vector<double> row(C2D_PAIR_FIELDS, 0.0);
+      row[C2D_STATUS] = state.status[i], row[C2D_TN] = state.tn[i], row[C2D_GAP] = state.gap[i];
+      row[C2D_SLIP_SUM] = sign * (1 - 0.002 * (line.s[i] - 15.3) * (line.s[i] - 15.3));
+      table.insert(table.end(), row.begin(), row.end());
+    }
+    const Quantity slip = Run::all(quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {}, 0), Measure::kSlipRange).at(0);
+    CHECK(slip.value == doctest::Approx(1).epsilon(1e-12));
+    CHECK(slip.s == doctest::Approx(15.3));
+    CHECK(slip.doubt == doctest::Approx(0.5 * 0.002));
+  }
+}
+
 TEST_CASE("quantities: few open pairs beyond an edge") {
   const double b = 20.3;
   for (size_t open = 1; open <= 6; ++open) {

@@ -19,8 +19,9 @@ struct Phrase {
 constexpr Phrase kPhrases[] = {
     {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone", kReachesEnd},
     {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone", kReachesEnd},
-    {"exceeds half a contact element: pairs no longer face each other",
-     "is long beside the mesh: places touch that did not face each other at first"},
+    {"exceeds half a contact element and 5 % of what touches: pairs no longer face each other",
+     "exceeds 5 % of what touches: pressures act where surfaces faced each other as drawn, not where slip has taken them, and "
+     "moments and stresses are off by about as much"},
     {", # elements, most of it before they touched", ", most of it before they touched"},
     {"the friction of all pairs that hold ", "the friction of all that holds "},
     {"the place that moves the pairs least", "the place that moves the surfaces least"},
@@ -31,9 +32,12 @@ constexpr Phrase kPhrases[] = {
     {" away from element #, less than its length #, and loses force", " away from the boundary, so near that it loses force"},
     {"the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions hold at nodes "
      "only; refine, or use linear functions",
-     "the pressure falls below -1 % of the highest in places: ask for a smaller tolerance, or take linear functions"},
+     "the pressure falls below -1 % of the highest in places, and is off there by as much: a smaller tolerance lowers it"},
     {"overlaps smaller than what the elements leave open of the surfaces, pairs: #, most at",
-     "overlaps smaller than what the mesh leaves open of the surfaces, most at"},
+     "overlaps too small to be told from touching, most at"},
+    {"between the nodes of side 2 the bodies overlap by", "where they touch the bodies overlap by"},
+    {": contact conditions hold at the nodes of side 2 alone, refine it there",
+     ", and the pressure is off there: a smaller tolerance lowers it"},
     {"and grow as elements get shorter; trust them from a few elements away", "and have no bound; trust them some way off"},
     {", supports too close together, or elements of very unlike size", " or supports too close together"},
     {"or *INTERFERENCE", "or interference"}};
@@ -142,6 +146,20 @@ std::string beyond_zone(int zone, const std::string& deck) {
   return out;
 }
 
+constexpr char kRises[] = "and the pressure rises there to ", kToNext[] = " times that of the next";
+
+// Of a contact that is coarse beside a corner: what that means. What edges and borders are off by is told by their stated
+// errors.
+std::string words_of_corner(const std::string& text) {
+  const size_t begin = text.find(kRises), end = text.find(kToNext);
+  const std::string rise =
+      end == std::string::npos ? "many" : text.substr(begin + sizeof kRises - 1, end - begin - sizeof kRises + 1);
+  return "at a corner of what touches the pressure rises to " + rise +
+         " times what it is beside it, and may have no bound: the highest pressure there means nothing; forces hold, and "
+         "pressures "
+         "some way off";
+}
+
 } // namespace
 
 bool is_at_natural_end(const c2d_error& warning, const std::string& deck) {
@@ -156,8 +174,9 @@ std::string without_cut_ends(std::string deck) {
   return deck;
 }
 
-bool is_about_mesh(int32_t warning) {
-  return std::find(std::begin(kAboutMesh), std::end(kAboutMesh), warning) != std::end(kAboutMesh);
+bool is_about_mesh(const c2d_error& warning) {
+  if (warning.status == C2D_WARN_FEW_PAIRS) return std::string(warning.text).find(kRises) == std::string::npos;
+  return std::find(std::begin(kAboutMesh), std::end(kAboutMesh), warning.status) != std::end(kAboutMesh);
 }
 
 std::string in_words_of_drawing(const std::string& text, const std::string& deck) {
@@ -176,9 +195,7 @@ std::string in_words_of_drawing(const std::string& text, const std::string& deck
   if (out.find(kReachesEnd) != std::string::npos && accept_number(out, at, zone))
     if (const std::string beyond = beyond_zone(zone, deck); !beyond.empty()) out += ": " + beyond;
   if (const size_t coarse = out.find("coarse contact: "); coarse != std::string::npos)
-    out.replace(
-        coarse, std::string::npos,
-        "the contact is small beside the mesh, its edges and highest pressures are rough: a tolerance refines it there");
+    out.replace(coarse, std::string::npos, words_of_corner(out));
   return out;
 }
 

@@ -11,8 +11,8 @@
 
 namespace app {
 
-// Does a warning speak of how the mesh was made, and not of the model? Stated errors tell what that matters.
-bool is_about_mesh(int32_t warning);
+// Does a warning of the library speak of the mesh that was made, and not of the model? Stated errors tell what that matters.
+bool is_about_mesh(const c2d_error& warning);
 
 // Does a warning say that contact reaches the end of a zone where surfaces end, or where another zone goes on?
 bool is_at_natural_end(const c2d_error& warning, const std::string& deck);

@@ -37,7 +37,7 @@ void Messages::log(void* context, const c2d_error* reported) {
   if (entry->severity == C2D_WARNING) {
     if (m.is_end_of_platen(*entry)) return;
     if (m.deck_.is_made() &&
-        (is_about_mesh(entry->status) || is_at_natural_end(*entry, m.deck_.text()) || m.has_warned(entry->status)))
+        (is_about_mesh(*reported) || is_at_natural_end(*entry, m.deck_.text()) || m.has_warned(entry->status)))
       return;
     m.warnings_.push_back(*entry);
     if (m.print_warnings && !m.quiet) say(quote(m.deck_, *entry, "warning"));

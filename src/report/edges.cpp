@@ -207,7 +207,7 @@ std::vector<double> find_stick_borders(const LineState& state) {
   return out;
 }
 
-EdgeSlip edge_slip(const LineState& state, const ContactEdge& edge) {
+EdgeValue edge_slip(const LineState& state, const ContactEdge& edge) {
   const View view(state.line, edge.last, -edge.direction);
   if (edge.at_corner || run_of(state, view, 0, 1, C2D_SLIP) < 3) return {};
   const auto s = [&](int32_t k) { return state.slip[static_cast<size_t>(view.at(k))]; };
@@ -223,6 +223,8 @@ namespace {
 
 // An intensity follows from four pairs. The mesh disturbs those in the elements next to the edge, which are left out.
 const int32_t kPairs = 4, kElementsOut = 4, kFewerOut = 2;
+const int32_t kFarther = 2;                       // elements: pairs so much farther in give another value
+const double kOfFarther = 2, kOfIntensity = 0.01; // of what that changes, and at least of the value: its doubt
 
 int32_t pairs_per_element(const ZoneLine& line) {
   const size_t elements = std::max<size_t>(line.pieces.size(), 1);
@@ -255,25 +257,32 @@ std::vector<EdgeSample> inside(const LineState& state, const ContactEdge& edge, 
 
 } // namespace
 
-double edge_pressure(const LineState& state, const ContactEdge& edge) {
-  if (edge.at_corner) return NAN;
-  const auto value = [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; };
-  std::vector<EdgeSample> v = inside(state, edge, kElementsOut, false, value);
-  if (v.empty()) v = inside(state, edge, kFewerOut, false, value);
-  const double square = v.empty() ? NAN : value_at_edge(v);
-  return square >= 0 ? std::sqrt(square) : NAN;
+EdgeValue edge_pressure(const LineState& state, const ContactEdge& edge) {
+  if (edge.at_corner) return {NAN, 0};
+  const auto intensity = [&](int32_t elements_out) {
+    const std::vector<EdgeSample> v =
+        inside(state, edge, elements_out, false, [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; });
+    const double square = v.empty() ? NAN : value_at_edge(v);
+    return square >= 0 ? std::sqrt(square) : NAN;
+  };
+  for (const int32_t out : {kElementsOut, kFewerOut}) {
+    const double value = intensity(out), other = intensity(out + kFarther);
+    if (std::isnan(value)) continue;
+    return {value, std::max(kOfIntensity * value, std::isnan(other) ? 0 : kOfFarther * std::fabs(other - value))};
+  }
+  return {NAN, 0};
 }
 
-double edge_friction(const LineState& state, const ContactEdge& edge) {
-  if (edge.at_corner) return NAN;
+EdgeValue edge_friction(const LineState& state, const ContactEdge& edge) {
+  if (edge.at_corner) return {NAN, 0};
   const auto value = [&](size_t at, double d) { return state.tt[at] * state.tt[at] * d; };
   const std::vector<EdgeSample> v = inside(state, edge, kElementsOut, true, value);
-  if (v.empty()) return NAN;
+  if (v.empty()) return {NAN, 0};
   // Friction that falls towards the edge, as where the contact has just grown, has no such intensity.
   for (size_t i = 1; i < v.size(); ++i)
-    if (v[i].y / v[i].x >= v[i - 1].y / v[i - 1].x) return NAN;
+    if (v[i].y / v[i].x >= v[i - 1].y / v[i - 1].x) return {NAN, 0};
   const double square = value_at_edge(v);
-  return square > 0 ? std::copysign(std::sqrt(square), state.tt[static_cast<size_t>(edge.last)]) : NAN;
+  return {square > 0 ? std::copysign(std::sqrt(square), state.tt[static_cast<size_t>(edge.last)]) : NAN, 0};
 }
 
 } // namespace app

@@ -33,16 +33,17 @@ std::vector<ContactEdge> find_contact_edges(const LineState& state);
 // Where stick meets slip within a stretch of contact, in the order of s.
 std::vector<double> find_stick_borders(const LineState& state);
 
-// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner. `doubt`: what it
-// changes without the last pair.
-struct EdgeSlip {
-  double size = 0, doubt = 0;
+// What is found at an edge from the pairs behind it. `doubt`: what it changes with other pairs.
+struct EdgeValue {
+  double value = 0, doubt = 0;
 };
-EdgeSlip edge_slip(const LineState& state, const ContactEdge& edge);
+
+// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner.
+EdgeValue edge_slip(const LineState& state, const ContactEdge& edge);
 
 // L of p = L sqrt(d), d the distance inside, and K of tt = K / sqrt(d) where the contact sticks up to its edge. NaN: too few
 // pairs near the edge, a corner, or no such state.
-double edge_pressure(const LineState& state, const ContactEdge& edge);
-double edge_friction(const LineState& state, const ContactEdge& edge);
+EdgeValue edge_pressure(const LineState& state, const ContactEdge& edge);
+EdgeValue edge_friction(const LineState& state, const ContactEdge& edge);
 
 } // namespace app

@@ -25,15 +25,16 @@ private:
 
 struct Peak {
   double s, value;
+  double above = 0; // how far the node stands above the straight line between its neighbours
 };
 
-// The vertex of the parabola through the largest pressure and its neighbours; at an end of the contact or a corner, where the
-// pressure has no smooth top, the largest pressure itself.
-Peak find_peak(const LineState& state) {
+// The vertex of the parabola through the largest of what pairs have and its neighbours; at an end of the contact or a corner,
+// where there is no smooth top, the largest itself.
+Peak find_peak(const LineState& state, const std::vector<double>& values) {
   const ZoneLine& line = state.line;
   const int32_t n = static_cast<int32_t>(line.size());
-  const size_t top = static_cast<size_t>(std::max_element(state.tn.begin(), state.tn.end()) - state.tn.begin());
-  const Peak node{line.s[top], state.tn[top]};
+  const size_t top = static_cast<size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  const Peak node{line.s[top], values[top]};
   const int32_t i = static_cast<int32_t>(top);
   if (line.corner[top] != 0 || (!line.round && (i == 0 || i == n - 1)) || n < 3) return node;
   const size_t before = static_cast<size_t>((i + n - 1) % n), after = static_cast<size_t>((i + 1) % n);
@@ -41,11 +42,11 @@ Peak find_peak(const LineState& state) {
   double a = line.s[before] - node.s, b = line.s[after] - node.s;
   if (i == 0) a -= line.length;
   if (i == n - 1) b += line.length;
-  const double slope_a = (state.tn[before] - node.value) / a, slope_b = (state.tn[after] - node.value) / b;
+  const double slope_a = (values[before] - node.value) / a, slope_b = (values[after] - node.value) / b;
   const double curvature = (slope_b - slope_a) / (b - a), slope = slope_a - curvature * a;
-  if (curvature >= 0) return node; // three equal pressures
+  if (curvature >= 0) return node; // three equal values
   const double at = -slope / (2 * curvature);
-  return {node.s + at, node.value + slope * at / 2};
+  return {node.s + at, node.value + slope * at / 2, curvature * a * b};
 }
 
 // Length of what touches: between the edges, and up to the ends of the side where contact goes on to them.
@@ -79,7 +80,7 @@ void add_place(const ZoneLine& line, double s, Quantity& q) {
 }
 
 void add_pressures(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
-  const Peak peak = find_peak(state);
+  const Peak peak = find_peak(state, state.tn);
   add_place(state.line, peak.s, out.add(Measure::kPeakPressure, peak.value));
   double force = 0, friction = 0;
   for (size_t i = 0; i < state.tn.size(); ++i)
@@ -119,23 +120,29 @@ void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Co
   }
   for (const Measure what : {Measure::kEdgePressure, Measure::kEdgeFriction})
     for (size_t i = 0; i < edges.size(); ++i) {
-      const double value = what == Measure::kEdgePressure ? edge_pressure(state, edges[i]) : edge_friction(state, edges[i]);
-      if (std::isfinite(value)) add_place(state.line, edges[i].s, out.add(what, value, static_cast<int32_t>(i) + 1));
+      const EdgeValue found = what == Measure::kEdgePressure ? edge_pressure(state, edges[i]) : edge_friction(state, edges[i]);
+      if (!std::isfinite(found.value)) continue;
+      Quantity& q = out.add(what, found.value, static_cast<int32_t>(i) + 1);
+      q.doubt = found.doubt;
+      add_place(state.line, edges[i].s, q);
     }
 }
 
-// Where nothing has slipped there is none. It is largest at an edge as a rule, between nodes.
+// Of how far the largest slip stands above its neighbours: where the contact grew slip is not smooth from node to node.
+constexpr double kOfStanding = 0.5;
+
+// Where nothing has slipped there is none. It is largest within the contact, or at an edge, between nodes.
 void add_slip_range(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
-  size_t most = 0;
-  EdgeSlip largest;
-  for (size_t i = 0; i < state.slip.size(); ++i)
-    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > largest.size)
-      most = i, largest.size = std::fabs(state.slip[i]);
-  if (largest.size == 0) return;
-  double at = state.line.s[most];
+  std::vector<double> sizes(state.slip.size(), 0.0);
+  for (size_t i = 0; i < sizes.size(); ++i)
+    if (state.status[i] != C2D_OPEN) sizes[i] = std::fabs(state.slip[i]);
+  const Peak peak = find_peak(state, sizes);
+  if (!(peak.value > 0)) return;
+  EdgeValue largest{peak.value, kOfStanding * peak.above};
+  double at = peak.s;
   for (const ContactEdge& edge : edges)
-    if (const EdgeSlip slip = edge_slip(state, edge); slip.size > largest.size) largest = slip, at = edge.s;
-  Quantity& q = out.add(Measure::kSlipRange, largest.size);
+    if (const EdgeValue slip = edge_slip(state, edge); slip.value > largest.value) largest = slip, at = edge.s;
+  Quantity& q = out.add(Measure::kSlipRange, largest.value);
   q.doubt = largest.doubt;
   add_place(state.line, at, q);
 }

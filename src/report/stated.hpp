@@ -26,7 +26,8 @@ struct Stated {
   // For the round after: how far the two meshes had it apart; the error by what it changed before; what another way to find it
   // on the same mesh is apart.
   double apart = NAN, error_by_before = NAN, doubt = 0;
-  int way = 0; // how it was found: more is better
+  int way = 0;            // how it was found: more is better
+  bool is_inside = false; // a stress or displacement at a point inside a body
   bool has_value() const { return name != kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
   bool is_within() const { return std::isnan(tolerance) || error <= tolerance * scale; }

@@ -141,18 +141,19 @@ void warn_between_nodes(Session& session) {
   if (tell_between_nodes(session, text, &zone, &pair)) warn(session, C2D_WARN_BETWEEN, zone + 1, pair + 1, room);
 }
 
-// Gaps that follow slip are those of the points that face each other now: what is left is where on the bodies pressure acts.
+// What is closed is found where surfaces were made to face each other, and pressure acts there.
 void warn_slip(Session& session) {
   const Model& m = session.model;
   for (int32_t z = 0; z < m.head->zones; ++z) {
     const Zone& zone = m.zone[z];
-    const bool follows = follows_slip(session.tableau) && session.tableau.slip[zone.first_pair].follows != 0;
-    const double least = follows ? kMatters * closed_length(session, zone) : 0.0;
+    const double least = kMatters * closed_length(session, zone);
     for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
+      if (!is_closed(m.pair[i])) continue;
       const double slip = fabs(slip_sum(session.follower, i) - m.pair[i].slip_before) * m.head->length_unit;
       if (slip > fmax(least, 0.5 * m.pair[i].length))
         warn(session, C2D_WARN_LARGE_SLIP, z + 1, i + 1,
-             "slip since it last touched exceeds half a contact element: pairs no longer face each other");
+             "slip since it last touched exceeds half a contact element and 5 % of what touches: pairs no longer face each "
+             "other");
     }
   }
 }

@@ -23,7 +23,7 @@ using random_work::say;
 namespace {
 
 constexpr unsigned kPatience = 60; // seconds for one sketch and what it is held against
-constexpr double kBounds[] = {0.5, 0.8, 1, 1.5, 2, 3, 5, 10, 100};
+constexpr double kBounds[] = {0.4, 0.8, 1, 2, 4, 8, 20, 100};
 
 struct Tally {
   std::map<std::string, int> ends, findings, ratios;
@@ -35,7 +35,7 @@ std::string bin_of(const Compared& c) {
   char text[60];
   double low = 0;
   for (const double bound : kBounds) {
-    std::snprintf(text, sizeof text, "%6.4g to %g", low, bound);
+    std::snprintf(text, sizeof text, "%5.1f to %g", low, bound);
     if (c.ratio() < bound) return text;
     low = bound;
   }
@@ -48,6 +48,19 @@ std::string kind_of(const std::string& message) {
   for (const char c : message)
     if (c < '0' || c > '9') out += c;
   return out;
+}
+
+// All numbers of a sketch beside the truth, as a table.
+void write_numbers(const Judged& j, const std::string& file) {
+  std::ofstream out(file);
+  out << "name,zone,body,item,value,error,truth,off,scale,tolerance,met\n";
+  for (const Compared& c : j.numbers) {
+    char text[300];
+    std::snprintf(text, sizeof text, "%s,%d,%d,%d,%.9g,%.3g,%.9g,%.3g,%.3g,%g,%d\n", c.stated.name.c_str(), c.stated.zone,
+                  c.stated.body, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off, c.stated.scale,
+                  c.stated.tolerance, j.stopped.empty() ? 1 : 0);
+    out << text;
+  }
 }
 
 void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out) {
@@ -92,6 +105,7 @@ void judge_one(uint64_t number, const std::string& folder, const Limits& limits,
   if (!j.fault.empty() || !j.silent.empty()) say(out, "finding", kind_of(end));
   say(out, "count", kind_of(end));
   say_numbers(j, drawn.sharp, seed, out);
+  write_numbers(j, folder + "/" + seed + ".csv");
 }
 
 } // namespace

@@ -17,8 +17,8 @@ constexpr int32_t kFewPairs = 6;
 constexpr double kSameEnd = 0.01; // of the loads where a history ended early, and twice that of their work
 // Of what a border moved since the round before; of how far two meshes have it apart.
 constexpr double kOfMove = 2, kAtLeast = 0.4;
-// Of the distance of the tractions: stresses; those found behind an edge.
-constexpr double kWantedHides = 0.2, kEdgeHides = 0.05;
+// Of the distance of the tractions: stresses along surfaces; at points inside; those found behind an edge.
+constexpr double kWantedHides = 0.2, kPointHides = 0.15, kEdgeHides = 0.05;
 constexpr double kOfDoubt = 2; // where the coarse mesh has nothing to compare with
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
@@ -38,33 +38,77 @@ double distance_of(const std::vector<double>& pressure, int32_t zone) {
   return largest;
 }
 
-// What the error of a number is to be compared with.
-double scale_of(const State& state, const app::Quantity& q) {
-  using app::Measure;
-  double forces = 0, largest = 0, mean = 0, motion = 0, rotation = 0;
-  int edges = 0;
-  for (const app::Quantity& other : state.quantities) {
-    if (other.what == Measure::kApproach || other.what == Measure::kShift) largest = std::max(largest, std::fabs(other.value));
-    if (other.what == Measure::kMotionX || other.what == Measure::kMotionY) motion = std::max(motion, std::fabs(other.value));
-    if (other.what == Measure::kRotation) rotation = std::max(rotation, std::fabs(other.value));
-    if (other.zone != q.zone) continue;
-    if (other.what == Measure::kForceX || other.what == Measure::kForceY) forces = std::hypot(forces, other.value);
-    if (other.what == Measure::kMeanPressure) mean = other.value;
-    if (other.what == Measure::kContactEdge) ++edges;
+double length_of_zone(const Trial& trial, size_t zone) { // of side 2
+  const Side& side = trial.zones[zone][1];
+  const std::vector<double>& lengths = trial.lengths[static_cast<size_t>(side.body)];
+  double sum = 0;
+  for (auto e = static_cast<size_t>(side.first);; e = (e + 1) % lengths.size()) {
+    sum += lengths[e];
+    if (e == static_cast<size_t>(side.last)) return sum;
   }
+}
+
+int edges_of(const State& state, int32_t zone) { // at least 1
+  const auto edges = std::count_if(state.quantities.begin(), state.quantities.end(), [&](const app::Quantity& q) {
+    return q.what == app::Measure::kContactEdge && q.zone == zone;
+  });
+  return std::max(1, static_cast<int>(edges));
+}
+
+// What numbers of a state that are next to nothing are compared with: forces with what round-off makes of motions, energies
+// of friction with a ten-thousandth of the work, slip with that of what bodies approach.
+constexpr double kNothing = 1e-4;
+struct Sizes {
+  double force = 0, work = 0;         // the least that count
+  double approach = 0;                // of all zones
+  double motion = 0, rotation = 0;    // of rigid bodies and platens
+  std::vector<double> forces, length; // of each zone: its force; of a tie its side 2, of a contact what touches
+};
+
+Sizes sizes_of(const Trial& trial, const State& state) {
+  using app::Measure;
+  Sizes out;
+  for (size_t b = 0; b < state.ends.size(); ++b)
+    for (const Field f : {kUx, kUy})
+      for (const double u : state.ends[b][f]) out.force = std::max(out.force, kRoundOff * trial.stiffness[b] * std::fabs(u));
+  out.work = kNothing * std::max(std::fabs(state.work), std::fabs(state.elastic));
+  out.forces.assign(trial.zones.size(), out.force);
+  for (size_t z = 0; z < trial.zones.size(); ++z) out.length.push_back(length_of_zone(trial, z));
+  for (const app::Quantity& q : state.quantities) {
+    const double size = std::fabs(q.value);
+    if (q.what == Measure::kApproach || q.what == Measure::kShift) out.approach = std::max(out.approach, size);
+    if (q.what == Measure::kMotionX || q.what == Measure::kMotionY) out.motion = std::max(out.motion, size);
+    if (q.what == Measure::kRotation) out.rotation = std::max(out.rotation, size);
+    const bool force = q.what == Measure::kForceX || q.what == Measure::kForceY;
+    if (force && q.zone > 0)
+      out.forces[static_cast<size_t>(q.zone) - 1] = std::hypot(out.forces[static_cast<size_t>(q.zone) - 1], size);
+  }
+  for (const app::Quantity& q : state.quantities)
+    if (q.what == Measure::kMeanPressure && q.value > 0)
+      out.length[static_cast<size_t>(q.zone) - 1] = out.forces[static_cast<size_t>(q.zone) - 1] / q.value;
+  return out;
+}
+
+// What the error of a number is to be compared with.
+double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) {
+  using app::Measure;
+  const double size = std::fabs(q.value);
+  const size_t zone = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
   switch (q.what) {
   case Measure::kFrictionForce:
   case Measure::kForceX:
-  case Measure::kForceY: return forces;
-  case Measure::kMoment: return std::max(std::fabs(q.value), mean > 0 ? forces * forces / mean : 0.0);
+  case Measure::kForceY: return sizes.forces[zone];
+  case Measure::kMoment: return std::max(size, sizes.forces[zone] * sizes.length[zone]);
   case Measure::kApproach:
-  case Measure::kShift: return largest;
+  case Measure::kShift: return sizes.approach;
   case Measure::kMotionX:
-  case Measure::kMotionY: return motion;
-  case Measure::kRotation: return rotation;
+  case Measure::kMotionY: return sizes.motion;
+  case Measure::kRotation: return sizes.rotation;
+  case Measure::kDissipated: return size > 0 ? std::max(size, sizes.work) : 0;
+  case Measure::kSlipRange: return std::max(size, kNothing * sizes.approach);
   case Measure::kContactEdge:
-  case Measure::kStickBorder: return mean > 0 ? forces / mean / std::max(1, edges) : std::fabs(q.value);
-  default: return std::fabs(q.value);
+  case Measure::kStickBorder: return sizes.length[zone] / edges_of(state, q.zone);
+  default: return size;
   }
 }
 
@@ -89,17 +133,21 @@ double error_of(app::Measure what, const Seen& s) {
   using app::Measure;
   const auto largest = [](std::initializer_list<double> all) { return std::max(all); };
   switch (what) {
-  case Measure::kPeakPressure: return largest({s.apart, 0.15 * s.hidden});
+  case Measure::kPeakPressure: return largest({1.2 * s.apart, 0.3 * s.before, 0.3 * s.hidden});
   case Measure::kMeanPressure: return largest({0.8 * s.apart, 0.1 * s.before, s.doubt});
-  case Measure::kContactEdge: return largest({0.8 * s.apart, 0.1 * s.before, 0.15 * s.hidden});
+  case Measure::kContactEdge: return largest({s.apart, 0.4 * s.before, 0.15 * s.hidden});
   case Measure::kStickBorder:
-    return s.steady ? largest({0.8 * s.apart, 0.1 * s.before, 0.05 * s.hidden, 0.01 * s.spacing})
-                    : largest({s.apart, 0.3 * s.before, 0.03 * s.hidden, 0.1 * s.spacing});
-  case Measure::kDissipated: return largest({1.2 * s.apart, 0.5 * s.hidden});
+    return s.steady ? largest({s.apart, 0.5 * s.before, 0.05 * s.hidden, 0.05 * s.spacing})
+                    : largest({2 * s.apart, 0.7 * s.before, 0.05 * s.hidden, 0.03 * s.spacing});
+  case Measure::kDissipated: return largest({s.apart, 0.5 * s.before, 0.7 * s.hidden});
   case Measure::kEdgePressure:
-  case Measure::kEdgeFriction: return largest({2 * s.apart, s.hidden});
-  case Measure::kSlipRange: return largest({s.apart, s.doubt});
-  default: return largest({s.apart, 0.1 * s.before});
+  case Measure::kEdgeFriction: return largest({2 * s.apart, s.hidden, s.doubt});
+  case Measure::kSlipRange: return largest({1.5 * s.apart, 0.1 * s.before, 1.5 * s.hidden, s.doubt});
+  case Measure::kForceX:
+  case Measure::kForceY:
+  case Measure::kFrictionForce: return largest({s.apart, 0.1 * s.before, 0.08 * s.hidden});
+  case Measure::kMoment: return largest({s.apart, 0.5 * s.before, 0.05 * s.hidden});
+  default: return largest({0.8 * s.apart, s.before}); // motions
   }
 }
 
@@ -237,13 +285,14 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
   const size_t common = std::min(halved.states.size(), coarse.states.size()); // a history may end early
   if (common == 0) return out;
   const State &f = halved.states[common - 1], &c = coarse.states[common - 1];
+  const Sizes sizes = sizes_of(halved, f);
   for (const app::Quantity& q : f.quantities) {
     const app::Quantity* other = find(c, q);
     app::Stated s;
     s.name = app::name_of(q.what);
     s.zone = q.zone, s.item = q.item, s.value = q.value;
     s.at[0] = q.at[0], s.at[1] = q.at[1];
-    s.scale = scale_of(f, q);
+    s.scale = scale_of(sizes, f, q);
     const app::Stated* last = finder.find(s);
     const double then = change_before(last, before, between, q.zone);
     if (other != nullptr) {
@@ -272,9 +321,9 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     if (i >= coarse.size()) continue;
     // A value found in a less accurate way on the coarse mesh is no estimate of the error.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
-    const double hides = s.way > 0 ? kEdgeHides : kWantedHides;
+    const double hides = s.way > 0 ? kEdgeHides : s.is_inside ? kPointHides : kWantedHides;
     state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {
-      return std::max({seen.apart, 0.1 * seen.before, hides * seen.hidden, seen.doubt});
+      return std::max({seen.apart, (s.is_inside ? 0.3 : 0.1) * seen.before, hides * seen.hidden, seen.doubt});
     });
   }
   return fine;

@@ -14,6 +14,7 @@ constexpr double kScatter = 2;     // how much more a value at the edge is off t
 constexpr double kSameBound = 0.1; // friction over pressure in them, if they slip
 constexpr double kPressed = 1e-3;  // of the largest pressure: less is none
 constexpr size_t kShadow = 2;      // elements beside an edge whose own values count for nothing
+constexpr double kSmooth = 0.02;   // more than that apart, of the value, in the elements that meet: no smooth boundary
 
 struct HoopElement {
   const sketch::MeshedCurve* curve;
@@ -51,6 +52,9 @@ private:
   std::vector<HoopEdge> edges_of(size_t state) const;
   bool find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const;
   void find_edges();
+  bool find_beside(const std::vector<double>& v, size_t element, size_t node, bool up, double& value, double& away) const;
+  sketch::Point place_beside(size_t element, size_t node, double away) const;
+  Along top_at(const std::vector<double>& v, size_t element, size_t node) const;
   void take_nodes(Hoop& out) const;
   void take_edges(Hoop& out) const;
   double value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const;
@@ -215,21 +219,64 @@ void HoopFinder::find_edges() {
   }
 }
 
+// What the node beside another one has, and how far away it is. False: nothing smooth goes on there.
+bool HoopFinder::find_beside(const std::vector<double>& v, size_t e, size_t i, bool up, double& value, double& away) const {
+  const auto n = static_cast<size_t>(trial_.nodes);
+  size_t other = e, j = i;
+  if (n > 1 && i == (up ? n - 1 : 0)) {
+    other = next(e, up), j = up ? 0 : n - 1;
+    if (other == e || !elements_[other].wanted || shadowed_[other] != 0) return false;
+    if (std::fabs(v[other * n + j] - v[e * n + i]) > kSmooth * std::fabs(v[e * n + i])) return false;
+  }
+  if (n == 1) return false;
+  value = v[other * n + (up ? j + 1 : j - 1)];
+  away = (up ? 1 : -1) * elements_[other].length() / static_cast<double>(n - 1);
+  return true;
+}
+
+sketch::Point HoopFinder::place_beside(size_t e, size_t i, double away) const {
+  const auto n = static_cast<double>(trial_.nodes);
+  const double s = (n == 1 ? 0.5 : static_cast<double>(i) / (n - 1)) * elements_[e].length() + away;
+  const bool before = s<0, after = s> elements_[e].length();
+  const HoopElement& own = elements_[before || after ? next(e, after) : e];
+  return own.at((before ? own.length() + s : after ? s - elements_[e].length() : s) / own.length());
+}
+
+// The vertex of the parabola through the largest of all nodes and those beside it: two meshes may have their largest at one
+// node.
+Along HoopFinder::top_at(const std::vector<double>& v, size_t e, size_t i) const {
+  const double most = v[e * static_cast<size_t>(trial_.nodes) + i];
+  double before = 0, after = 0, a = 0, b = 0;
+  if (!find_beside(v, e, i, false, before, a) || !find_beside(v, e, i, true, after, b)) return {most, 0, place_beside(e, i, 0)};
+  const double slope_a = (before - most) / a, slope_b = (after - most) / b, curvature = (slope_b - slope_a) / (b - a),
+               slope = slope_a - curvature * a;
+  if (curvature >= 0) return {most, 0, place_beside(e, i, 0)};
+  const double at = std::clamp(-slope / (2 * curvature), a, b);
+  return {most + (slope + curvature * at) * at, 0, place_beside(e, i, at)};
+}
+
 void HoopFinder::take_nodes(Hoop& out) const {
   const auto n = static_cast<size_t>(trial_.nodes);
-  for (size_t e = 0; e < elements_.size(); ++e)
-    for (size_t i = 0; i < n && elements_[e].wanted && shadowed_[e] == 0; ++i) {
-      const sketch::Point p = elements_[e].at(n == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1));
-      double low = HUGE_VAL, high = -HUGE_VAL;
-      for (size_t k = first_; k < trial_.states.size(); ++k) {
-        const double v = trial_.states[k].ends[body_][kHoop][e * n + i];
-        low = std::min(low, v), high = std::max(high, v);
-      }
-      if (high > out.high.value) out.high = {high, 0, p};
-      if (low < out.low.value) out.low = {low, 0, p};
-      if (high - low > out.widest.value) out.widest = {high - low, 0, p};
-      out.any = true;
+  std::vector<double> high(elements_.size() * n, -HUGE_VAL), below = high, range = high; // below: less the smallest
+  const auto most = [&](const std::vector<double>& v) {                                  // of those that count
+    size_t best = v.size();
+    for (size_t k = 0; k < v.size(); ++k)
+      if (elements_[k / n].wanted && shadowed_[k / n] == 0 && (best == v.size() || v[k] > v[best])) best = k;
+    return best;
+  };
+  for (size_t k = 0; k < high.size(); ++k) {
+    for (size_t state = first_; state < trial_.states.size(); ++state) {
+      const double v = trial_.states[state].ends[body_][kHoop][k];
+      high[k] = std::max(high[k], v), below[k] = std::max(below[k], -v);
     }
+    range[k] = high[k] + below[k];
+  }
+  const size_t tops[3] = {most(high), most(below), most(range)};
+  if (tops[0] == high.size()) return;
+  out.any = true;
+  out.high = top_at(high, tops[0] / n, tops[0] % n);
+  out.low = top_at(below, tops[1] / n, tops[1] % n), out.low.value = -out.low.value;
+  out.widest = top_at(range, tops[2] / n, tops[2] % n);
 }
 
 // The stress of a state at the place of an edge of another one, which may be an edge there, too.

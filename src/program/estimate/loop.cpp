@@ -181,12 +181,12 @@ bool Loop::is_within_limits(const sketch::Mesh& mesh) {
   const app::MeshRound& last = out_.loop.rounds.back();
   const double more = std::pow(static_cast<double>(sketch::elements_of(mesh) * s_.order) / last_size_, kOfElements);
   if (s_.most_seconds > 0 && seconds_ + more * last.seconds > s_.most_seconds) {
-    out_.loop.stopped = "the next mesh would take more than the limit of time";
+    out_.loop.stopped = "to refine it once more would take more than the limit of time";
     return false;
   }
   if (s_.most_seconds == 0 && work_ + more * last_work_ > s_.most_work) {
-    out_.loop.stopped = "the next mesh would take more than the limit of work, " + number(s_.most_work) + " multiplications (" +
-                        number(work_) + " took " + number(seconds_) + " s)";
+    out_.loop.stopped = "to refine it once more would take more than the limit of work, " + number(s_.most_work) +
+                        " multiplications (" + number(work_) + " took " + number(seconds_) + " s)";
     return false;
   }
   return true;
@@ -213,7 +213,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
     return false;
   }
   if (is_whole_ && fails(level.trial.outcome)) {
-    out_.loop.stopped = "on a finer mesh the history ended early: " + level.trial.why;
+    out_.loop.stopped = "refined once more the history ended early: " + level.trial.why;
     return false;
   }
   last_work_ = level.trial.work, last_size_ = level.trial.elements * s_.order;
@@ -392,7 +392,7 @@ void Loop::tighten(const Distance& d) {
 void Loop::tell_endless() {
   const std::vector<app::Stated>& all = out_.loop.stated;
   if (std::any_of(all.begin(), all.end(), [&](const app::Stated& s) { return !s.is_met(); }))
-    out_.loop.stopped = "it does not settle as the mesh there becomes finer: it may have no bound";
+    out_.loop.stopped = "it does not settle however often it is refined there: it may have no bound";
 }
 
 void Loop::take(const Level& level) {
@@ -484,9 +484,9 @@ Loop::Next Loop::refine(Level& coarse, const Level& fine, const Distance& betwee
   if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
   idle_ = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle_ + 1;
   if (is_same(next, coarse.mesh))
-    out_.loop.stopped = "elements there are as short as the digits of coordinates allow";
+    out_.loop.stopped = "it is refined there as far as the digits of coordinates allow";
   else if (idle_ > kPatience)
-    out_.loop.stopped = "meshes no longer become finer";
+    out_.loop.stopped = "nothing is left to refine";
   else
     return coarse.mesh = std::move(next), Next::again;
   return Next::end;

@@ -40,7 +40,7 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
   for (const Range& r : range) largest = std::max(largest, r.largest());
   const auto add = [&](const std::string& name, double value) {
     out.push_back(number(name, static_cast<size_t>(want.body), value, largest, tolerance));
-    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
+    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y, out.back().is_inside = true;
   };
   for (size_t c = 0; c < 3 && first < trial.states.size(); ++c) {
     if (!want.cycle) add(kStresses[c], trial.states.back().inside[place][c + 2]);
@@ -56,7 +56,7 @@ void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t
     largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
   for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
     out.push_back(number(kDisplacements[c], body, trial.states.back().inside[place][c], largest, tolerance));
-    out.back().at[0] = at.x, out.back().at[1] = at.y;
+    out.back().at[0] = at.x, out.back().at[1] = at.y, out.back().is_inside = true;
   }
 }
 
@@ -123,7 +123,7 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
       for (size_t c = 2; c < 5; ++c) largest = std::max(largest, std::fabs(state.inside[place][c]));
     for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
       out.push_back(number(kStresses[c], body, trial.states.back().inside[place][c + 2], largest, NAN));
-      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y;
+      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y, out.back().is_inside = true;
     }
     ++place;
   }
