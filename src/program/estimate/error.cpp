@@ -138,7 +138,7 @@ double error_of(app::Measure what, const Seen& s) {
   case Measure::kContactEdge: return largest({s.apart, 0.4 * s.before, 0.15 * s.hidden});
   case Measure::kStickBorder:
     return s.steady ? largest({s.apart, 0.5 * s.before, 0.05 * s.hidden, 0.05 * s.spacing})
-                    : largest({2 * s.apart, 0.7 * s.before, 0.05 * s.hidden, 0.03 * s.spacing});
+                    : largest({1.5 * s.apart, 0.7 * s.before, 0.05 * s.hidden, 0.03 * s.spacing});
   case Measure::kDissipated: return largest({s.apart, 0.5 * s.before, 0.7 * s.hidden});
   case Measure::kEdgePressure:
   case Measure::kEdgeFriction: return largest({2 * s.apart, s.hidden, s.doubt});
@@ -146,7 +146,7 @@ double error_of(app::Measure what, const Seen& s) {
   case Measure::kForceX:
   case Measure::kForceY:
   case Measure::kFrictionForce: return largest({s.apart, 0.1 * s.before, 0.08 * s.hidden});
-  case Measure::kMoment: return largest({s.apart, 0.5 * s.before, 0.05 * s.hidden});
+  case Measure::kMoment: return largest({s.apart, 0.4 * s.before, 0.03 * s.hidden});
   default: return largest({0.8 * s.apart, s.before}); // motions
   }
 }
