@@ -15,14 +15,14 @@
 #include <map>
 #include <string>
 
-#include <unistd.h>
+#include <sys/time.h>
 
 using namespace random_sketches;
 using random_work::say;
 
 namespace {
 
-constexpr unsigned kPatience = 60; // seconds for one sketch and what it is held against
+constexpr long kPatience = 120; // seconds of a processor for one sketch and what it is held against
 constexpr double kBounds[] = {0.4, 0.8, 1, 2, 4, 8, 20, 100};
 
 struct Tally {
@@ -81,7 +81,8 @@ void judge_one(uint64_t number, const std::string& folder, const Limits& limits,
   const std::string seed = std::to_string(number);
   const Drawn drawn = draw(number);
   std::ofstream(folder + "/" + seed + ".c2s") << drawn.text;
-  alarm(kPatience);
+  const itimerval patience{{0, 0}, {kPatience, 0}};
+  setitimer(ITIMER_PROF, &patience, nullptr);
   Judged j;
   try {
     j = judge(drawn.text, limits);
@@ -129,7 +130,7 @@ int main(int argc, char** argv) {
   };
   work.died = [&](uint64_t seed, int signal) {
     const std::string how = "ended by signal " + std::to_string(signal);
-    std::printf("%s %s%s\n", std::to_string(seed).c_str(), how.c_str(), signal == SIGALRM ? " (too long)" : "");
+    std::printf("%s %s%s\n", std::to_string(seed).c_str(), how.c_str(), signal == SIGPROF ? " (too long)" : "");
     ++tally.findings[how];
   };
   random_work::run_all(first, first + count, work);

@@ -17,8 +17,6 @@ constexpr int32_t kFewPairs = 6;
 constexpr double kSameEnd = 0.01; // of the loads where a history ended early, and twice that of their work
 // Of what a border moved since the round before; of how far two meshes have it apart.
 constexpr double kOfMove = 2, kAtLeast = 0.4;
-// Of the distance of the tractions: stresses along surfaces; at points inside; those found behind an edge.
-constexpr double kWantedHides = 0.2, kPointHides = 0.15, kEdgeHides = 0.05;
 constexpr double kOfDoubt = 2; // where the coarse mesh has nothing to compare with
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
@@ -57,7 +55,8 @@ int edges_of(const State& state, int32_t zone) { // at least 1
 
 // What numbers of a state that are next to nothing are compared with: forces with what round-off makes of motions, energies
 // of friction with a ten-thousandth of the work, slip with that of what bodies approach.
-constexpr double kNothing = 1e-4;
+constexpr double kNothing = 1e-4, kNoForce = 1e-8;
+constexpr double kUnseen = 1e-6; // of these: slip that no mesh has seen, as it may be narrower than an element
 struct Sizes {
   double force = 0, work = 0;         // the least that count
   double approach = 0;                // of all zones
@@ -70,7 +69,7 @@ Sizes sizes_of(const Trial& trial, const State& state) {
   Sizes out;
   for (size_t b = 0; b < state.ends.size(); ++b)
     for (const Field f : {kUx, kUy})
-      for (const double u : state.ends[b][f]) out.force = std::max(out.force, kRoundOff * trial.stiffness[b] * std::fabs(u));
+      for (const double u : state.ends[b][f]) out.force = std::max(out.force, kNoForce * trial.stiffness[b] * std::fabs(u));
   out.work = kNothing * std::max(std::fabs(state.work), std::fabs(state.elastic));
   out.forces.assign(trial.zones.size(), out.force);
   for (size_t z = 0; z < trial.zones.size(); ++z) out.length.push_back(length_of_zone(trial, z));
@@ -104,8 +103,8 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Measure::kMotionX:
   case Measure::kMotionY: return sizes.motion;
   case Measure::kRotation: return sizes.rotation;
-  case Measure::kDissipated: return size > 0 ? std::max(size, sizes.work) : 0;
-  case Measure::kSlipRange: return std::max(size, kNothing * sizes.approach);
+  case Measure::kDissipated: return size > kUnseen * sizes.work ? std::max(size, sizes.work) : 0;
+  case Measure::kSlipRange: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
   case Measure::kContactEdge:
   case Measure::kStickBorder: return sizes.length[zone] / edges_of(state, q.zone);
   default: return size;
@@ -135,7 +134,7 @@ double error_of(app::Measure what, const Seen& s) {
   switch (what) {
   case Measure::kPeakPressure: return largest({1.2 * s.apart, 0.3 * s.before, 0.3 * s.hidden});
   case Measure::kMeanPressure: return largest({0.8 * s.apart, 0.1 * s.before, s.doubt});
-  case Measure::kContactEdge: return largest({s.apart, 0.4 * s.before, 0.15 * s.hidden});
+  case Measure::kContactEdge: return largest({1.2 * s.apart, 0.4 * s.before, 0.15 * s.hidden});
   case Measure::kStickBorder:
     return s.steady ? largest({s.apart, 0.5 * s.before, 0.05 * s.hidden, 0.05 * s.spacing})
                     : largest({1.5 * s.apart, 0.7 * s.before, 0.05 * s.hidden, 0.03 * s.spacing});
@@ -145,7 +144,7 @@ double error_of(app::Measure what, const Seen& s) {
   case Measure::kSlipRange: return largest({1.5 * s.apart, 0.1 * s.before, 1.5 * s.hidden, s.doubt});
   case Measure::kForceX:
   case Measure::kForceY:
-  case Measure::kFrictionForce: return largest({s.apart, 0.1 * s.before, 0.08 * s.hidden});
+  case Measure::kFrictionForce: return largest({s.apart, 0.3 * s.before, 0.1 * s.hidden});
   case Measure::kMoment: return largest({s.apart, 0.4 * s.before, 0.03 * s.hidden});
   default: return largest({0.8 * s.apart, s.before}); // motions
   }
@@ -295,7 +294,9 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     s.scale = scale_of(sizes, f, q);
     const app::Stated* last = finder.find(s);
     const double then = change_before(last, before, between, q.zone);
-    if (other != nullptr) {
+    const bool unseen = s.scale == 0 && (q.what == app::Measure::kDissipated || q.what == app::Measure::kSlipRange);
+    if (unseen && q.what == app::Measure::kDissipated) s.error = 0;
+    if (other != nullptr && !unseen) {
       const bool steady = is_steady(halved, common - 1, q.zone);
       double step = apart(*other, q);
       if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // the coarse mesh has it at a node
@@ -321,9 +322,10 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     if (i >= coarse.size()) continue;
     // A value found in a less accurate way on the coarse mesh is no estimate of the error.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
-    const double hides = s.way > 0 ? kEdgeHides : s.is_inside ? kPointHides : kWantedHides;
     state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {
-      return std::max({seen.apart, (s.is_inside ? 0.3 : 0.1) * seen.before, hides * seen.hidden, seen.doubt});
+      if (s.way > 0) return std::max({seen.apart, 0.1 * seen.before, 0.05 * seen.hidden, seen.doubt}); // behind an edge
+      if (s.is_inside) return std::max({seen.apart, 0.3 * seen.before, 0.15 * seen.hidden});
+      return std::max({1.5 * seen.apart, 0.1 * seen.before, 0.2 * seen.hidden, seen.doubt});
     });
   }
   return fine;

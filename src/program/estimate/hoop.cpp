@@ -10,11 +10,12 @@ namespace {
 
 // Elements from an edge inwards that are asked: all of them, or fewer where slip ends before. The mesh disturbs the first two.
 constexpr size_t kBehind = 8, kFewer = 6, kDisturbed = 2;
-constexpr double kScatter = 2;     // how much more a value at the edge is off than those that it follows from
-constexpr double kSameBound = 0.1; // friction over pressure in them, if they slip
-constexpr double kPressed = 1e-3;  // of the largest pressure: less is none
-constexpr size_t kShadow = 2;      // elements beside an edge whose own values count for nothing
-constexpr double kSmooth = 0.02;   // more than that apart, of the value, in the elements that meet: no smooth boundary
+constexpr double kScatter = 2;      // how much more a value at the edge is off than those that it follows from
+constexpr double kSameBound = 0.1;  // friction over pressure in them, if they slip
+constexpr double kPressed = 1e-3;   // of the largest pressure: less is none
+constexpr size_t kShadow = 2;       // elements beside an edge whose own values count for nothing
+constexpr double kOfStanding = 0.1; // how far a node stands above the line between those beside it: what elements do not follow
+constexpr double kSmooth = 0.02;    // more than that apart, of the value, in the elements that meet: no smooth boundary
 
 struct HoopElement {
   const sketch::MeshedCurve* curve;
@@ -252,7 +253,7 @@ Along HoopFinder::top_at(const std::vector<double>& v, size_t e, size_t i) const
                slope = slope_a - curvature * a;
   if (curvature >= 0) return {most, 0, place_beside(e, i, 0)};
   const double at = std::clamp(-slope / (2 * curvature), a, b);
-  return {most + (slope + curvature * at) * at, 0, place_beside(e, i, at)};
+  return {most + (slope + curvature * at) * at, kOfStanding * curvature * a * b, place_beside(e, i, at)};
 }
 
 void HoopFinder::take_nodes(Hoop& out) const {

@@ -275,7 +275,7 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   if (std::any_of(open.begin(), open.end(), [](const OpenContact& c) { return c.doubts(); }))
     for (app::Stated& s : stated) s.error = NAN;
   for (app::Stated& s : stated) // narrow slip at the edges of contact is below the size of these elements
-    if (s.name == app::name_of(app::Measure::kDissipated) && s.value == 0 && s.error == 0 && may_rub(s_)) s.error = NAN;
+    if (s.name == app::name_of(app::Measure::kDissipated) && s.error == 0 && may_rub(s_)) s.error = NAN;
   drop_unknown(stated);
   confirm(stated, fine.trial, before);
   out_.loop.rounds.back().stated = stated;
