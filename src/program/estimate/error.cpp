@@ -146,7 +146,7 @@ double error_of(app::Measure what, const Seen& s) {
   case Measure::kForceY:
   case Measure::kFrictionForce: return largest({s.apart, 0.3 * s.before, 0.1 * s.hidden});
   case Measure::kMoment: return largest({s.apart, 0.4 * s.before, 0.03 * s.hidden});
-  default: return largest({0.8 * s.apart, s.before}); // motions
+  default: return largest({s.apart, s.before}); // motions
   }
 }
 

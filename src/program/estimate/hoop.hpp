@@ -7,8 +7,8 @@
 
 namespace estimate {
 
-// A stress along the surface, and where it is. `doubt`: what it changes if it is found with fewer of the elements behind an
-// edge, `way`: how many these are, 0 at a node.
+// A stress along the surface, and where it is. `way`: from how many elements behind an edge it was found, 0: at a node or
+// between nodes. `doubt`: what it changes with fewer of them; between nodes, what elements do not follow.
 struct Along {
   double value = 0, doubt = 0;
   sketch::Point at = {};
