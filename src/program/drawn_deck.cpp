@@ -86,6 +86,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
   if (const int status = drawing.before_search ? drawing.before_search(files) : 0; status != 0) return status;
   estimate::Demand demand;
   demand.memory = drawing.memory;
+  demand.store = drawing.store;
   estimate::ask(sketch, demand);
   size_t meshes = 0;
   const auto told = [&](const MeshRound& round) {

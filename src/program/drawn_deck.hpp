@@ -5,6 +5,7 @@
 #include "program/estimate/trial_keeper.hpp"
 #include "program/named_text.hpp"
 #include "program/options.hpp"
+#include "program/store_choice.hpp"
 #include "report/stated.hpp"
 
 #include <functional>
@@ -29,6 +30,7 @@ struct Drawing {
   // kept; null: nowhere.
   std::function<int(const std::vector<NamedText>& files)> before_search = {};
   estimate::TrialKeeper* keeper = nullptr;
+  StoreChoice* store = nullptr; // for the tapes of the meshes (estimate::Demand)
 };
 
 // If the text of `deck` is a sketch it is replaced by the sketch's own deck, and `loop` tells how its mesh was found. Prints

@@ -64,6 +64,7 @@ public:
 private:
   // The functions of the port; their context is the Run.
   static Run& self(void* context) { return *static_cast<Run*>(context); }
+  static StoreChoice& store_of(void* context) { return self(context).store_; }
   static void on_log(void* context, const c2d_error* entry);
   static int32_t on_step(void* context, const c2d_step* step);
   c2d_port make_port();
@@ -135,6 +136,7 @@ private:
   bool anew_ = false; // of a run that goes on: not with what its tapes hold
   bool is_one_of_many_ = false;
   bool restored_ = false;
+  bool tries_tapes_ = false; // that may be of another model: no fault
   std::string fresh_start_;
   bool wants_all_pairs_ = false;
   Job job_; // as it is kept by now, if it is
@@ -150,7 +152,7 @@ private:
 void Run::on_log(void* context, const c2d_error* entry) {
   Run& run = self(context);
   run.line_.clear();
-  if (entry->severity == C2D_FAULT && run.begins_anew(entry->status)) return; // that is told instead
+  if (entry->severity == C2D_FAULT && (run.tries_tapes_ || run.begins_anew(entry->status))) return; // that is told instead
   Messages::log(&run.session_.messages, entry);
 }
 
@@ -240,22 +242,7 @@ bool Run::must_stop() {
 c2d_port Run::make_port() {
   c2d_port port = C2D_INIT(c2d_port);
   port.context = this;
-  port.open = [](void* c, int32_t tape, uint64_t blocks, uint64_t bytes) { return self(c).store_.open(tape, blocks, bytes); };
-  port.read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
-    return self(c).store_.read(tape, block, data, bytes);
-  };
-  port.write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
-    return self(c).store_.write(tape, block, data, bytes);
-  };
-  port.start_read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
-    return self(c).store_.start_read(tape, block, data, bytes, ticket);
-  };
-  port.start_write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) {
-    return self(c).store_.start_write(tape, block, data, bytes, ticket);
-  };
-  port.wait = [](void* c, int32_t ticket) { return self(c).store_.wait(ticket); };
-  port.sync = [](void* c, int32_t tape) { return self(c).store_.sync(tape); };
-  port.close = [](void* c, int32_t tape) { return self(c).store_.close(tape); };
+  connect<Run::store_of>(port);
   port.progress = [](void* c, const c2d_progress* now) { self(c).line_.show(*now); };
   if (!line_.active()) port.progress = nullptr;
   port.cancel = [](void* c) { return static_cast<int32_t>(self(c).must_stop()); };
@@ -310,6 +297,8 @@ int Run::read_deck() {
   if (options_.store.compare(0, 5, "file:") == 0) {
     drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };
     drawing.keeper = &trials_;
+  } else {
+    drawing.store = &store_;
   }
   if (options_.text != nullptr) return session_.read_text(options_.deck, *options_.text, drawing);
   drawing.ends_in_results = drawing.keeper == nullptr; // else a run that goes on has more to take
@@ -345,7 +334,7 @@ int Run::read() {
   if (exit != 0) return exit;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
     store_.expect(tape, expected_bytes(session_.limits, options_.elimination, session_.workspace.minimum, tape));
-  const uint64_t free = free_memory() / 2;
+  const uint64_t free = (free_memory() + store_.bytes_in_memory()) / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
   if (options_.threads > 1) {
     const int32_t code = c2d_threads_start(&threads_, options_.threads);
@@ -464,8 +453,10 @@ c2d_status Run::factorise() {
     if (restored_) return status == C2D_OK ? go_on() : status;
     tell_anew(status);
   }
-  if (is_one_of_many_) { // of bodies that differ in nothing from those before, at the most
+  if (store_.bytes_in_memory() > 0) { // of the mesh that the loop solved last, or of a row whose bodies may be the same
+    tries_tapes_ = true;
     status = c2d_restore(solver);
+    tries_tapes_ = false;
     if (status == C2D_OK || c2d_get_state(solver) == C2D_STATE_BROKEN) return status;
   }
   status = c2d_prepare(solver);

@@ -74,23 +74,36 @@ bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_by
   if (budget_ == 0) return false;
   const uint64_t bytes = blocks * block_bytes;
   if (block_bytes != 0 && bytes / block_bytes != blocks) return false;
+  if (tape.region != nullptr && tape.bytes >= bytes) return true; // it takes no more than it has
   const uint64_t counted = std::min(bytes, tape.expected);
   uint64_t others = 0;
   for (const Tape& t : tapes_)
     if (&t != &tape) others += t.counted;
   if (bytes > SIZE_MAX || others > budget_ || counted > budget_ - others) return false;
-  if (tape.region == nullptr || tape.bytes < bytes) {
-    std::free(tape.region);
-    tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
-    tape.bytes = tape.region != nullptr ? bytes : 0;
-    if (tape.region == nullptr) return false;
-    if (counted == bytes) ask_for_huge_pages(tape.region, tape.bytes);
-    c2d_memory_store_init(&tape.store, tape.region, bytes);
-    tape.port = C2D_INIT(c2d_port);
-    c2d_memory_store_port(&tape.store, &tape.port);
-  }
+  std::free(tape.region);
+  tape.counted = 0;
+  tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
+  tape.bytes = tape.region != nullptr ? bytes : 0;
+  if (tape.region == nullptr) return false;
+  if (counted == bytes) ask_for_huge_pages(tape.region, tape.bytes);
+  c2d_memory_store_init(&tape.store, tape.region, bytes);
+  tape.port = C2D_INIT(c2d_port);
+  c2d_memory_store_port(&tape.store, &tape.port);
   tape.counted = counted;
   return true;
+}
+
+void StoreChoice::drop_tapes() {
+  for (Tape& tape : tapes_) {
+    std::free(tape.region);
+    tape = Tape();
+  }
+}
+
+uint64_t StoreChoice::bytes_in_memory() const {
+  uint64_t sum = 0;
+  for (const Tape& tape : tapes_) sum += tape.counted;
+  return sum;
 }
 
 const c2d_port& StoreChoice::port_of(int32_t tape) const { return tapes_[tape].in_memory ? tapes_[tape].port : files_port_; }

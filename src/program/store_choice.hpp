@@ -26,6 +26,13 @@ public:
   // Of a tape that is opened from now on so many bytes are written, as a rule, and most of what it may hold are not: only they
   // count in the budget and are reserved in files, and its memory is not asked for in large pages. UINT64_MAX: all of it.
   void expect(int32_t tape, uint64_t bytes) { tapes_[tape].expected = bytes; }
+  // Memory for all that a tape may hold, before it is opened. False: there is none.
+  bool reserve(int32_t tape, uint64_t blocks, uint64_t block_bytes) {
+    return place_in_memory(tapes_[tape], blocks, block_bytes);
+  }
+  // Gives the memory of all tapes back. None of them is open.
+  void drop_tapes();
+  uint64_t bytes_in_memory() const; // that count
   // The functions of c2d_port.
   int32_t open(int32_t tape, uint64_t blocks, uint64_t block_bytes);
   int32_t read(int32_t tape, uint64_t block, void* data, uint64_t bytes) const;
@@ -70,5 +77,25 @@ private:
   std::string folder_, tried_;
   bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false, busy_ = false;
 };
+
+// Sets the functions of a port that have to do with tapes: to those of the store that is found from the port's context.
+template <StoreChoice& (*store_of)(void* context)> void connect(c2d_port& port) {
+  port.open = [](void* c, int32_t tape, uint64_t blocks, uint64_t bytes) { return store_of(c).open(tape, blocks, bytes); };
+  port.read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
+    return store_of(c).read(tape, block, data, bytes);
+  };
+  port.write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
+    return store_of(c).write(tape, block, data, bytes);
+  };
+  port.start_read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
+    return store_of(c).start_read(tape, block, data, bytes, ticket);
+  };
+  port.start_write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) {
+    return store_of(c).start_write(tape, block, data, bytes, ticket);
+  };
+  port.wait = [](void* c, int32_t ticket) { return store_of(c).wait(ticket); };
+  port.sync = [](void* c, int32_t tape) { return store_of(c).sync(tape); };
+  port.close = [](void* c, int32_t tape) { return store_of(c).close(tape); };
+}
 
 } // namespace app

@@ -47,9 +47,19 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
   }
   if (is_on_demand(m)) hash.add(&m.head->columns, sizeof m.head->columns);
   if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
-  for (int32_t z = 0; z < m.head->zones; ++z) hash.add(&m.zone[z], offsetof(Zone, name)); // names decide nothing
-  hash.add_array(m.curve, m.head->curves);
-  hash.add_array(m.point_load, m.head->point_loads);
+  // Names and the lines of cards decide nothing.
+  for (int32_t z = 0; z < m.head->zones; ++z) {
+    hash.add(&m.zone[z], offsetof(Zone, line));
+    hash.add(&m.zone[z].facing, offsetof(Zone, name) - offsetof(Zone, facing));
+  }
+  for (int32_t i = 0; i < m.head->curves; ++i) {
+    hash.add(&m.curve[i], offsetof(Curve, line));
+    hash.add(m.curve[i].centre, sizeof(Curve) - offsetof(Curve, centre));
+  }
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    hash.add(&m.point_load[i], offsetof(PointLoad, line));
+    hash.add(&m.point_load[i].x, sizeof(PointLoad) - offsetof(PointLoad, x));
+  }
   return hash.value;
 }
 

@@ -14,7 +14,7 @@ constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
 constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 
 // Displacements and tractions (the first four fields) at a point.
-using Values = std::array<double, kHoop>;
+using Values = std::array<double, kStatus>;
 
 // The finer state at the nodes of a coarse element.
 using Nodal = std::array<Values, 4>;

@@ -7,9 +7,9 @@
 #include "program/workspace.hpp"
 #include "report/record.hpp"
 
-#include <c2d_memory.h>
 #include <cmath>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace estimate {
 namespace {
@@ -27,12 +27,13 @@ public:
 private:
   c2d_status make_store(const Demand& demand, c2d_port& port);
 
+  app::StoreChoice* store_ = &own_store_;
+
   app::DeckFile deck_;
   std::vector<c2d_body_limits> bodies_;
   c2d_limits limits_ = C2D_INIT(c2d_limits);
   app::Workspace workspace_;
-  std::unique_ptr<void, app::FreeMemory> region_;
-  c2d_memory_store store_;
+  app::StoreChoice own_store_;
   c2d_solver* solver_ = nullptr;
 };
 
@@ -50,28 +51,36 @@ std::string Solver::words(c2d_status status) const {
   return error.status == status && error.text[0] != '\0' ? error.text : c2d_message(status);
 }
 
+app::StoreChoice& store_of(void* store) { return *static_cast<app::StoreChoice*>(store); }
+
 // Tapes in memory, as large as they can become.
 c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
   const c2d_options options = options_of(demand);
   uint64_t sum = 0;
+  std::vector<std::pair<uint64_t, uint64_t>> sizes;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     uint64_t blocks = 0, bytes = 0;
     const c2d_status status = c2d_tape_need(&limits_, &options, workspace_.bytes, tape, &blocks, &bytes, nullptr);
     if (status != C2D_OK) return status;
-    sum += blocks * bytes + 64;
+    sum += blocks * bytes;
+    store_->expect(tape, app::expected_bytes(limits_, demand.elimination, workspace_.minimum, tape));
+    sizes.emplace_back(blocks, bytes);
   }
   // Of what compressed elimination may write a quarter is the most that was seen.
   const bool compressed = app::elimination_of(limits_, demand.elimination) == C2D_ELIMINATION_COMPRESSED;
   if (workspace_.bytes + (compressed ? sum / 4 : sum) > app::free_memory()) return C2D_ERR_MEMORY;
-  region_.reset(sum < SIZE_MAX ? std::calloc(static_cast<size_t>(sum), 1) : nullptr);
-  if (region_ == nullptr) return C2D_ERR_MEMORY;
-  if (!compressed) app::ask_for_huge_pages(region_.get(), sum);
-  c2d_memory_store_init(&store_, region_.get(), sum);
-  c2d_memory_store_port(&store_, &port);
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
+    if (!store_->reserve(tape, sizes[static_cast<size_t>(tape)].first, sizes[static_cast<size_t>(tape)].second))
+      return C2D_ERR_MEMORY;
+  port.context = store_;
+  app::connect<store_of>(port);
   return C2D_OK;
 }
 
 c2d_status Solver::read(const std::string& text, const Demand& demand, std::string& why) {
+  if (demand.store != nullptr) store_ = demand.store;
+  store_->drop_tapes();
+  if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
   deck_.replace(text);
   bodies_ = app::room_for_bodies(deck_);
   limits_.bodies = static_cast<int32_t>(bodies_.size());
@@ -229,11 +238,11 @@ c2d_status History::note(bool turn) {
   c2d_status status = app::get_summary(solver_, now);
   if (status != C2D_OK) return status;
   state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
-  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_STATUS};
+  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS, C2D_END_HOOP};
   state.ends.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
     std::vector<std::vector<double>> values;
-    status = app::get_ends(solver_, summary_, b, fields, kFields, values);
+    status = app::get_ends(solver_, summary_, b, fields, demand_.hoop ? kFields : kHoop, values);
     for (size_t f = 0; f < values.size(); ++f) state.ends[static_cast<size_t>(b) - 1][f] = std::move(values[f]);
   }
   if (status == C2D_OK) status = note_contact(state);
@@ -306,6 +315,7 @@ c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std:
   History history(solver.get(), demand, out);
   status = history.describe(deck);
   if (status == C2D_OK) status = c2d_prepare(solver.get());
+  if (status == C2D_OK && demand.store != nullptr) status = c2d_save(solver.get());
   if (status == C2D_OK) status = history.follow();
   if (status != C2D_OK) why = solver.words(status);
   out.seconds = app::clock_seconds(nullptr) - start;

@@ -1,6 +1,7 @@
 // A model solved along its whole history on one mesh, with what is needed to compare it with another mesh of the same model.
 #pragma once
 
+#include "program/store_choice.hpp"
 #include "report/quantities.hpp"
 
 #include <contact2d.h>
@@ -24,16 +25,20 @@ struct Demand {
   std::vector<Place> points;
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only where the loads turn and midway
+  bool hoop = false;      // stresses along the surfaces, which take long to find
+  // Where tapes are kept in memory, with what was prepared last: a run of the same deck in it need not prepare again. Null:
+  // nowhere.
+  app::StoreChoice* store = nullptr;
   int32_t symmetry = 0, quadrature = 0, elimination = C2D_ELIMINATION_BY_SIZE; // as in c2d_options
 };
 
-enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
+enum Field { kUx, kUy, kTx, kTy, kStatus, kHoop, kFields };
 
 // The end of a piece of the path, or where it ended early, and on the way there.
 struct State {
   bool turn = false; // the former
   std::vector<double> loads;
-  std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end
+  std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end; kHoop if it is demanded
   std::vector<app::Quantity> quantities;
   std::vector<std::array<double, 5>> inside; // of each place: ux uy sxx syy sxy
   double work = 0, dissipated = 0, elastic = 0;

@@ -135,6 +135,7 @@ void ask(const sketch::Sketch& sketch, Demand& demand) {
   for (const Want& want : sketch.wants) {
     if (want.kind == Want::kStress) demand.points.push_back({want.body + 1, want.where.x, want.where.y});
     demand.all_steps = demand.all_steps || want.kind == Want::kStress || want.kind == Want::kHoop;
+    demand.hoop = demand.hoop || want.kind == Want::kHoop;
   }
   for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
 }
