@@ -394,3 +394,82 @@ TEST_CASE("facing: between ends of one value no zero is looked for") {
   const facing::Search off = facing::search_in(m, m.zone[0], from, 1, 0);
   CHECK(facing::zero_between(-0.5, 1.0, 0.25, 0.25, off) == -0.5);
 }
+
+namespace {
+
+// Places the pairs of a zone that has been cut down to what faces.
+void place_pairs(ModelData& data) {
+  const Model& m = data.view();
+  const Zone& z = m.zone[0];
+  const int steps = m.head->function_nodes - 1;
+  data.pairs.assign(static_cast<size_t>(z.pairs), Pair());
+  for (int32_t k = 0; k < z.pairs; ++k) {
+    const int32_t place = std::min(k / steps, z.elements - 1);
+    const double eta = z.element_step[1] * node_eta(steps + 1, k - place * steps);
+    FacePoint faced;
+    REQUIRE(face_point(m, z, FacePoint{zone_element(m, z, 1, place), place, eta}, faced));
+    data.pairs[static_cast<size_t>(k)].element = faced.element;
+    data.pairs[static_cast<size_t>(k)].eta = faced.eta;
+  }
+}
+
+// How many ends of side 0 face something, by the search of the whole zone. By its pairs the same point is found.
+int compare_by_pairs(const Model& m) {
+  const Zone& z = m.zone[0];
+  int faced = 0;
+  for (int32_t place = 0; place < zone_elements(z, 0); ++place)
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      const FacePoint at{zone_element(m, z, 0, place), place, node_eta(m.head->function_nodes, l)};
+      FacePoint one, other;
+      CAPTURE(place);
+      CAPTURE(l);
+      const bool any = facing_point(m, z, at, one);
+      CHECK(facing_point_by_pairs(m, z, at, other) == any);
+      if (!any) continue;
+      ++faced;
+      const SurfacePoint p = surface_point(m, z.body[1], one.element, one.eta),
+                         q = surface_point(m, z.body[1], other.element, other.eta);
+      CHECK(std::hypot(p.x - q.x, p.y - q.y) < 1e-9);
+    }
+  return faced;
+}
+
+} // namespace
+
+TEST_CASE("facing: where pairs are placed they say where to look, on random bodies and round a ring") {
+  int faced = 0, zones = 0;
+  for (uint64_t seed = 201; seed <= 240; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    Pair2 pair = Pair2::random(dice);
+    if (pair.data.head.function_nodes < 2) continue;
+    Reporter reporter = {&pair.data, ModelData::keep, 0};
+    if (!fit_free_zone(pair.data.view(), 0, reporter)) continue;
+    place_pairs(pair.data);
+    faced += compare_by_pairs(pair.data.view()), ++zones;
+  }
+  CHECK(zones > 10);
+  CHECK(faced > 300);
+  for (const int elements : {7, 24}) { // bore of body 1 around body 2, which begins elsewhere
+    ModelData data(3);
+    const auto circle = [](double r, double start, int count, int way) {
+      Points out;
+      for (int i = 0; i < 2 * count; ++i) {
+        const double angle = start + way * M_PI * i / count;
+        out.push_back(r * std::cos(angle)), out.push_back(r * std::sin(angle));
+      }
+      return out;
+    };
+    data.body(3, {circle(2, 0, 8, 1), circle(1, 0.3, 13, -1)});
+    data.body(3, {circle(0.98, 1, elements, 1)});
+    Zone z = {};
+    z.is_free = 1, z.body[1] = 1, z.region[0] = 1, z.first_element[0] = 8 + 5, z.element_step[0] = -1, z.facing = 13;
+    z.element_step[1] = 1, z.elements = elements;
+    data.zones = {z};
+    data.zones[0].normal_part = find_normal_part(data.view(), data.zones[0]);
+    Reporter reporter = {&data, ModelData::keep, 0};
+    REQUIRE(fit_free_zone(data.view(), 0, reporter));
+    place_pairs(data);
+    CHECK(compare_by_pairs(data.view()) == 3 * 13);
+  }
+}

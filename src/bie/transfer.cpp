@@ -290,7 +290,7 @@ bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredE
   const Zone& z = m.zone[place.zone];
   const FacePoint at{element, place.place, node_eta(nf, l)};
   FacePoint faced;
-  if (!facing_point(m, z, at, faced)) return false;
+  if (!facing_point_by_pairs(m, z, at, faced)) return false;
   weigh_end(m, z, at, faced, out);
   return true;
 }

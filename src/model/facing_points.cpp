@@ -98,6 +98,54 @@ bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& 
   return face_place(m, z, place_at(m, z, 1, at2), out);
 }
 
+namespace {
+
+// What faces p1 in one element.
+bool faced_in_element(const Model& m, const Zone& z, int32_t place, const Place& p1, FacePoint& out) {
+  const int32_t other = zone_element(m, z, 1, place);
+  const Search off = search_in(m, z, p1, 1, place);
+  const double start = off(-1), end = off(1);
+  const Closeness close = closeness(m, z.body[1], other, start, end);
+  out = FacePoint{other, place, close.start ? -1.0 : 1.0};
+  if (close.start || close.end) return true;
+  if ((start > 0) == (end > 0)) return false;
+  out.eta = zero_between(-1.0, 1.0, start, end, off);
+  return true;
+}
+
+// How far the k-th pair lies along side 0, in elements; round a ring from the first pair on.
+double position_of_pair(const Model& m, const Zone& z, int32_t k) {
+  const Pair& pair = m.pair[z.first_pair + k];
+  ZonePlace faced;
+  const bool in_zone = find_contact_element(m, z.body[0], pair.element, &faced);
+  return C2D_NEVER(!in_zone) ? 0.0 : position(z, FacePoint{pair.element, faced.place, pair.eta}); // what a pair's node faces is
+}
+
+// The element of side 1 between the two pairs that a point of side 0 lies between.
+int32_t place_between_pairs(const Model& m, const Zone& z, const FacePoint& at) {
+  const bool ring = is_ring(m, z, 0);
+  const double start = ring ? position_of_pair(m, z, 0) : 0.0, all = zone_elements(z, 0);
+  const auto ahead = [&](double where) { return where < start ? where - start + all : where - start; };
+  const double sought = ahead(position(z, at));
+  int32_t low = 0, high = z.pairs; // it lies behind pair `low`, and not behind pair `high`
+  while (high - low > 1) {
+    const int32_t middle = low + (high - low) / 2;
+    (ahead(position_of_pair(m, z, middle)) <= sought ? low : high) = middle;
+  }
+  const int32_t place = low / (m.head->function_nodes - 1);
+  return place < z.elements ? place : z.elements - 1;
+}
+
+} // namespace
+
+bool facing_point_by_pairs(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
+  if (!kSmallCode && m.head->function_nodes > 1) { // (constant functions have pairs in the middles of elements)
+    const int32_t place = place_between_pairs(m, z, at);
+    if (faced_in_element(m, z, place, place_at(m, z, 0, at), out)) return true;
+  }
+  return facing_point(m, z, at, out);
+}
+
 bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
   const Place p1 = place_at(m, z, 0, at);
   double nearest = -1;
@@ -105,23 +153,13 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint&
   for (int32_t k = 0; k < count; ++k) {
     const int32_t place = (from + k) % count, other = zone_element(m, z, 1, place);
     if (nearest >= 0 && is_beyond(m, z.body[1], other, p1.point, nearest)) continue;
-    const Search off = search_in(m, z, p1, 1, place);
-    const double start = off(-1), end = off(1);
-    const Closeness close = closeness(m, z.body[1], other, start, end);
-    double where;
-    if (close.start)
-      where = -1;
-    else if (close.end)
-      where = 1;
-    else if ((start > 0) == (end > 0))
-      continue;
-    else
-      where = zero_between(-1.0, 1.0, start, end, off);
-    const SurfacePoint q = surface_point(off.surface, where);
+    FacePoint found;
+    if (!faced_in_element(m, z, place, p1, found)) continue;
+    const SurfacePoint q = surface_point(m, z.body[1], other, found.eta);
     const double x = q.x - p1.point.x, y = q.y - p1.point.y, distance = x * x + y * y;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
-    out = FacePoint{other, place, where};
+    out = found;
   }
   return nearest >= 0;
 }

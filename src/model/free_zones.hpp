@@ -20,6 +20,8 @@ SurfacePoint normal_in_zone(const Model& m, const Zone& z, int side, const FaceP
 bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out);
 // The reverse.
 bool facing_point(const Model& m, const Zone& z, const FacePoint& at1, FacePoint& out);
+// The same once the zone's pairs have been placed, which say where it is: all of the zone is searched only if it is not there.
+bool facing_point_by_pairs(const Model& m, const Zone& z, const FacePoint& at1, FacePoint& out);
 // Unit direction of the line along which two points face each other, from side 0 to side 1.
 void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const FacePoint& at2, double n[2]);
 // Functional node of body b, which has the element, at a point; -1 between nodes.
