@@ -9,6 +9,7 @@
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/refine.hpp"
+#include "program/sketch/region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,13 @@ namespace {
 constexpr double kFirst = 0.25;                        // fineness of the first mesh
 constexpr double kStalls = 0.7;                        // of the distance of the round before
 constexpr double kFirstStage = 0.01, kNextStage = 0.1; // tolerances on the way to that which is asked for
-constexpr double kBends = 1;        // of the energy of the first pair of meshes: elements do not follow it at all
-constexpr double kUnfollowed = 0.1; // more of it than that, and no number is met
-constexpr int kMostRegrown = 3;     // then nothing is taken to be far
-constexpr double kOwn = 0.5;        // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
-constexpr double kOfMotion = 0.1;   // of the tolerance, of motions: smaller gaps count as contact
+constexpr double kBends = 1;          // of the energy of the first pair of meshes: elements do not follow it at all
+constexpr double kSlenderBends = 0.3; // the same, where a body is slender
+constexpr double kSlender = 8;        // (half the boundary) squared over the area: a rectangle six times as long as it is high
+constexpr double kUnfollowed = 0.1;   // more of it than that, and no number is met
+constexpr int kMostRegrown = 3;       // then nothing is taken to be far
+constexpr double kOwn = 0.5;      // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
+constexpr double kOfMotion = 0.1; // of the tolerance, of motions: smaller gaps count as contact
 constexpr double kOfUndecided = 0.25; // of the energy, while contact is neither found nor ruled out
 constexpr double kSettles = 0.8;      // of the error before: more is none that falls
 constexpr int kPatience = 3;
@@ -255,6 +258,14 @@ bool meets_tie(const sketch::Sketch& s) {
   });
 }
 
+// May a body bend? Elements of linear functions follow that worst.
+bool has_slender_body(const sketch::Sketch& s) {
+  return std::any_of(s.bodies.begin(), s.bodies.end(), [&](const sketch::Body& body) {
+    const sketch::Region region(s, body);
+    return !body.rigid && region.boundary() * region.boundary() > 4 * kSlender * region.area();
+  });
+}
+
 // May friction do work that no mesh has seen yet?
 bool may_rub(const sketch::Sketch& s) {
   return std::any_of(s.interfaces.begin(), s.interfaces.end(),
@@ -464,7 +475,8 @@ Loop::Next Loop::solve_pair(Level& coarse, Level& fine, Distance& between) {
 // Do meshes of this kind serve? `again`: others take their place.
 Loop::Next Loop::check_kind(Level& coarse, const Level& fine, const Distance& between) {
   if (is_cut_off(fine.trial, fine.mesh)) return regrow(coarse), Next::again;
-  if (!begun_ && (between.energy > kBends || meets_tie(s_)) && takes_quadratic()) return before_ = Round(), Next::again;
+  const bool bends = between.energy > kBends || (between.energy > kSlenderBends && has_slender_body(s_));
+  if (!begun_ && (bends || meets_tie(s_)) && takes_quadratic()) return before_ = Round(), Next::again;
   if (history_.empty()) return Next::refine;
   if (early_++ < kEarlyRounds) return coarse.mesh = with_finer_contacts(coarse.mesh), Next::again;
   return is_loaded(fine.trial) ? Next::refine : Next::end; // nor does anything begin where more elements touch

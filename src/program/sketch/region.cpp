@@ -87,6 +87,12 @@ std::vector<Point> Region::points() const {
   return out;
 }
 
+double Region::boundary() const {
+  double sum = 0;
+  for (const Chord& chord : chords_) sum += length(chord.b - chord.a);
+  return sum;
+}
+
 double Region::area() const {
   double sum = 0;
   for (const std::vector<Point>& polygon : polygons_) sum += area_of(polygon);

@@ -16,6 +16,7 @@ public:
   bool is_apart(const Region& other) const; // do the boxes lie apart?
   std::vector<Point> points() const;        // of the boundary, on the curves
   double area() const;                      // of the polygons
+  double boundary() const;                  // length of the curves
 
 private:
   struct Chord { // of a curve, between two values of u
