@@ -362,6 +362,31 @@ TEST_CASE("geometry: points that coincide") {
   check_fault(row, "two elements of zero length follow one another", 0, 2);
 }
 
+TEST_CASE("geometry: a small body beside a large one is measured by its own size, and by its last digits") {
+  struct Small {
+    double side, x;
+  };
+  for (const Small& small : {Small{1e-6, 0.25}, Small{1e-9, 0.25}, Small{1e-6, 1000}}) {
+    CAPTURE(small.side);
+    CAPTURE(small.x);
+    ModelData d(2);
+    d.body(2, {fixture::rectangle(-5, -10, 10, 10, 4, 4)});
+    Points p = fixture::rectangle(small.x, 1, small.side, small.side, 40, 40);
+    for (int c = 0; c < 2; ++c)
+      p.insert(p.begin() + 4 + c, p[static_cast<size_t>(2 + c)]); // the second point twice: a double node
+    p[4] += 1e-16 * small.x;                                      // (its last digit)
+    d.body(2, {p});
+    CHECK_MESSAGE(d.complete(), d.all());
+    for (int32_t e = 0; e < d.bodies[1].elements; ++e) CHECK(is_zero_length(d.view(), 1, e) == (e == 1));
+    ModelData touches = d; // two points of the large body
+    touches.xy[0] = Points{-5, -10, 5, -10, 5, 0, 1, 0, 1, -1, 1, 1e-12, -5, 0};
+    touches.bodies[0].elements = touches.bodies[0].geometry_nodes = 7;
+    touches.regions[0] = {{0, 6}};
+    CHECK_FALSE(touches.complete());
+    CHECK(touches.find("boundary points 4 and 6 of body 1 coincide") != nullptr);
+  }
+}
+
 TEST_CASE("geometry: distorted curved elements") {
   // Inner point far from the middle of a straight side: x = eta + (1 - eta^2) 0.9, turns back at eta = 5/9.
   ModelData fold = square(2, {-1, -1, 0.9, -1, 1, -1, 1, 0, 1, 1, 0, 1, -1, 1, -1, 0}, 3);

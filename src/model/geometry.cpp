@@ -144,6 +144,13 @@ Box box_of_body(const Model& m, int b) {
   return box;
 }
 
+double coincidence_of(const Model& m, int b) {
+  const Box box = box_of_body(m, b);
+  const double size = fmax(box.x_max - box.x_min, box.y_max - box.y_min);
+  const double most = fmax(fmax(fabs(box.x_min), fabs(box.x_max)), fmax(fabs(box.y_min), fabs(box.y_max)));
+  return kCoincident * size + 1e-15 * most;
+}
+
 bool boxes_meet(const Box& a, const Box& b) {
   return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
 }

@@ -6,7 +6,7 @@
 
 namespace c2d {
 
-// Points closer than this part of the bodies' size are one point.
+// Points closer than this part of their body's size are one point.
 constexpr double kCoincident = 1e-10;
 
 // Position and derivative with respect to the local coordinate eta in [-1, 1].
@@ -42,6 +42,9 @@ struct Box {
 Box box_around(const Model& m, int b,
                int32_t element);        // encloses the whole curve, without looking at it closely
 Box box_of_body(const Model& m, int b); // of the boundary points
+// How far apart two of a body's points may be to be one, in either coordinate: by its size, and by the last digits of its
+// coordinates. Looks at all points.
+double coincidence_of(const Model& m, int b);
 bool boxes_meet(const Box& a, const Box& b);
 
 // Do the chords (p0, p1) and (q0, q1) cross or touch?

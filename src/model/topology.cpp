@@ -59,18 +59,17 @@ int32_t number_in_range(int32_t k, int32_t first, int32_t step, int32_t first_in
   return first_in + (place < 0 ? place + size : place);
 }
 
-bool ends_coincide(const Model& m, int b, int32_t element) {
+bool ends_coincide(const Model& m, int b, int32_t element, double near) {
   if (body_of(m, b).element_nodes != 2) return false;
   const double* p = m.xy[b] + 2 * geometry_node(m, b, element, 0);
   const double* q = m.xy[b] + 2 * geometry_node(m, b, element, 1);
-  const double tolerance = kCoincident * m.head->length_unit;
-  return fabs(p[0] - q[0]) <= tolerance && fabs(p[1] - q[1]) <= tolerance;
+  return fabs(p[0] - q[0]) <= near && fabs(p[1] - q[1]) <= near;
 }
 
 // As is_zero_length, within this file.
 bool has_no_length(const Model& m, int b, int32_t element) {
   const uint8_t code = m.end_code[b][element * m.head->function_nodes];
-  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element);
+  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element, coincidence_of(m, b));
 }
 
 bool joins_twins(const Model& m, int b, int32_t element) {
@@ -147,11 +146,13 @@ int32_t corner_point(const Model& m, int b, int32_t node) {
 bool is_zero_length(const Model& m, int b, int32_t element) { return has_no_length(m, b, element); }
 
 void measure_elements(const Model& m) {
-  for (int b = 0; b < m.head->bodies; ++b)
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const double near = coincidence_of(m, b);
     for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
       uint8_t& code = m.end_code[b][e * m.head->function_nodes];
-      code = static_cast<uint8_t>(code | kMeasured | (ends_coincide(m, b, e) ? kNoLength : 0));
+      code = static_cast<uint8_t>(code | kMeasured | (ends_coincide(m, b, e, near) ? kNoLength : 0));
     }
+  }
 }
 
 const Zone& tie_of_platen(const Model& m, int b) {

@@ -70,9 +70,9 @@ void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
 
 // ---- pairs of elements ----
 
-bool same_point(const Model& m, double ax, double ay, double bx, double by) {
-  const double tolerance = kCoincident * m.head->length_unit;
-  return fabs(ax - bx) <= tolerance && fabs(ay - by) <= tolerance;
+// `near`: of coincidence_of.
+bool same_point(double ax, double ay, double bx, double by, double near) {
+  return fabs(ax - bx) <= near && fabs(ay - by) <= near;
 }
 
 // Are these the two points of a linear element?
@@ -132,9 +132,9 @@ template <class BoxOf, class Visit> bool visit_meeting(const Range& a, const Ran
   return false;
 }
 
-bool some_coincide(const Model& m, int b) {
+bool some_coincide(const Model& m, int b, double near) {
   if (kSmallCode) return true;
-  const double half = 0.6 * kCoincident * m.head->length_unit; // a little more than half the tolerance
+  const double half = 0.6 * near; // a little more than half the tolerance
   const auto box_of = [&](int32_t i) {
     const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
     return Box{p[0] - half, p[0] + half, p[1] - half, p[1] + half};
@@ -149,12 +149,13 @@ bool some_coincide(const Model& m, int b) {
 int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
   int32_t told = 0;
-  if (!some_coincide(m, b)) return told;
+  const double near = coincidence_of(m, b);
+  if (!some_coincide(m, b, near)) return told;
   for (int32_t i = 0; i < body.geometry_nodes; ++i) {
     const double* p = m.xy[b] + 2 * i;
     for (int32_t j = i + 1; j < body.geometry_nodes; ++j) {
       const double* q = m.xy[b] + 2 * j;
-      if (!same_point(m, p[0], p[1], q[0], q[1])) continue;
+      if (!same_point(p[0], p[1], q[0], q[1], near)) continue;
       if (body.element_nodes == 2 && joined(m, b, i, j)) continue; // an element of zero length: has its own check
       Finding f(at_point(m, b, j));
       say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", body_named(m, b), " coincide at (", p[0], ", ", p[1],
@@ -218,16 +219,16 @@ Box widened(const Box& b) {
   return Box{b.x_min - by, b.x_max + by, b.y_min - by, b.y_max + by};
 }
 
-bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
+bool pair_crosses(const Chords& p, const Chords& q, double near) {
   // Joined directly or through a double node: by position, which serves both.
-  const bool after = same_point(m, p.x[p.count], p.y[p.count], q.x[0], q.y[0]);
-  const bool before = same_point(m, p.x[0], p.y[0], q.x[q.count], q.y[q.count]);
+  const bool after = same_point(p.x[p.count], p.y[p.count], q.x[0], q.y[0], near);
+  const bool before = same_point(p.x[0], p.y[0], q.x[q.count], q.y[q.count], near);
   if (!kSmallCode && after != before && advance_together(after ? p : q, after ? q : p)) return false;
   if (!kSmallCode && !after && !before && !boxes_meet(box_around_chords(p), widened(box_around_chords(q)))) return false;
   return elements_cross(p, q, after, before);
 }
 
-bool some_cross(const Model& m, int b) {
+bool some_cross(const Model& m, int b, double near) {
   if (kSmallCode) return true;
   Chords p, q;
   int32_t last = -1; // whose chords p are
@@ -240,14 +241,15 @@ bool some_cross(const Model& m, int b) {
         last = i;
         if (i == j) return crosses_itself(p);
         chords_of(m, b, j, q);
-        return pair_crosses(m, p, q);
+        return pair_crosses(p, q, near);
       });
 }
 
 void check_crossing(const Model& m, int b, Reporter& reporter) {
   const int32_t elements = body_of(m, b).elements;
   int32_t told = 0;
-  if (!some_cross(m, b)) return;
+  const double near = coincidence_of(m, b);
+  if (!some_cross(m, b, near)) return;
   Chords p, q;
   for (int32_t i = 0; i < elements; ++i) {
     if (is_zero_length(m, b, i)) continue;
@@ -256,7 +258,7 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
     for (int32_t j = i; j < elements; ++j) {
       if (!boxes_meet(around, box_around(m, b, j)) || is_zero_length(m, b, j)) continue;
       chords_of(m, b, j, q);
-      if (i == j ? !crosses_itself(p) : !pair_crosses(m, p, q)) continue;
+      if (i == j ? !crosses_itself(p) : !pair_crosses(p, q, near)) continue;
       Finding f(at_element(m, b, j));
       if (i == j)
         say(f, "element ", i + 1, " of body ", body_named(m, b), " crosses itself");
