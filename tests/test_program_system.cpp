@@ -259,6 +259,15 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
   REQUIRE(shrunk.open(1, 1, 64) == 0);
   CHECK(contains(shrunk.file_of(1), "/tape1.c2d"));
   CHECK(shrunk.remove_tapes(error));
+  app::StoreChoice held; // but not what it has of the tape itself
+  REQUIRE(held.choose("memory", 0, false, error));
+  REQUIRE(held.reserve(0, 20, 64));
+  CHECK(held.bytes_in_memory() == 20 * 64);
+  REQUIRE(held.choose("", 100, false, error));
+  REQUIRE(held.open(0, 10, 64) == 0);
+  CHECK(held.folder() == "");
+  held.drop_tapes();
+  CHECK(held.bytes_in_memory() == 0);
   app::StoreChoice mostly_unwritten; // only what is expected counts, of the tape beside it, too
   REQUIRE(mostly_unwritten.choose("", 1000, false, error));
   mostly_unwritten.expect(0, 900);
