@@ -123,7 +123,9 @@ TEST_CASE("cycle: a history that ends early has none") {
   CHECK(trial.outcome != C2D_REACHED);
   REQUIRE(values.size() == 3);
   for (const app::Stated& value : values) CHECK(value.name.find("cycle") == std::string::npos);
-  const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  const estimate::Adapted found = estimate::adapt(s, demand, [](const app::MeshRound&) {});
   CHECK(found.loop.stopped.find("the history ended early") != std::string::npos);
   int others = 0;
   for (const app::Stated& value : found.loop.stated) {

@@ -2,6 +2,7 @@
 #include "program/estimate/far.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/marks.hpp"
+#include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/read.hpp"
 #include "program/sketch/refine.hpp"
@@ -42,7 +43,9 @@ std::vector<double> lengths_of(const MeshedOutline& outline) {
 }
 
 estimate::Adapted adapt(const Sketch& s) {
-  return estimate::adapt(s, {}, [](const app::MeshRound&) {});
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  return estimate::adapt(s, demand, [](const app::MeshRound&) {});
 }
 
 } // namespace

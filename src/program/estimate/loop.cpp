@@ -101,6 +101,7 @@ private:
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
   std::string history_;                // why it ended early, of the mesh that was taken
   bool is_whole_ = false;              // it did not
+  bool has_tapes_ = false;             // the mesh that was taken was solved last: they are in the demand's store
   bool tries_order_ = false;           // functions have just been chosen anew
   double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
   bool begun_ = false;                 // a pair of meshes has led to a finer one
@@ -202,6 +203,7 @@ bool fails(c2d_outcome outcome) {
 }
 
 bool Loop::solve_level(Level& level, bool adapted) {
+  has_tapes_ = false;
   level.trial = Trial();
   level.deck = sketch::deck_of(s_, level.mesh);
   std::string why;
@@ -410,6 +412,7 @@ void Loop::take(const Level& level) {
   out_.mesh = level.mesh;
   out_.deck = is_cut_off(level.trial, level.mesh) ? level.deck : app::without_cut_ends(level.deck);
   out_.loop.taken = out_.loop.rounds.size() - 1;
+  has_tapes_ = true;
   history_ = level.trial.why;
   is_whole_ = level.trial.outcome == C2D_REACHED;
 }
@@ -524,6 +527,7 @@ Adapted Loop::run() {
     if (out_.deck.empty()) throw;
     stopped = fault.text;
   }
+  if (demand_.store != nullptr && !has_tapes_) demand_.store->drop_tapes(); // of another mesh
   if (!history_.empty()) stopped = "the history ended early: " + history_ + (stopped.empty() ? "" : "; " + stopped);
   return std::move(out_);
 }

@@ -19,8 +19,8 @@ struct Adapted {
   std::string why;
 };
 
-// Follows the whole history on each mesh (METHOD 16.5). `told` hears of every mesh that was solved. Meshes that `keeper` has
-// are not solved again; null: none is kept. Throws sketch::Fault.
+// Follows the whole history on each mesh (METHOD 16.5). `demand` has what the sketch wants (estimate::ask). `told` hears of
+// every mesh that was solved. Meshes that `keeper` has are not solved again; null: none is kept. Throws sketch::Fault.
 Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
               TrialKeeper* keeper = nullptr);
 
