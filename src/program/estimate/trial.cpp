@@ -56,19 +56,20 @@ app::StoreChoice& store_of(void* store) { return *static_cast<app::StoreChoice*>
 // Tapes in memory, as large as they can become.
 c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
   const c2d_options options = options_of(demand);
+  // Of what compressed elimination may write a quarter is the most that was seen.
+  const bool compressed = app::elimination_of(limits_, demand.elimination) == C2D_ELIMINATION_COMPRESSED;
   uint64_t sum = 0;
   std::vector<std::pair<uint64_t, uint64_t>> sizes;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     uint64_t blocks = 0, bytes = 0;
     const c2d_status status = c2d_tape_need(&limits_, &options, workspace_.bytes, tape, &blocks, &bytes, nullptr);
     if (status != C2D_OK) return status;
-    sum += blocks * bytes;
-    store_->expect(tape, app::expected_bytes(limits_, demand.elimination, workspace_.minimum, tape));
+    const uint64_t expected = blocks * bytes / (compressed ? 4 : 1);
+    sum += expected;
+    store_->expect(tape, expected);
     sizes.emplace_back(blocks, bytes);
   }
-  // Of what compressed elimination may write a quarter is the most that was seen.
-  const bool compressed = app::elimination_of(limits_, demand.elimination) == C2D_ELIMINATION_COMPRESSED;
-  if (workspace_.bytes + (compressed ? sum / 4 : sum) > app::free_memory()) return C2D_ERR_MEMORY;
+  if (workspace_.bytes + sum > app::free_memory()) return C2D_ERR_MEMORY;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape)
     if (!store_->reserve(tape, sizes[static_cast<size_t>(tape)].first, sizes[static_cast<size_t>(tape)].second))
       return C2D_ERR_MEMORY;
