@@ -22,12 +22,14 @@ public:
   }
   c2d_status read(const std::string& text, const Demand& demand, std::string& why);
   c2d_solver* get() const { return solver_; }
+  bool keeps_tapes() const { return keeps_; } // in the store that was demanded
   std::string words(c2d_status status) const;
 
 private:
   c2d_status make_store(const Demand& demand, c2d_port& port);
 
   app::StoreChoice* store_ = &own_store_;
+  bool keeps_ = false;
 
   app::DeckFile deck_;
   std::vector<c2d_body_limits> bodies_;
@@ -79,9 +81,7 @@ c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
 }
 
 c2d_status Solver::read(const std::string& text, const Demand& demand, std::string& why) {
-  if (demand.store != nullptr) store_ = demand.store;
-  store_->drop_tapes();
-  if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
+  if (demand.store != nullptr) demand.store->drop_tapes();
   deck_.replace(text);
   bodies_ = app::room_for_bodies(deck_);
   limits_.bodies = static_cast<int32_t>(bodies_.size());
@@ -90,6 +90,10 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   c2d_status status = c2d_scan_deck(app::DeckFile::read_line, &deck_, &limits_, &error);
   if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, demand.elimination, workspace_, why);
   if (!why.empty()) return status;
+  // What is compressed is large, and room for saved states with it.
+  keeps_ = demand.store != nullptr && app::elimination_of(limits_, demand.elimination) != C2D_ELIMINATION_COMPRESSED;
+  if (keeps_) store_ = demand.store;
+  if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
   c2d_port port = C2D_INIT(c2d_port);
   if (status == C2D_OK) status = make_store(demand, port);
   port.cancel = [](void*) { return static_cast<int32_t>(app::interrupted()); };
@@ -316,7 +320,7 @@ c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std:
   History history(solver.get(), demand, out);
   status = history.describe(deck);
   if (status == C2D_OK) status = c2d_prepare(solver.get());
-  if (status == C2D_OK && demand.store != nullptr) status = c2d_save(solver.get());
+  if (status == C2D_OK && solver.keeps_tapes()) status = c2d_save(solver.get());
   if (status == C2D_OK) status = history.follow();
   if (status != C2D_OK) why = solver.words(status);
   out.seconds = app::clock_seconds(nullptr) - start;
