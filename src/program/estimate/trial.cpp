@@ -90,8 +90,8 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   c2d_status status = c2d_scan_deck(app::DeckFile::read_line, &deck_, &limits_, &error);
   if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, demand.elimination, workspace_, why);
   if (!why.empty()) return status;
-  // What is compressed is large, and room for saved states with it.
-  keeps_ = demand.store != nullptr && app::elimination_of(limits_, demand.elimination) != C2D_ELIMINATION_COMPRESSED;
+  constexpr uint64_t kMostKept = uint64_t{1} << 28; // bytes of workspace: saved states of larger models take much room
+  keeps_ = demand.store != nullptr && workspace_.bytes <= kMostKept;
   if (keeps_) store_ = demand.store;
   if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
   c2d_port port = C2D_INIT(c2d_port);

@@ -26,7 +26,7 @@ struct Demand {
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only where the loads turn and midway
   bool hoop = false;      // stresses along the surfaces, which take long to find
-  // Where tapes are kept in memory, with what was prepared last, unless it was compressed: a run of the same deck in it need
+  // Where tapes are kept in memory, with what was prepared last, unless it was large: a run of the same deck in it need
   // not prepare again. Null: nowhere.
   app::StoreChoice* store = nullptr;
   int32_t symmetry = 0, quadrature = 0, elimination = C2D_ELIMINATION_BY_SIZE; // as in c2d_options
