@@ -223,8 +223,9 @@
 
 /* Columns of T, and as many rows, for the exchanges that a tableau of m rows keeps back. */
 #define C2D_DELAYED_(m) ((m) < 160 ? 0 : C2D_SMALLER_((m) / 8, 64))
-/* Numbers per contact unknown of the bodies' mean motions. Of few pairs displacements are summed instead. */
-#define C2D_MEAN_MOTION_(m) ((m) < 32 ? 0 : 8)
+/* Numbers per contact unknown of the mean motions of the bodies. Of few pairs in single precision, where memory counts,
+   displacements are summed instead. */
+#define C2D_MEAN_MOTION_(m) (C2D_REAL_BYTES == 4 && (m) < 32 ? 0 : 8)
 #define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
 /* A column of the tableau for the gaps that follow slip: as of one load case more. */
 #define C2D_SLIP_(curves) (UINT64_C(1) * ((curves) > 0 ? 1 : 0))

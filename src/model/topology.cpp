@@ -66,10 +66,10 @@ bool ends_coincide(const Model& m, int b, int32_t element, double near) {
   return fabs(p[0] - q[0]) <= near && fabs(p[1] - q[1]) <= near;
 }
 
-// As is_zero_length, within this file.
+// As is_zero_length, within this file. While a model is built, and points may be missing: ends in the same place.
 bool has_no_length(const Model& m, int b, int32_t element) {
   const uint8_t code = m.end_code[b][element * m.head->function_nodes];
-  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element, coincidence_of(m, b));
+  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element, 0.0);
 }
 
 bool joins_twins(const Model& m, int b, int32_t element) {

@@ -134,7 +134,7 @@ bool takes_part(const Model& m, int b) {
   return false;
 }
 
-// Of few pairs, and on demand, where columns of the contact come later, displacements are found and summed instead.
+// Where memory counts, and on demand, where columns of the contact come later, displacements are found and summed instead.
 bool has_functionals(const Model& m) { return C2D_MEAN_MOTION_(m.head->contact) > 0 && !is_on_demand(m); }
 
 c2d_status make_ready(Session& session) {

@@ -102,7 +102,7 @@ c2d_status begin_path(Session& session) {
   for (int32_t k = 0; k < 4 * head.load_cases; ++k) array_of<double>(s, kLoads)[k] = 0.0;
   s->outcome = C2D_REACHED;
   s->last_pair = session.follower.last_pair = -1; // none yet
-  s->outcome_body = s->back_substituted = s->table_is_current = s->mean_motions = s->floating = 0;
+  s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
   session.tableau.guided = session.tableau.may_rest = session.tableau.resting = 0;
   if (s->keeps_energy) kEnergyPart.begin_energy(s);
