@@ -27,22 +27,22 @@ fill = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUD
   -e 's|@INCLUDE_FROM_CONFIG@|$(strip $(INCLUDE_FROM_CONFIG))|g'
 
 install: all $(SHARED)
-	mkdir -p $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(INCLUDEDIR)
-	install -m 755 $(PROGRAM) $(DESTDIR)$(BINDIR)/contact2d
-	install -m 644 $(HEADERS) $(DESTDIR)$(INCLUDEDIR)/
-	install -m 644 $(LIBRARY) $(DESTDIR)$(LIBDIR)/
-	install -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)/
-	ln -sf libcontact2d.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so.$(SOVERSION)
-	ln -sf libcontact2d.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so
-	$(fill) port/packaging/contact2d.1.in > $(DESTDIR)$(MANDIR)/man1/contact2d.1
-	$(fill) port/packaging/contact2d.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc
-	$(fill) port/packaging/contact2dConfig.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake
-	$(fill) port/packaging/contact2dConfigVersion.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake
-	for page in $(PAGES); do mkdir -p $(DESTDIR)$(DOCDIR)/$$(dirname $$page) && \
-	  install -m 644 $$page $(DESTDIR)$(DOCDIR)/$$page || exit 1; done
+	mkdir -p '$(DESTDIR)$(BINDIR)' '$(DESTDIR)$(MANDIR)/man1' '$(DESTDIR)$(LIBDIR)/pkgconfig' '$(DESTDIR)$(CMAKEDIR)' '$(DESTDIR)$(INCLUDEDIR)'
+	install -m 755 $(PROGRAM) '$(DESTDIR)$(BINDIR)/contact2d'
+	install -m 644 $(HEADERS) '$(DESTDIR)$(INCLUDEDIR)/'
+	install -m 644 $(LIBRARY) '$(DESTDIR)$(LIBDIR)/'
+	install -m 755 $(SHARED) '$(DESTDIR)$(LIBDIR)/'
+	ln -sf libcontact2d.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libcontact2d.so.$(SOVERSION)'
+	ln -sf libcontact2d.so.$(SOVERSION) '$(DESTDIR)$(LIBDIR)/libcontact2d.so'
+	$(fill) port/packaging/contact2d.1.in > '$(DESTDIR)$(MANDIR)/man1/contact2d.1'
+	$(fill) port/packaging/contact2d.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc'
+	$(fill) port/packaging/contact2dConfig.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake'
+	$(fill) port/packaging/contact2dConfigVersion.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake'
+	for page in $(PAGES); do mkdir -p '$(DESTDIR)$(DOCDIR)'/$$(dirname $$page) && \
+	  install -m 644 $$page '$(DESTDIR)$(DOCDIR)'/$$page || exit 1; done
 
 uninstall:
-	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
-	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
-	-find $(DESTDIR)$(DOCDIR) -depth -type d -exec rmdir {} + 2>/dev/null || true
+	for file in $(INSTALLED); do rm -f '$(DESTDIR)'$$file; done
+	-rmdir '$(DESTDIR)$(CMAKEDIR)' 2>/dev/null || true
+	-find '$(DESTDIR)$(DOCDIR)' -depth -type d -exec rmdir {} + 2>/dev/null || true
 
