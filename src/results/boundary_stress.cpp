@@ -164,12 +164,9 @@ Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
   return p;
 }
 
-// Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
-[[gnu::noinline]] void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
+[[gnu::noinline]] void slope_between(const Session& session, int b, int32_t element, const Neighbour& previous,
+                                     const Neighbour& next, double du_ds[2]) {
   const Model& m = session.model;
-  Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
-  if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
-  if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
   const Point at = point_of(m, b, element, 0.0), after = mirrored_middle(session, b, next),
               before = mirrored_middle(session, b, previous);
   const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
@@ -178,6 +175,16 @@ Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
   get_displacement(session, b, functional_node(m, b, previous.element, 0), v);
   for (int c = 0; c < 2; ++c)
     du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
+}
+
+// Displacements are constant along a constant element: difference of the neighbours, along the chords between the three
+// middles. (In two functions, as the stack is deepest where it is found which elements join.)
+[[gnu::noinline]] void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
+  const Model& m = session.model;
+  Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
+  if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
+  slope_between(session, b, element, previous, next, du_ds);
 }
 
 } // namespace
