@@ -26,13 +26,7 @@ C2D_USES(CompressedPart);
 
 namespace {
 
-// What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
-// what it does.)
-[[gnu::noinline]] void field_of_piece(const Session& session, const TransferWalk& walk, FieldElement& out) {
-  const Model& m = session.model;
-  const double stress = 1.0 / (2.0 * shear_modulus(m, walk.body));
-  Transfer piece;
-  kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
+[[gnu::noinline]] void take_field(const Session& session, const Transfer& piece, double stress, FieldElement& out) {
   Complex t[kElementNodes];
   out.in = piece.in;
   for (int k = 0; k < piece.in.functions; ++k) {
@@ -41,6 +35,14 @@ namespace {
     t[k] = {stress * value[0], stress * value[1]};
   }
   prepare_field(t, nullptr, out);
+}
+
+// What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
+// what it does.)
+[[gnu::noinline]] void field_of_piece(const Session& session, const TransferWalk& walk, FieldElement& out) {
+  Transfer piece;
+  kFreeZonePart.make_transfer(session.model, Quadrature::accurate, walk, piece);
+  take_field(session, piece, 1.0 / (2.0 * shear_modulus(session.model, walk.body)), out);
 }
 
 [[gnu::noinline]] void act_on_points(const Session& session, const TransferWalk& walk, const Points& points) {
