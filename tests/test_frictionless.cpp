@@ -247,6 +247,25 @@ TEST_CASE("frictionless: friction that is told later where no energies are kept"
   CHECK(without.s->sliding == 0);
 }
 
+// What mean motions are found from lies with the path, and goes with it.
+TEST_CASE("frictionless: bodies approach alike in each of several paths, with friction given before or after the preparation") {
+  const auto state_of = [](Solver& solver) {
+    c2d_zone_state state = C2D_INIT(c2d_zone_state);
+    REQUIRE(c2d_get_zone_state(solver.s, 1, &state) == C2D_OK);
+    return state;
+  };
+  Solver with(deck_of("hertz", {"n=70"}, "2 0 0.3")), without(deck_of("hertz", {"n=70"}, "1 0"));
+  with.prepared().follow(0.3);
+  without.prepared().follow(0);
+  const c2d_zone_state smooth = state_of(without);
+  without.follow(0.3);
+  const c2d_zone_state rubbing = state_of(without), expected = state_of(with);
+  CHECK(rubbing.approach == doctest::Approx(expected.approach).epsilon(kAlike));
+  CHECK(rubbing.shift == doctest::Approx(expected.shift).epsilon(kAlike));
+  without.follow(0);
+  CHECK(state_of(without).approach == doctest::Approx(smooth.approach).epsilon(kAlike));
+}
+
 TEST_CASE("frictionless: saved states go with either form of the tape") {
   const Deck deck = deck_of("hertz", {"n=70"}, "1 0");
   Solver plain(deck);

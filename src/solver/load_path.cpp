@@ -86,11 +86,18 @@ void clear_unless_zero(char* from, char* end) {
 }
 
 // What the caller had in this memory before is not to reach a tape with a state of the path (solver/save.cpp).
+void clear_between(const Session& session, void* from, void* end) {
+  char *const first = static_cast<char*>(from), *const last = static_cast<char*>(end);
+  if (!kHostile && !kWatched && is_on_demand(session.model)) return clear_unless_zero(first, last);
+  if (!kHostile) memset(first, 0, static_cast<size_t>(last - first));
+}
+
+// All but what mean motions are found from, where that is known: all paths of a preparation have it in common.
 void clear_path(Session& session) {
-  char* const end = reinterpret_cast<char*>(session.area.motion + model_sizes(session.model).widest);
-  char* const from = static_cast<char*>(session.area.buffer);
-  if (!kHostile && !kWatched && is_on_demand(session.model)) return clear_unless_zero(from, end);
-  if (!kHostile) memset(from, 0, static_cast<size_t>(end - from));
+  const PathArea& area = session.area;
+  void *from = area.buffer, *const end = area.motion + model_sizes(session.model).widest;
+  if (session.solver->mean_motions != 0) clear_between(session, from, area.mean_motion), from = area.u[0];
+  clear_between(session, from, end);
 }
 
 } // namespace

@@ -594,6 +594,7 @@ c2d_status tell(void* context) {
 [[gnu::noinline]] c2d_status change_form(c2d_solver* s, bool sliding) {
   Session session;
   open_session(s, session);
+  s->mean_motions = 0; // they lie where the bodies are reduced
   const c2d_status status = write_unfinished(session.tape, session.area.column);
   return status == C2D_OK ? reduce_bodies(s, session.model, model_sizes(session.model), false, sliding, tell) : status;
 }
