@@ -238,7 +238,8 @@ bool HoopFinder::find_beside(const std::vector<double>& v, size_t e, size_t i, b
 sketch::Point HoopFinder::place_beside(size_t e, size_t i, double away) const {
   const auto n = static_cast<double>(trial_.nodes);
   const double s = (n == 1 ? 0.5 : static_cast<double>(i) / (n - 1)) * elements_[e].length() + away;
-  const bool before = s<0, after = s> elements_[e].length();
+  const bool before = s < 0;
+  const bool after = s > elements_[e].length();
   const HoopElement& own = elements_[before || after ? next(e, after) : e];
   return own.at((before ? own.length() + s : after ? s - elements_[e].length() : s) / own.length());
 }
