@@ -205,14 +205,5 @@ def made():
     return module.text()
 
 
-def main(words):
-    if words == ["--check"]:
-        same = OUTPUT.exists() and OUTPUT.read_text(encoding="utf-8") == made()
-        print("%s is %s" % (OUTPUT.name, "up to date" if same else "out of date: python3 port/fortran/generate.py"))
-        return 0 if same else 1
-    OUTPUT.write_text(made(), encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(READ.write(sys.argv[1:], OUTPUT, made()))

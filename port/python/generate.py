@@ -181,14 +181,15 @@ def made():
     return reader.text()
 
 
-def main(words):
+def write(words, output, text):
+    """The command: writes the text, or with --check says whether it stands there; the exit status."""
     if words == ["--check"]:
-        same = OUTPUT.exists() and OUTPUT.read_text(encoding="utf-8") == made()
-        print("%s is %s" % (OUTPUT.name, "up to date" if same else "out of date: python3 port/python/generate.py"))
+        same = output.exists() and output.read_text(encoding="utf-8") == text
+        print("%s is %s" % (output.name, "up to date" if same else "out of date: python3 " + sys.argv[0]))
         return 0 if same else 1
-    OUTPUT.write_text(made(), encoding="utf-8")
+    output.write_text(text, encoding="utf-8")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(write(sys.argv[1:], OUTPUT, made()))
