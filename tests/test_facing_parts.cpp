@@ -179,9 +179,8 @@ TEST_CASE("facing parts: warnings say what they mean for the model, and nothing 
           "zone 1, pair 8, load factor 1: coarse contact: only 2 elements from the edge to the highest pressure; the edge may "
           "be off by 0.1, 12 % of the width, that pressure by 5 %; the last element before the corner at pair 8 carries 5 % "
           "of the force, and the pressure rises there to 4.2 times that of the next; it may have no bound: refine there") ==
-      "zone 1, load factor 1: at a corner of what touches the pressure rises to 4.2 times what it is beside it, and may have "
-      "no "
-      "bound: the highest pressure there means nothing; forces hold, and pressures some way off");
+      "zone 1, load factor 1: at a corner of the contact the pressure rises to 4.2 times what it is beside it, and may have no "
+      "bound: do not use the highest pressure there; forces and pressures farther away are right");
   CHECK(words("slip since it last touched exceeds half a contact element and 5 % of what touches: pairs no longer face each "
               "other") == "slip since it last touched exceeds 5 % of what touches: pressures act where surfaces faced each "
                           "other as drawn, not where "

@@ -34,7 +34,7 @@ constexpr Phrase kPhrases[] = {
      "only; refine, or use linear functions",
      "the pressure falls below -1 % of the highest in places, and is off there by as much: a smaller tolerance lowers it"},
     {"overlaps smaller than what the elements leave open of the surfaces, pairs: #, most at",
-     "overlaps too small to be told from touching, most at"},
+     "overlaps too small to distinguish from contact, most at"},
     {"between the nodes of side 2 the bodies overlap by", "where they touch the bodies overlap by"},
     {": contact conditions hold at the nodes of side 2 alone, refine it there",
      ", and the pressure is off there: a smaller tolerance lowers it"},
@@ -154,10 +154,10 @@ std::string words_of_corner(const std::string& text) {
   const size_t begin = text.find(kRises), end = text.find(kToNext);
   const std::string rise =
       end == std::string::npos ? "many" : text.substr(begin + sizeof kRises - 1, end - begin - sizeof kRises + 1);
-  return "at a corner of what touches the pressure rises to " + rise +
-         " times what it is beside it, and may have no bound: the highest pressure there means nothing; forces hold, and "
-         "pressures "
-         "some way off";
+  return "at a corner of the contact the pressure rises to " + rise +
+         " times what it is beside it, and may have no bound: do not use the highest pressure there; forces and pressures "
+         "farther "
+         "away are right";
 }
 
 } // namespace
