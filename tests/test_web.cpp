@@ -27,8 +27,10 @@ bool can_look(const std::string& page) {
 TEST_CASE("web: the page in a browser") {
   const std::string page = paths::build() + "/web/contact2d.html";
   if (!can_look(page)) return;
+  // C2D_WEB_TESTS='-k edit -k mistake': of the page's tests those whose names hold one of these words.
+  const char* some = std::getenv("C2D_WEB_TESTS");
   const Result run = run_shell("PYTHONDONTWRITEBYTECODE=1 python3 '" + kRoot + "/tests/web/test_page.py' '" + page + "' '" +
-                               paths::program() + "' '" + paths::build() + "/web/screenshots'");
+                               paths::program() + "' '" + paths::build() + "/web/screenshots' " + (some != nullptr ? some : ""));
   CHECK_MESSAGE(run.status == 0, run.err);
   CHECK_MESSAGE(contains(run.err, "\nOK"), run.err);
 }

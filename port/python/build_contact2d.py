@@ -2,7 +2,8 @@
 
 Compiles the library and the program from src/sources.mk, as the Makefile does, and puts them into the package beside its
 modules. CXX, CPPFLAGS, CXXFLAGS and LDFLAGS are those of the environment. CONTACT2D_BUILD names a folder in which `make python` has
-built both already: nothing is compiled then.
+built both already: nothing is compiled then. CONTACT2D_ONE_FILE names what `make amalgamation` has made of the core: one file to
+compile.
 """
 
 import base64
@@ -86,7 +87,9 @@ def batches(sources, folder, name):
 def compile_all(folder):
     """libcontact2d.so and contact2d in `folder`."""
     cxx, common = compiler(), ["-std=c++17", "-Isrc", "-Iinclude"] + ["-Iport/" + port for port in listed("PORTS")]
-    core = listed("CORE_SOURCES") + listed("PORT_SOURCES")
+    one = os.environ.get("CONTACT2D_ONE_FILE")
+    ports = [source for source in listed("PORT_SOURCES") if not (one and source.startswith("port/memory/"))]
+    core = ([str(ROOT / one)] if one else listed("CORE_SOURCES")) + ports
     program = batches(listed("REPORT_SOURCES"), folder, "report") + batches(listed("PROGRAM_SOURCES"), folder, "program")
     objects = {source: folder / (source.replace("/", "_") + ".o") for source in core}
     objects.update((source, source.with_suffix(".o")) for source in program)

@@ -1,6 +1,6 @@
 """The page build/web/contact2d.html in a real browser: headless Chromium, driven through chromedriver by the standard library.
 
-    python3 tests/web/test_page.py PAGE PROGRAM SCREENSHOTS
+    python3 tests/web/test_page.py PAGE PROGRAM SCREENSHOTS [-k NAME] ...
 
 PROGRAM is the program of this machine, whose digits the page must have; screenshots go to a folder. Run by tests/test_web.cpp.
 """
@@ -140,8 +140,10 @@ class PageTest(unittest.TestCase):
         self.browser.run("$('example').value = arguments[0]; $('example').onchange()", value)
         self.browser.wait(IDLE)
 
-    def test_it_is_one_small_file_that_fetches_nothing(self):
+    def test_it_is_small(self):
         self.assertLessEqual(PAGE.stat().st_size, 2 << 20)
+
+    def test_it_is_one_file_that_fetches_nothing(self):
         self.assertRegex(self.text("state"), "^Solved in .*largest pressure")
         fetched = self.browser.run("return performance.getEntriesByType('resource').map((each) => each.name)")
         self.assertEqual([each for each in fetched if not each.startswith(("blob:", "data:"))], [])
