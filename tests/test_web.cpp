@@ -29,8 +29,9 @@ TEST_CASE("web: the page in a browser") {
   if (!can_look(page)) return;
   // C2D_WEB_TESTS='-k edit -k mistake': of the page's tests those whose names hold one of these words.
   const char* some = std::getenv("C2D_WEB_TESTS");
-  const Result run = run_shell("PYTHONDONTWRITEBYTECODE=1 python3 '" + kRoot + "/tests/web/test_page.py' '" + page + "' '" +
-                               paths::program() + "' '" + paths::build() + "/web/screenshots' " + (some != nullptr ? some : ""));
+  const Result run =
+      run_shell("PYTHONDONTWRITEBYTECODE=1 python3 '" + kRoot + "/tests/web/test_page.py' '" + page + "' '" + paths::program() +
+                "' '" + paths::build() + "/web/screenshots' " + (some != nullptr ? some : ""));
   CHECK_MESSAGE(run.status == 0, run.err);
   CHECK_MESSAGE(contains(run.err, "\nOK"), run.err);
 }
