@@ -1,4 +1,4 @@
-// Comments cite src/METHOD.md by its numbers, and the dissertation's equations by theirs: every number exists.
+// Comments cite src/METHOD.md, and its two further pages, by their common numbers, and the dissertation's equations by theirs: every number exists.
 #include "paths.hpp"
 #include "shell.hpp"
 
@@ -34,6 +34,13 @@ Numbers numbers_of_page(const std::string& page) {
       out.of_thesis.insert((*i)[1]);
   }
   return out;
+}
+
+// METHOD and the pages that continue its numbers.
+Numbers numbers_of_method() {
+  std::string pages;
+  for (const char* page : {"METHOD", "METHOD-LARGE", "METHOD-MESHES"}) pages += read_file((kRoot / "src" / page).string() + ".md");
+  return numbers_of_page(pages);
 }
 
 // The text of all comments of a C or C++ file, each run of them as one line.
@@ -120,7 +127,7 @@ void check_known(const std::set<std::string>& cited, const std::set<std::string>
 } // namespace
 
 TEST_CASE("method: every number that a comment cites stands on the page") {
-  const Numbers page = numbers_of_page(read_file((kRoot / "src/METHOD.md").string()));
+  const Numbers page = numbers_of_method();
   CHECK(page.sections.size() > 40);
   CHECK(page.equations.size() > 35);
   CHECK(page.of_thesis.size() > 8);
@@ -142,7 +149,7 @@ TEST_CASE("method: every number that a comment cites stands on the page") {
 }
 
 TEST_CASE("method: the pages cite what there is, and their links lead somewhere") {
-  const Numbers page = numbers_of_page(read_file((kRoot / "src/METHOD.md").string()));
+  const Numbers page = numbers_of_method();
   const std::regex link("\\]\\(([^)#]*)(?:#([^)]*))?\\)");
   int seen = 0;
   for (const char* top : {"README.md", "src", "include", "port", "examples", "tests"}) {
@@ -155,7 +162,7 @@ TEST_CASE("method: the pages cite what there is, and their links lead somewhere"
     for (const fs::path& path : files) {
       CAPTURE(path.string());
       const std::string text = read_file(path.string());
-      if (path.filename() != "METHOD.md") {
+      if (path.filename().string().compare(0, 6, "METHOD") != 0) {
         const Citations cited = citations_of(text);
         check_known(cited.sections, page.sections, "METHOD");
         check_known(cited.equations, page.equations, "METHOD, equation");
