@@ -1,4 +1,5 @@
-// Comments cite src/METHOD.md, and its two further pages, by their common numbers, and the dissertation's equations by theirs: every number exists.
+// Comments cite METHOD and its two further pages by their common numbers, and the dissertation's equations by theirs: all
+// exist.
 #include "paths.hpp"
 #include "shell.hpp"
 
@@ -39,7 +40,8 @@ Numbers numbers_of_page(const std::string& page) {
 // METHOD and the pages that continue its numbers.
 Numbers numbers_of_method() {
   std::string pages;
-  for (const char* page : {"METHOD", "METHOD-LARGE", "METHOD-MESHES"}) pages += read_file((kRoot / "src" / page).string() + ".md");
+  for (const char* page : {"METHOD", "METHOD-LARGE", "METHOD-MESHES"})
+    pages += read_file((kRoot / "src" / page).string() + ".md");
   return numbers_of_page(pages);
 }
 
