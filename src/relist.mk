@@ -1,6 +1,9 @@
-# make list: src/sources.mk against the folders, what is missing from either. make relist: writes it anew. Included by the Makefile.
+# make shape: sizes and habits of the sources (tests/shape). make list: src/sources.mk against the folders, what is missing from either. make relist: writes it anew. Included by the Makefile.
 #: make list, relist                src/sources.mk against the folders; writes it anew
-.PHONY: list relist
+#: make shape                       lines, modes, house words, comments, folders, the call tree of a rate problem
+.PHONY: list relist shape
+shape: $(PROGRAM)
+	@sh tests/shape/shape.sh $(BUILD)
 # (port/cortex-m, port/web and port/windows are compiled for their own machines only, port/packaging has tools)
 OTHER_PORTS := cortex-m packaging web windows
 FOUND_PORTS := $(filter-out $(OTHER_PORTS:%=port/%/%),$(wildcard port/*/*.cpp port/*/*.c))
