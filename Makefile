@@ -27,6 +27,7 @@ PROGRAM_FLAGS ?= $(if $(filter -O2 -O3,$(CXXFLAGS)),-O1)
 
 LIBRARY = $(BUILD)/libcontact2d.a
 SHARED  = $(BUILD)/libcontact2d.so.$(VERSION)
+POST    = $(BUILD)/libcontact2d_post.a
 PROGRAM = $(BUILD)/contact2d
 TESTS   = $(BUILD)/tests/run_tests
 
@@ -40,7 +41,7 @@ SOVERSION := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 # ---------------------------------------------------------------- sources and their objects
 include src/sources.mk
 # What the folders are compared with (src/relist.mk), before PORTS= chooses among the ports.
-LISTED_SOURCES   := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
+LISTED_SOURCES   := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(POST_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
 ALL_PORT_SOURCES := $(PORT_SOURCES)
 PORT_SOURCES     := $(filter $(addsuffix /%,$(addprefix port/,$(PORTS))),$(PORT_SOURCES))
 HOSTILE_SOURCES  := $(if $(HOSTILE_WIDTH),tests/hostile/hostile_port.cpp)
@@ -53,7 +54,8 @@ include src/compile.mk
 # made once; a program has all of it or nothing.
 CORE_OBJECTS    := $(if $(ONE_FILE),$(BUILD)/obj/one_file.o,$(call objects,$(CORE_SOURCES)))
 PORT_OBJECTS    := $(call objects,$(filter-out $(if $(ONE_FILE),port/memory/%),$(PORT_SOURCES)) $(HOSTILE_SOURCES))
-REPORT_BATCHES  := $(call batches,$(REPORT_SOURCES))
+POST_BATCHES    := $(call batches,$(POST_SOURCES))
+REPORT_BATCHES  := $(POST_BATCHES) $(call batches,$(REPORT_SOURCES))
 FAMILY_BATCHES  := $(call batches,$(filter-out $(PROGRAM_MAIN),$(PROGRAM_SOURCES)))
 REPORT_OBJECTS  := $(foreach b,$(REPORT_BATCHES),$(call batch_object,$(b)))
 FAMILY_OBJECTS  := $(foreach b,$(FAMILY_BATCHES),$(call batch_object,$(b))) # all of the program but its main
@@ -67,7 +69,7 @@ include tests/borrow.mk
 .DELETE_ON_ERROR:
 .PHONY: all demo chapter9 test symbols python help format format-check clean FORCE
 # PORTS='memory fortran' is a library without files and threads, and without the program, which has both.
-all: $(LIBRARY) $(if $(filter-out $(PORT_SOURCES),$(ALL_PORT_SOURCES)),,$(PROGRAM))
+all: $(LIBRARY) $(if $(filter-out $(PORT_SOURCES),$(ALL_PORT_SOURCES)),,$(POST) $(PROGRAM))
 
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(BUILD)/obj/one_file.o: $(ONE_FILE) $(BUILD)/flags
@@ -94,6 +96,11 @@ $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 	  $(CXX) $(CXXFLAGS) $(LINK_PROGRAM) -o $@ $^ -lm -pthread
 # What port/python takes from here.
 python: $(SHARED) $(PROGRAM)
+
+# Edges, corners, cracks and other quantities of a solved model (src/post), for programs that call the library.
+$(POST): $(foreach b,$(POST_BATCHES),$(call batch_object,$(b)))
+	rm -f $@
+	$(ARCHIVE) $@ $^
 
 # ---------------------------------------------------------------- for the user
 demo: $(PROGRAM)

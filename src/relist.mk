@@ -7,10 +7,11 @@ shape: $(PROGRAM)
 # (port/cortex-m, port/web and port/windows are compiled for their own machines only, port/packaging has tools)
 OTHER_PORTS := cortex-m packaging web windows
 FOUND_PORTS := $(filter-out $(OTHER_PORTS:%=port/%/%),$(wildcard port/*/*.cpp port/*/*.c))
-FOUND_CORE := $(filter-out src/report/% src/program/%,$(wildcard src/*/*.cpp))
-FOUND_REPORT := $(wildcard src/report/*.cpp)
+FOUND_CORE := $(filter-out src/post/% src/report/% src/program/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
+FOUND_POST := $(wildcard src/post/*.cpp)
+FOUND_REPORT := $(wildcard src/report/*.cpp src/report/*/*.cpp)
 FOUND_PROGRAM := $(wildcard src/program/*.cpp src/program/*/*.cpp)
-FOUND_SOURCES := $(sort $(FOUND_PORTS) $(FOUND_CORE) $(FOUND_REPORT) $(FOUND_PROGRAM))
+FOUND_SOURCES := $(sort $(FOUND_PORTS) $(FOUND_CORE) $(FOUND_POST) $(FOUND_REPORT) $(FOUND_PROGRAM))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
 ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)
@@ -26,5 +27,6 @@ relist:
 	@{ sed -n '/^#/p' src/sources.mk; \
 	   $(call lines,PORTS,$(foreach s,$(filter %.cpp,$(FOUND_PORTS)),$(word 2,$(subst /, ,$(s))))) \
 	   $(call lines,CORE_SOURCES,$(FOUND_CORE)) $(call lines,PORT_SOURCES,$(FOUND_PORTS)) \
+	   $(call lines,POST_SOURCES,$(FOUND_POST)) \
 	   $(call lines,REPORT_SOURCES,$(FOUND_REPORT)) $(call lines,PROGRAM_SOURCES,$(FOUND_PROGRAM)) } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk

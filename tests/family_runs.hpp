@@ -3,8 +3,8 @@
 #pragma once
 
 #include "paths.hpp"
+#include "post/cracks.hpp"
 #include "program/families/family.hpp"
-#include "report/cracks.hpp"
 #include "solver_runs.hpp"
 
 #include <algorithm>

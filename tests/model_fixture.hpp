@@ -5,7 +5,7 @@
 #include "model/model.hpp"
 #include "model/rigid.hpp"
 #include "model/unknowns.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 #include <cmath>
 #include <cstdlib>

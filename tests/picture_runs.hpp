@@ -2,7 +2,7 @@
 #pragma once
 
 #include "paths.hpp"
-#include "report/axes.hpp"
+#include "report/drawn/axes.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
-#include "report/quantities.hpp"
+#include "post/quantities.hpp"
 #include "report/record.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 // a deck that is made.
 #include "json.hpp"
 #include "picture_runs.hpp"
-#include "report/listing.hpp"
+#include "report/listing/listing.hpp"
 
 #include <cmath>
 #include <string>

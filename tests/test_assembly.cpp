@@ -1,6 +1,6 @@
 // The columns of a body's equations against integrals done the slow way, from the kernels as the thesis
 // prints them.
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "model_fixture.hpp"
 

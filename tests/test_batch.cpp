@@ -1,7 +1,7 @@
 // Integrals for eight sources at once, by every instruction set of this machine, against the same one by one,
 // which test_integrals.cpp compares with brute force; their logarithm and arctangent against the C library in
 // extended precision. Floating-point traps are on wherever the batch runs.
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Compressed elimination against the dense one: solutions, reduced equations, functionals, of every kind of body.
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"

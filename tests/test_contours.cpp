@@ -1,6 +1,6 @@
 // Contours and axes against exact areas and labels.
-#include "report/axes.hpp"
-#include "report/contour.hpp"
+#include "report/drawn/axes.hpp"
+#include "report/pictures/contour.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Exponents of sharp corners: closed forms, studies of others, equivalent shapes, and how many there must be.
-#include "report/corner_exponent.hpp"
-#include "report/corner_fit.hpp"
+#include "post/corner_exponent.hpp"
+#include "post/corner_fit.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Sharp corners: intensities against closed forms, a reciprocal integral and finer meshes, and which corners are found.
 #include "family_runs.hpp"
-#include "report/corners.hpp"
+#include "post/corners.hpp"
 #include "shell.hpp"
 #include "solved_bodies.hpp"
 

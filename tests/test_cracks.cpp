@@ -2,7 +2,7 @@
 #include "body_figures.hpp"
 #include "json.hpp"
 #include "many_bodies.hpp"
-#include "report/cracks.hpp"
+#include "post/cracks.hpp"
 #include "report/text.hpp"
 #include "shell.hpp"
 

@@ -1,5 +1,5 @@
 // Right-hand sides and diagonals of large bodies by cells of elements, against the sums over all elements.
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "effort.hpp"
 #include "elimination/far_sums.hpp"

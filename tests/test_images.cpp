@@ -1,6 +1,6 @@
 // Symmetry by images where bodies do not meet every line: what is modelled against the whole, made from it by reflection.
-#include "bie/batch.hpp"
 #include "bie/diagonal.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "many_bodies.hpp"
 #include "memory/config.hpp"

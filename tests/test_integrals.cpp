@@ -1,8 +1,8 @@
 #include "gauss_points.hpp"
 
-#include "bie/integrals.hpp"
-#include "bie/integrals_detail.hpp"
-#include "bie/interior.hpp"
+#include "bie/integrals/integrals.hpp"
+#include "bie/integrals/integrals_detail.hpp"
+#include "bie/integrals/interior.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 

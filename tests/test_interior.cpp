@@ -1,5 +1,5 @@
 #include "bie/boundary_stress.hpp"
-#include "bie/interior_detail.hpp"
+#include "bie/integrals/interior_detail.hpp"
 #include "c2d_memory.h"
 #include "callable.hpp"
 #include "contact2d.h"

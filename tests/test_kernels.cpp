@@ -1,6 +1,6 @@
 // The inner loops in every instruction set that this machine has, against their definitions, at awkward sizes, from any
 // place in memory, with traps on; and the factors they lead to against a textbook elimination.
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"

@@ -3,7 +3,7 @@
 #include "json.hpp"
 #include "paths.hpp"
 #include "picture_runs.hpp"
-#include "report/dark.hpp"
+#include "report/drawn/dark.hpp"
 
 #include <algorithm>
 #include <filesystem>

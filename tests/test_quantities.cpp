@@ -1,9 +1,9 @@
 // The numbers that sum up a contact: edges and borders between nodes, peaks, resultants, intensities; where they are written.
 #include "json.hpp"
+#include "post/edges.hpp"
 #include "quantity_runs.hpp"
 #include "report/csv.hpp"
-#include "report/edges.hpp"
-#include "report/listing.hpp"
+#include "report/listing/listing.hpp"
 #include "shell.hpp"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #include "picture_runs.hpp"
 #include "refused_calls.hpp"
 
+#include "post/corner_exponent.hpp"
 #include "program/run.hpp"
 #include "program/voice.hpp"
-#include "report/corner_exponent.hpp"
 #include "report/cycle.hpp"
 #include "report/history.hpp"
 

@@ -1,9 +1,9 @@
 // Numbers, words, characters, axes and strokes of the reports, at the ends of what they take.
-#include "report/axes.hpp"
 #include "report/csv.hpp"
-#include "report/listing_items.hpp"
+#include "report/drawn/axes.hpp"
+#include "report/drawn/svg.hpp"
+#include "report/listing/listing_items.hpp"
 #include "report/record.hpp"
-#include "report/svg.hpp"
 #include "report/text.hpp"
 #include "report/warnings.hpp"
 

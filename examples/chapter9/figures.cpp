@@ -1,6 +1,6 @@
 #include "figures.hpp"
 
-#include "report/axes.hpp"
+#include "report/drawn/axes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@ AMALGAMATION := $(BUILD)/amalgamation
 AMALGAMATED  := $(CORE_SOURCES) port/memory/c2d_memory.cpp
 $(BUILD)/obj/amalgamate: port/packaging/amalgamate.cpp $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
-$(AMALGAMATION)/contact2d.cpp: $(BUILD)/obj/amalgamate $(AMALGAMATED) $(wildcard include/*.h src/*/*.hpp port/memory/*.h) LICENSE
+$(AMALGAMATION)/contact2d.cpp: $(BUILD)/obj/amalgamate $(AMALGAMATED) $(wildcard include/*.h src/*/*.hpp src/*/*/*.hpp port/memory/*.h) LICENSE
 	@mkdir -p $(@D)
 	@$(BUILD)/obj/amalgamate $(VERSION) $(AMALGAMATED) > $@.new
 	@mv $@.new $@

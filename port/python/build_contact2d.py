@@ -90,7 +90,7 @@ def compile_all(folder):
     one = os.environ.get("CONTACT2D_ONE_FILE")
     ports = [source for source in listed("PORT_SOURCES") if not (one and source.startswith("port/memory/"))]
     core = ([str(ROOT / one)] if one else listed("CORE_SOURCES")) + ports
-    program = batches(listed("REPORT_SOURCES"), folder, "report") + batches(listed("PROGRAM_SOURCES"), folder, "program")
+    program = batches(listed("POST_SOURCES"), folder, "post") + batches(listed("REPORT_SOURCES"), folder, "report") + batches(listed("PROGRAM_SOURCES"), folder, "program")
     objects = {source: folder / (source.replace("/", "_") + ".o") for source in core}
     objects.update((source, source.with_suffix(".o")) for source in program)
 

@@ -31,9 +31,9 @@ struct ColumnSystem {
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
   AssemblyScratch* scratch;
-  const BatchKernel* batch = nullptr; // bie/batch.hpp; without it sources are taken one by one
+  const BatchKernel* batch = nullptr; // bie/integrals/batch.hpp; without it sources are taken one by one
   bool some_passed_over = true;       // second twins or nodes of axis elements; place_sources() tells
-  // Where not every node is a source (bie/chosen.hpp): point and twin are then of the chosen ones alone.
+  // Where not every node is a source (bie/integrals/chosen.hpp): point and twin are then of the chosen ones alone.
   const int32_t* chosen = nullptr; // [sources] nodes, kNoNode for a point that is none; null: all of the body's
   int32_t sources = 0;
   bool alone = false; // without images

@@ -1,6 +1,6 @@
 #pragma once
 // Adding the integrals of an element to columns of a panel.
-#include "bie/integrals.hpp"
+#include "bie/integrals/integrals.hpp"
 #include "memory/config.hpp"
 #include "memory/hostile.hpp"
 

@@ -1,6 +1,6 @@
 #include "bie/diagonal.hpp"
 
-#include "bie/integrals_detail.hpp"
+#include "bie/integrals/integrals_detail.hpp"
 #include "bie/panel.hpp"
 #include "memory/config.hpp"
 #include "memory/math.hpp"

@@ -1,6 +1,6 @@
 #include "bie/far_field.hpp"
 
-#include "bie/integrals_detail.hpp"
+#include "bie/integrals/integrals_detail.hpp"
 #include "memory/math.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"

@@ -3,9 +3,9 @@
 // (16.2) and METHOD (16.3) summed over the group are two functions of w,
 //   u / k = -(kappa/2) F + T/2 + conj(X) + w conj(F')/2         trace / k = -2 Re F'         deviator / k = w* F'' + 2 X'
 //   F = T ln w + sum f_j (R/w)^j        X = -(kappa/2) T* ln w + sum x_j (R/w)^j
-// where T is the group's force and R the circle's radius. Units and signs as in bie/interior.hpp. Outside of kFarDistance times
-// the radius the series are as good as the integrals.
-#include "bie/interior.hpp"
+// where T is the group's force and R the circle's radius. Units and signs as in bie/integrals/interior.hpp. Outside of
+// kFarDistance times the radius the series are as good as the integrals.
+#include "bie/integrals/interior.hpp"
 
 namespace c2d {
 

@@ -1,7 +1,7 @@
 #include "bie/holes.hpp"
 
-#include "bie/interior.hpp"
-#include "bie/kernels.hpp"
+#include "bie/integrals/interior.hpp"
+#include "bie/integrals/kernels.hpp"
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"

@@ -30,7 +30,7 @@ bool next_hole(const Model& model, int b, HoleWalk& walk, Hole& out);
 
 // What each local node's displacement and traction (in the integrator's measure) add to L tr V, with the signs of the
 // sums h u - g t.
-struct FieldElement; // bie/interior.hpp
+struct FieldElement; // bie/integrals/interior.hpp
 struct HoleRow {
   double h[kElementNodes][2], g[kElementNodes][2];
 };

@@ -1,6 +1,6 @@
 // Right-hand sides of point loads.
 
-#include "bie/kernels.hpp"
+#include "bie/integrals/kernels.hpp"
 #include "bie/panel.hpp"
 #include "memory/math.hpp"
 #include "model/symmetry.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // Elements of a body in the units of its equations, and the length that a traction on them is measured per (METHOD 9.1).
-#include "bie/integrals.hpp"
+#include "bie/integrals/integrals.hpp"
 #include "model/model.hpp"
 
 namespace c2d {

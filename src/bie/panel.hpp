@@ -2,7 +2,7 @@
 // Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
 #include "bie/deposits.hpp"
 #include "bie/holes.hpp"
-#include "bie/interior.hpp"
+#include "bie/integrals/interior.hpp"
 #include "bie/targets.hpp"
 #include "bie/transfer.hpp"
 #include "contact2d_memory.h"

@@ -1,7 +1,7 @@
 // Collocation points, their images, and what every one of them takes from an element.
-#include "bie/batch_sources.hpp"
 #include "bie/diagonal.hpp"
 #include "bie/holes.hpp"
+#include "bie/integrals/batch_sources.hpp"
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
 

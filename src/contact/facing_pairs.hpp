@@ -1,7 +1,7 @@
 #pragma once
 // Frames of pairs (contact/frames.hpp): what a free zone needs beside the others, and what both share.
 #include "model/free_zones.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 
 namespace c2d {
 

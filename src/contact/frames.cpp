@@ -11,7 +11,7 @@
 #include "model/rigid.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 
 namespace c2d {
 

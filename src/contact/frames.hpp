@@ -1,7 +1,7 @@
 #pragma once
 // One frame per contact pair, for everything: tractions, displacements, gaps (METHOD 8).
 #include "model/model.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 
@@ -16,7 +16,7 @@ bool build_frames(const Model& m, Reporter& reporter);
 // How far the surfaces may be off at a pair, as far as the boundary points tell.
 double surface_doubt(const Model& m, int32_t pair);
 
-// All checks and everything derived from the input, in the order that model/validate.hpp lists: units,
+// All checks and everything derived from the input, in the order that model/validate/validate.hpp lists: units,
 // frames, contact unknowns, free rigid motions. Returns false if there were faults; the model is then of no
 // use.
 bool complete_model(const Model& m, Reporter& reporter);

@@ -4,7 +4,7 @@
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 
 namespace c2d {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Zones that are tied.
 #include "model/model.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 

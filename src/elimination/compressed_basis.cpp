@@ -2,7 +2,7 @@
 // the rest of the body. Of the rest, what is within a circle round the cell is looked at as it is. What lies outside acts on
 // the cell like forces on the circle, and feels of it what the circle feels.
 
-#include "bie/kernels.hpp"
+#include "bie/integrals/kernels.hpp"
 #include "elimination/compressed_work.hpp"
 #include "memory/math.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // What compressed elimination works with.
-#include "bie/chosen.hpp"
+#include "bie/integrals/chosen.hpp"
 #include "elimination/cells.hpp"
 #include "elimination/compressed.hpp"
 #include "elimination/far_sums.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // A binary tree over the elements of a body, as they follow each other along its contour: what a cell of it does far away is a
 // few numbers (bie/far_field.hpp). For right-hand sides and diagonals of large bodies (elimination/far_sums.hpp) and for points
-// inside (results/interior_cells.hpp).
+// inside (results/interior/interior_cells.hpp).
 #include "bie/far_field.hpp"
 #include "bie/measure.hpp"
 #include "elimination/cells.hpp"

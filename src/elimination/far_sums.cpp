@@ -1,8 +1,8 @@
 #include "elimination/far_sums.hpp"
 
 #include "bie/body_force.hpp"
-#include "bie/chosen.hpp"
-#include "bie/kernels.hpp"
+#include "bie/integrals/chosen.hpp"
+#include "bie/integrals/kernels.hpp"
 #include "bie/panel.hpp"
 #include "memory/sizes.hpp"
 #include "model/symmetry.hpp"

@@ -1,10 +1,10 @@
 // Begin and advance.
 #include "interface/advance.hpp"
 
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 #include "solver/judge.hpp"
 #include "solver/load_path.hpp"
 #include "solver/prepare.hpp"

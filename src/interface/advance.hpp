@@ -1,7 +1,7 @@
 #pragma once
 // What the calls of the path share.
 #include "interface/entry.hpp"
-#include "results/warnings.hpp"
+#include "results/warnings/warnings.hpp"
 
 namespace c2d {
 

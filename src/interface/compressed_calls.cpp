@@ -1,6 +1,6 @@
 // Compressed elimination by call.
 #include "memory/parts.hpp"
-#include "results/interior_cells.hpp"
+#include "results/interior/interior_cells.hpp"
 #include "solver/compressed.hpp"
 #include "solver/hold_demand.hpp"
 #include "solver/on_demand.hpp"

@@ -1,7 +1,7 @@
 // Conditions by calls: what is known at an element end.
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 #include "model/unknowns.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 using namespace c2d;
 

@@ -1,6 +1,6 @@
-#include "results/indicator.hpp"
+#include "results/warnings/indicator.hpp"
 
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 
 using namespace c2d;
 

@@ -1,7 +1,7 @@
 #include "memory/math.hpp"
-#include "results/interior.hpp"
+#include "results/interior/interior.hpp"
 
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 
 using namespace c2d;
 

@@ -1,8 +1,8 @@
 // Where interior results are wanted: kept with the model, expanded for whoever asks.
 #include <string.h>
 
-#include "interface/refuse.hpp"
-#include "model/validate.hpp"
+#include "interface/model/refuse.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "deck/deck.hpp"
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

@@ -1,12 +1,12 @@
 // Answers: fields, lists.
 #include <string.h>
 
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
 #include "model/surface.hpp"
 #include "model/symmetry.hpp"
 #include "results/back.hpp"
-#include "results/interior.hpp"
+#include "results/interior/interior.hpp"
 #include "results/table.hpp"
 
 namespace c2d {

@@ -1,7 +1,7 @@
 // The summary of model, path and work done.
 #include <string.h>
 
-#include "interface/refuse.hpp"
+#include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/balance.hpp"

@@ -1,6 +1,6 @@
 // Warnings about contact states.
 #include "memory/parts.hpp"
-#include "results/warnings.hpp"
+#include "results/warnings/warnings.hpp"
 #include "solver/judge.hpp"
 #include "solver/unheld.hpp"
 

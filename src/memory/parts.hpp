@@ -32,7 +32,7 @@ struct ModelHeader;
 struct Pair;
 struct Reporter;
 
-struct SymmetryPart { // model/validate_lines.cpp
+struct SymmetryPart { // model/validate/validate_lines.cpp
   bool linked = false;
   decltype(&c2d_set_symmetry) set_symmetry = nullptr;
   Function<bool, const Model&, Reporter&> validate_lines = Nothing();
@@ -91,7 +91,7 @@ struct HolePart { // bie/holes.cpp
 
 struct Follower;
 
-struct CurvePart { // model/validate_curves.cpp, slip_gap.cpp, contact/slip_path.cpp
+struct CurvePart { // model/validate/validate_curves.cpp, slip_gap.cpp, contact/slip_path.cpp
   bool linked = false;
   Function<bool, const Model&, Reporter&> validate_curves = Nothing();
   Function<void, const Model&> find_slip_gaps = Nothing();
@@ -115,7 +115,7 @@ struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/par
 
 struct Reduction;
 
-struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy_rigid.cpp
+struct RigidPart { // model/validate/validate_rigid.cpp, results/rigid.cpp, solver/energy_rigid.cpp
   bool linked = false;
   decltype(&c2d_set_rigid) set_rigid = nullptr;
   decltype(&c2d_set_rigid_load) set_rigid_load = nullptr;
@@ -152,7 +152,7 @@ struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, resul
 
 enum class Moment;
 
-struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.cpp
+struct WarningPart { // results/warnings/warnings.cpp and what it asks, solver/condition.cpp
   bool linked = false;
   Function<void, Session&, Moment> warn_contact = Nothing();
   Function<void, Session&> warn_facing_meshes = Nothing();
@@ -205,8 +205,8 @@ struct PivotStats;
 
 struct Points;
 
-struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp, bie/chosen.cpp,
-                        // results/interior_cells.cpp with bie/far_field.cpp
+struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp,
+                        // bie/integrals/chosen.cpp, results/interior/interior_cells.cpp with bie/far_field.cpp
   bool linked = false;
   Function<int32_t, const Sizes&> elimination_by_size = Nothing(); // C2D_ELIMINATION_DENSE
   Function<c2d_status, const PhaseSizes&, uint64_t, const Model&, EliminationPlan*> plan_compression = NotLinked();
@@ -237,7 +237,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };
 
-extern const SymmetryPart kSymmetryPart;     // interface/symmetry_calls.cpp
+extern const SymmetryPart kSymmetryPart;     // interface/model/symmetry_calls.cpp
 extern const FreeZonePart kFreeZonePart;     // free_zone_calls.cpp
 extern const HolePart kHolePart;             // hole_calls.cpp
 extern const CurvePart kCurvePart;           // curves.cpp

@@ -2,7 +2,7 @@
 
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 
 namespace c2d {
 

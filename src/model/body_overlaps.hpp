@@ -2,7 +2,7 @@
 // Bodies that lie inside each other where no zone is between them: contact is looked for in zones alone.
 #include "memory/text.hpp"
 #include "model/model.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 

@@ -3,7 +3,7 @@
 // The line between them has the direction of the pair's normal, of both surfaces' outward normals, joined continuously
 // across kinks. In names 1 stands for side 0 of the zone and 2 for side 1.
 #include "model/surface.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 

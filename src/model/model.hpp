@@ -136,7 +136,7 @@ struct Pair {
   Real saved_offset, saved_slip_done, saved_slip_from;
   Real saved_q; // q at the start of the increment (deck stepping)
   Real good_offset, good_slip_done, good_slip_from;
-  Real slip_before; // slip summed before the pair last touched (results/warnings.cpp)
+  Real slip_before; // slip summed before the pair last touched (results/warnings/warnings.cpp)
 };
 
 #define C2D_AS_LISTED(type) static_assert(sizeof(type) == C2D_BYTES_OF_##type, "contact2d_memory.h states the size")

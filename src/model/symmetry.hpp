@@ -3,7 +3,7 @@
 // only one side is modelled; its curves end on the line, or the elements there (axis elements) are passed over. The image of
 // a body that does not meet it is another body, which its equations know nothing of.
 #include "model/model.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 
 namespace c2d {
 

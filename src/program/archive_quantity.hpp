@@ -1,7 +1,7 @@
 // A number that sums up a contact, in an archive.
 #pragma once
 
-#include "report/quantities.hpp"
+#include "post/quantities.hpp"
 
 namespace app {
 

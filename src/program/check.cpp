@@ -1,10 +1,10 @@
 #include "program/check.hpp"
 
 #include "contact2d_memory.h"
+#include "post/summary.hpp"
 #include "program/exit_code.hpp"
 #include "program/output_file.hpp"
 #include "program/session.hpp"
-#include "report/summary.hpp"
 #include "report/text.hpp"
 
 #include <vector>

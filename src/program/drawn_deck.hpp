@@ -1,12 +1,12 @@
 // A sketch where a deck may stand: its faults told at their places, its deck put in its place.
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/deck_file.hpp"
 #include "program/estimate/trial_keeper.hpp"
 #include "program/named_text.hpp"
 #include "program/options.hpp"
 #include "program/store_choice.hpp"
-#include "report/stated.hpp"
 
 #include <functional>
 #include <set>

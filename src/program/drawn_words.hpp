@@ -1,7 +1,7 @@
 // Messages about a mesh that the program made from a sketch, in words of the drawing.
 #pragma once
 
-#include "report/zone_line.hpp"
+#include "post/zone_line.hpp"
 
 #include <contact2d.h>
 

@@ -1,10 +1,10 @@
 // The points inside at which a run gives results: those of a file, or the deck's own under *POINTS.
 #pragma once
 
+#include "post/summary.hpp"
 #include "program/points_file.hpp"
 #include "report/interior.hpp"
 #include "report/stresses.hpp"
-#include "report/summary.hpp"
 
 #include <contact2d.h>
 

@@ -1,9 +1,9 @@
 // What a run keeps in the folder of its store so that `resume` can go on after a crash: all that it was asked for, in one file.
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/named_text.hpp"
 #include "program/options.hpp"
-#include "report/stated.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
 // The CSV outputs. Columns and their meaning are part of the program's contract.
 #pragma once
 
+#include "post/summary.hpp"
 #include "report/record.hpp"
-#include "report/summary.hpp"
 
 #include <contact2d.h>
 

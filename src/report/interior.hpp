@@ -1,7 +1,7 @@
 // Results at the points inside that were asked for.
 #pragma once
 
-#include "report/summary.hpp"
+#include "post/summary.hpp"
 
 #include <contact2d.h>
 

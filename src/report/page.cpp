@@ -1,7 +1,7 @@
 #include "report/page.hpp"
 
-#include "report/dark.hpp"
-#include "report/key_table.hpp"
+#include "report/drawn/dark.hpp"
+#include "report/listing/key_table.hpp"
 #include "report/text.hpp"
 
 #include <cmath>

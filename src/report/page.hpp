@@ -1,7 +1,7 @@
 // The report: one HTML page that needs nothing else, with the pictures inline.
 #pragma once
 
-#include "report/pictures.hpp"
+#include "report/pictures/pictures.hpp"
 
 #include <string>
 

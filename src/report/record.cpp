@@ -145,17 +145,6 @@ void explain(CoefficientRecord& c, const c2d_summary& summary, const Summary& mo
   if (c.pair > 0) c.why += "; last pair " + std::to_string(c.pair);
 }
 
-c2d_status get_ends(c2d_solver* solver, const Summary& summary, int32_t body, const int32_t* fields, int32_t count,
-                    std::vector<std::vector<double>>& out) {
-  const int32_t ends = summary.body[body - 1].elements * summary.function_nodes;
-  out.assign(static_cast<size_t>(count), std::vector<double>(static_cast<size_t>(ends), 0.0));
-  for (int32_t f = 0; f < count; ++f) {
-    const c2d_status status = c2d_get(solver, fields[f], body, 1, ends, out[static_cast<size_t>(f)].data(), 1);
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
-}
-
 namespace {
 
 // Pairs of a free zone by their places on side 1.

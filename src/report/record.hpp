@@ -2,12 +2,12 @@
 // from pairs to element ends.
 #pragma once
 
-#include "report/corners.hpp"
-#include "report/cracks.hpp"
+#include "post/corners.hpp"
+#include "post/cracks.hpp"
+#include "post/quantities.hpp"
+#include "post/stated.hpp"
+#include "post/summary.hpp"
 #include "report/interior.hpp"
-#include "report/quantities.hpp"
-#include "report/stated.hpp"
-#include "report/summary.hpp"
 
 #include <contact2d.h>
 
@@ -97,9 +97,5 @@ struct ContactEnd {
 // The ends of all contact elements at listed pairs, of one body, in the order of the zones that it is part of.
 // Returns the status of the first query that failed.
 c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends);
-
-// `fields` of all element ends of a body, one vector per field.
-c2d_status get_ends(c2d_solver* solver, const Summary& summary, int32_t body, const int32_t* fields, int32_t count,
-                    std::vector<std::vector<double>>& out);
 
 } // namespace app

@@ -1,8 +1,8 @@
 // Stresses on the boundary and at the points inside at every recorded step, and how far they go in a cycle of the loads.
 #pragma once
 
+#include "post/summary.hpp"
 #include "report/record.hpp"
-#include "report/summary.hpp"
 
 #include <contact2d.h>
 

@@ -1,7 +1,7 @@
 // Numbers and columns into a string: what all reports print with. Independent of any locale.
 #pragma once
 
-#include "report/summary.hpp"
+#include "post/summary.hpp"
 
 #include <contact2d.h>
 

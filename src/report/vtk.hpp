@@ -1,8 +1,8 @@
 // The boundary and the inside at the last load as a legacy VTK file (ASCII, unstructured grid), for ParaView.
 #pragma once
 
+#include "report/drawn/scene.hpp"
 #include "report/interior.hpp"
-#include "report/scene.hpp"
 
 #include <string>
 

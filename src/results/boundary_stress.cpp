@@ -7,7 +7,7 @@
 #include "model/symmetry.hpp"
 #include "quadrature/gauss.hpp"
 #include "results/back.hpp"
-#include "results/interior.hpp"
+#include "results/interior/interior.hpp"
 
 namespace c2d {
 

@@ -1,11 +1,11 @@
 #include "solver/compressed.hpp"
 
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/body_unknowns.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 #include "solver/far_cells.hpp"
 #include "solver/judge.hpp"
 #include "solver/on_demand.hpp"

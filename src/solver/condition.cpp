@@ -3,7 +3,7 @@
 #include "bie/columns.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 #include "solver/judge.hpp"
 
 namespace c2d {

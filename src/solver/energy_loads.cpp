@@ -2,7 +2,7 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "bie/kernels.hpp"
+#include "bie/integrals/kernels.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"

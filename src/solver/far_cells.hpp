@@ -1,6 +1,6 @@
 #pragma once
-// The cells of a body for points inside (METHOD 16.7, results/interior_cells.hpp). They lie in the work of back substitution
-// when that is done.
+// The cells of a body for points inside (METHOD 16.7, results/interior/interior_cells.hpp). They lie in the work of back
+// substitution when that is done.
 #include "elimination/far_cells.hpp"
 #include "solver/solver.hpp"
 

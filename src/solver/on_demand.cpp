@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/measure.hpp"
 #include "bie/panel.hpp"
 #include "contact/basis.hpp"

@@ -1,7 +1,7 @@
 // Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
 
 #include "solver/prepare.hpp"
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/basis.hpp"
 #include "contact/frictionless.hpp"
@@ -14,8 +14,8 @@
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
-#include "model/validate.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate.hpp"
+#include "model/validate/validate_finding.hpp"
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"
 #include "solver/model_hash.hpp"

@@ -2,7 +2,7 @@
 
 #include "memory/math.hpp"
 #include "model/rigid.hpp"
-#include "model/validate_finding.hpp"
+#include "model/validate/validate_finding.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {

@@ -1,7 +1,7 @@
 // The arrays of the workspace as the rooms below see them.
 
 #include "memory/math.hpp"
-#include "model/validate.hpp"
+#include "model/validate/validate.hpp"
 #include "solver/solver.hpp"
 
 namespace c2d {

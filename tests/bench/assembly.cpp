@@ -3,7 +3,7 @@
 #include "model.hpp"
 
 #include "../callable.hpp"
-#include "bie/batch.hpp"
+#include "bie/integrals/batch.hpp"
 
 #include <algorithm>
 #include <cmath>

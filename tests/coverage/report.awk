@@ -5,7 +5,7 @@
 function group_of(path) {
   if (path ~ /^port\/cortex-m\// || path ~ /^port\/packaging\//) return ""
   if (path ~ /^port\//) return "ports"
-  if (path ~ /^src\/report\//) return "report"
+  if (path ~ /^src\/(post|report)\//) return "report"
   if (path ~ /^src\/program\//) return "program"
   return path ~ /^src\// ? "core" : ""
 }

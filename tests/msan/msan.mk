@@ -6,7 +6,7 @@ MSAN_CXX ?= clang++
 MSAN_FLAGS := -std=c++17 -O1 -g1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer -fno-sanitize-recover=all
 MSAN_DECKS ?= $(wildcard tests/data/decks/*.dat tests/data/coarse/*.dat tests/data/hard/[DFN]*.dat examples/hertz.dat)
 MSAN_STRANGERS ?= 300
-$(BUILD)/msan/contact2d.o: $(CORE_SOURCES) $(wildcard src/*/*.hpp include/*.h) tests/msan/msan.mk | $(BUILD)/flags
+$(BUILD)/msan/contact2d.o: $(CORE_SOURCES) $(wildcard src/*/*.hpp src/*/*/*.hpp include/*.h) tests/msan/msan.mk | $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(MAKE) -s amalgamation
 	$(MSAN_CXX) $(MSAN_FLAGS) $(EXACT) -fno-exceptions -fno-rtti -w -c $(AMALGAMATION)/contact2d.cpp -o $@

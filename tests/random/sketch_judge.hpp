@@ -1,6 +1,6 @@
 #pragma once
 // A sketch taken through the loop over meshes, and what it states held against a mesh four times finer, order one higher.
-#include "report/stated.hpp"
+#include "post/stated.hpp"
 
 #include <string>
 #include <vector>

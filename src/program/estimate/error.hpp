@@ -1,8 +1,8 @@
 // Errors of numbers from two meshes, the second with elements half as long (METHOD 16.5).
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/estimate/compare.hpp"
-#include "report/stated.hpp"
 
 namespace estimate {
 

@@ -1,7 +1,7 @@
 // What a loop over meshes found, as a text that is kept beside the deck it made.
 #pragma once
 
-#include "report/stated.hpp"
+#include "post/stated.hpp"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // From a sketch to a mesh on which every number that is wanted has its stated error below its tolerance.
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/estimate/trial.hpp"
 #include "program/estimate/trial_keeper.hpp"
 #include "program/sketch/mesh.hpp"
-#include "report/stated.hpp"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
 // Which elements of a mesh are to be bisected.
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/estimate/compare.hpp"
 #include "program/sketch/refine.hpp"
-#include "report/stated.hpp"
 
 namespace estimate {
 

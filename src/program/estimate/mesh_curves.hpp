@@ -1,8 +1,8 @@
 // The element ends of a mesh, for pictures.
 #pragma once
 
+#include "post/stated.hpp"
 #include "program/sketch/mesh.hpp"
-#include "report/stated.hpp"
 
 namespace estimate {
 

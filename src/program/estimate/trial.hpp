@@ -1,8 +1,8 @@
 // A model solved along its whole history on one mesh, with what is needed to compare it with another mesh of the same model.
 #pragma once
 
+#include "post/quantities.hpp"
 #include "program/store_choice.hpp"
-#include "report/quantities.hpp"
 
 #include <contact2d.h>
 

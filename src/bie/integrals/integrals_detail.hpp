@@ -1,0 +1,71 @@
+#pragma once
+// The three ways in which integrals.cpp integrates. Arguments as for integrate().
+
+#include "bie/integrals/integrals.hpp"
+#include "bie/integrals/kernels.hpp"
+#include "memory/config.hpp"
+
+namespace c2d {
+
+// Straight elements have closed forms, a third of the work. Small code integrates them as it does curved ones.
+constexpr bool kClosedForms = !kSmallCode;
+
+// Gauss rules from which the far rule is chosen, cheapest first; Integrator::reach2 has one entry for each.
+constexpr int kFarOrders[] = {2, 3, 4, 5, 6, 8, 10, 12, 16, 20};
+constexpr int kFarOrderCount = 10;
+// Gauss and logarithmic points per panel of the near rule.
+constexpr int kNearOrder = 16;
+
+// The element seen from the source, as a polynomial about a parameter `origin`: x(origin + tau) - source = delta + tau (b[0] +
+// tau (b[1] + tau b[2])), without cancellation near the origin.
+struct Expansion {
+  double origin;
+  double delta[2];
+  double b[3][2];
+};
+
+// One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for g.
+struct Sample {
+  double shape[kElementNodes];
+  double rx, ry, nx, ny, jacobian;
+};
+
+// A panel: part of an element on one side of an expansion's origin.
+struct Stretch {
+  double from, to; // |tau|; on both sides from < 0
+  double sign;     // side of the origin
+};
+
+// Does the rule do on the panel? In the disc about its middle that holds the panel's ellipse neither x -
+// source (q in the source's own panel) nor dx/deta of J may vanish; both by the triangle inequality. The latter also where
+// g is not wanted: h must not depend on what else is.
+bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own);
+
+// Blocks under way, divided by k.
+struct Sums {
+  Tensor h[kElementNodes];
+  Tensor g[kElementNodes];
+};
+
+// About parameter `origin`; the source is `node_eta` = origin exactly if at_source.
+Expansion expand(const Integrator& in, double origin, double sx, double sy, bool at_source);
+Sample sample(const Integrator& in, const Expansion& x, double tau);
+void finish(const Integrator& in, const Sums& sums, int singular, bool want_h, bool want_g, Blocks& out);
+
+// Straight elements, constant J: closed forms. Their sum over l without the source's own node likewise; the sum without a
+// singular node holds for any path between the same ends that does not pass between source and chord.
+void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2]);
+void rigid_sum_own_line(const Integrator& in, int singular, double sum[2][2]);
+
+// Anything: Gauss rules on the whole element, or on panels that shrink towards the source.
+void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+
+// The rule of the thesis's appendix A.
+void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+
+// Vector polynomial d0 + d1 u + d2 u^2 about `origin` has no zero in the disc |u - origin| < radius, as far
+// as the triangle inequality tells.
+bool has_no_zero(const double d[3][2], double origin, double radius);
+
+} // namespace c2d

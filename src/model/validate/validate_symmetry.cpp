@@ -1,0 +1,39 @@
+#include "memory/parts.hpp"
+#include "model/symmetry.hpp"
+#include "model/validate/validate_finding.hpp"
+
+namespace c2d {
+
+C2D_USES(SymmetryPart);
+
+namespace {
+
+bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
+  bool allowed = true;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    if (body_of(m, b).open_regions == 0) continue;
+    allowed = false;
+    report(reporter, in_body(b), "body ", body_named(m, b), " has ", body_of(m, b).geometry_nodes, " boundary points, ",
+           body_of(m, b).open_regions,
+           " more than closed curves have: open regions end on a line of symmetry, and none is given");
+  }
+  return allowed;
+}
+
+} // namespace
+
+bool validate_symmetry(const Model& m, Reporter& reporter) {
+  m.head->symmetry = m.head->symmetry_asked;
+  for (int b = 0; b < m.head->bodies; ++b) m.body[b].lines = 0;
+  return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter)
+                                                      : kSymmetryPart.validate_lines(m, reporter);
+}
+
+int32_t lines_of_element(const Model& m, int b, int32_t element) { return kSymmetryPart.lines_along(m, b, element); }
+int32_t lines_of_node(const Model& m, int b, int32_t node) { return kSymmetryPart.lines_at_corner(m, b, node); }
+bool do_lines_hold(const Model& m, int b, int32_t node, int component) {
+  return kSymmetryPart.is_held_by_lines(m, b, node, component);
+}
+void fold_point(const ModelHeader& head, double p[2]) { kSymmetryPart.fold_across(head, p); }
+
+} // namespace c2d

@@ -1,0 +1,273 @@
+// Do contact zones refer to what is there, and do their sides face each other?
+#include "memory/hostile.hpp"
+#include "memory/math.hpp"
+#include "memory/parts.hpp"
+#include "model/free_zones.hpp"
+#include "model/geometry.hpp"
+#include "model/validate/validate.hpp"
+#include "model/validate/validate_finding.hpp"
+
+namespace c2d {
+
+C2D_USES(FreeZonePart);
+
+namespace {
+
+void report_side(const Model& m, int32_t zone, int side, const char* found, int32_t number, const char* expected,
+                 Reporter& reporter) {
+  const int b = m.zone[zone].body[side];
+  ZoneFinding f(m, zone);
+  f.entry.body = b + 1;
+  say(f, ", body ", body_named(m, b), ": ", found, number, expected);
+  report(reporter, f);
+}
+
+// Two bodies that can meet: there, not the same, not both rigid.
+void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t before = reporter.faults;
+  for (const int32_t b : z.body)
+    if (b < 0 || b >= m.head->bodies)
+      report_zone(reporter, m, zone, ": there is no body ", b + 1, ", expected 1 to ", m.head->bodies);
+  if (reporter.faults != before) return;
+  if (z.body[0] == z.body[1] && z.is_self == 0)
+    report_zone(
+        reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
+        ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
+  else if (is_rigid(m, z.body[0]) && is_rigid(m, z.body[1]))
+    report_zone(reporter, m, zone, ": bodies ", body_named(m, z.body[0]), " and ", body_named(m, z.body[1]),
+                " are both rigid, expected one at most");
+}
+
+int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
+
+// Nodes a curve of so many elements has, both ends included; a constant element has one.
+int32_t nodes_along(const Model& m, int32_t elements) {
+  return m.head->function_nodes == 1 ? elements : elements * nodes_per_element(m) + 1;
+}
+
+// Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither has.
+int32_t direction(const Zone& z, int side) {
+  if (z.pairs > 1) return z.node_step[side];
+  return z.elements > 1 ? z.element_step[side] : 0;
+}
+
+void check_region(const Model& m, int32_t zone, int side, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int b = z.body[side];
+  const Region& r = m.region[b][z.region[side]];
+  const int32_t elements = r.last - r.first + 1;
+  int32_t first_node, last_node;
+  nodes_of_region(m, b, z.region[side], &first_node, &last_node);
+  const int32_t count = zone_elements(z, side);
+  if (count > elements) report_side(m, zone, side, "elements: ", count, ", more than its region has", reporter);
+  if (z.is_free != 0) return; // fitted later
+  if (z.first_node[side] < first_node || z.first_node[side] > last_node)
+    report_side(m, zone, side, "first node ", z.first_node[side] + 1, " is not in the region of its elements", reporter);
+  if (z.pairs > last_node - first_node + 1)
+    report_side(m, zone, side, "nodes: ", z.pairs, ", more than its region has", reporter);
+  const int32_t end_element = z.first_element[side] + z.element_step[side] * (z.elements - 1);
+  const int32_t end_node = z.first_node[side] + z.node_step[side] * (z.pairs - 1);
+  if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
+    report_side(m, zone, side, "elements or nodes go beyond the end of their open region, from element ",
+                z.first_element[side] + 1, "", reporter);
+  if (z.pairs > 1 && z.elements > 1 && z.node_step[side] != z.element_step[side])
+    report_side(m, zone, side, "elements and nodes run in opposite directions from element ", z.first_element[side] + 1,
+                ", expected the same direction", reporter);
+}
+
+// Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
+int32_t place_of_first_node(const Model& m, const Zone& z, int side) {
+  const int b = z.body[side];
+  const Region& r = m.region[b][z.region[side]];
+  const int32_t nodes = (r.last - r.first + 1) * nodes_per_element(m);
+  int32_t place;
+  if (direction(z, side) >= 0)
+    place = z.first_node[side] - functional_node(m, b, z.first_element[side], 0);
+  else if (m.head->function_nodes == 1)
+    place = z.first_element[side] - z.first_node[side];
+  else
+    place = functional_node(m, b, z.first_element[side], 0) + nodes_per_element(m) - z.first_node[side];
+  if (r.open) return place >= 0 && place < nodes_along(m, z.elements) ? place : -1;
+  place = ((place % nodes) + nodes) % nodes;
+  return place < nodes_along(m, z.elements) ? place : -1;
+}
+
+void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t along = nodes_along(m, z.elements);
+  int32_t place[2];
+  for (int side = 0; side < 2; ++side) {
+    place[side] = place_of_first_node(m, z, side);
+    if (place[side] < 0)
+      report_side(m, zone, side, "node ", z.first_node[side] + 1, " is not a node of the zone's elements", reporter);
+    else if (place[side] + z.pairs > along)
+      report_side(m, zone, side, "node ", zone_node(m, z, side, z.pairs - 1) + 1, " is not a node of the zone's elements",
+                  reporter);
+  }
+  if (place[0] < 0 || place[1] < 0) return;
+  if (direction(z, 0) != 0 && place[0] != place[1])
+    report_zone(reporter, m, zone, ": the first pair is node ", place[0] + 1, " along the elements of body ",
+                body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ", body_named(m, z.body[1]),
+                ", expected the same place");
+}
+
+int32_t zone_of_pair(const Model& m, int32_t pair) {
+  int32_t zone = 0;
+  while (pair < m.zone[zone].first_pair || pair >= m.zone[zone].first_pair + m.zone[zone].pairs) ++zone;
+  return zone;
+}
+
+// Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
+void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int b = z.body[side];
+  int32_t count = 0, first = 0, other = 0;
+  for (int32_t k = 0; k < zone_elements(z, side); ++k) {
+    ZonePlace found;
+    const int32_t element = zone_element(m, z, side, k);
+    const bool in_zone = find_contact_element(m, b, element, &found);
+    if (C2D_NEVER(!in_zone)) continue;                      // it is one of a zone's
+    if (found.zone == zone && found.side == side) continue; // the earlier one is found
+    if (count++ > 0) continue;
+    first = element;
+    other = found.zone;
+  }
+  if (count > 0) {
+    Finding f(in_zone(m, zone, b, first));
+    const bool both = other == zone; // sides of one zone, on one body
+    say(f, "element ", first + 1, " of body ", body_named(m, b), both ? " is on both sides of zone " : " is in zones ",
+        zone_named(m, other));
+    if (!both) say(f, " and ", zone_named(m, zone));
+    if (count > 1) say(f, ", the first of ", count, both ? " elements on both" : " elements in two zones");
+    say(f, both ? ", expected on one" : ", expected in one");
+    return report(reporter, f);
+  }
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
+    const int32_t node = zone_node(m, z, side, k), pair = pair_of_node(m, b, node).pair;
+    if (pair == z.first_pair + k) continue;
+    const int32_t before = zone_of_pair(m, pair);
+    Finding f(Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1});
+    say(f, "node ", node + 1, " of body ", body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, " of ");
+    say(f, before == zone ? "zone " : "zones ", zone_named(m, before));
+    if (before != zone) say(f, " and ", zone_named(m, zone));
+    say(f, ", expected in one");
+    report(reporter, f);
+  }
+}
+
+void check_lengths(const Model& m, int32_t zone, int side, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int b = z.body[side];
+  for (int32_t k = 0; k < zone_elements(z, side); ++k) {
+    const int32_t element = zone_element(m, z, side, k);
+    if (is_zero_length(m, b, element))
+      report_side(m, zone, side, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
+  }
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
+    const int32_t node = zone_node(m, z, side, k);
+    if (twin_node(m, b, node) >= 0)
+      report_side(m, zone, side, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
+  }
+}
+
+// Direction of an element's outward normals on average: its chord turned by -90 degrees.
+void average_normal(const Model& m, int b, int32_t element, double n[2]) {
+  double x[kElementNodes], y[kElementNodes];
+  element_coordinates(m, b, element, x, y);
+  const int last = body_of(m, b).element_nodes - 1;
+  const double dx = x[last] - x[0], dy = y[last] - y[0], size = sqrt(dx * dx + dy * dy);
+  n[0] = size > 0 ? dy / size : 0;
+  n[1] = size > 0 ? -dx / size : 0;
+}
+
+void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
+  for (int side = 0; side < 2; ++side) average_normal(m, z.body[side], zone_element(m, z, side, k), n[side]);
+}
+
+// `sound`: the bodies are.
+void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
+    return report_zone(reporter, m, zone,
+                       ": numbers run in the same direction on both bodies, so that the elements do not face "
+                       "each other; expected up on one body and down on the other");
+  }
+  if (!sound) return; // of a body that runs the wrong way no element would face the other one
+  int32_t count = 0, worst = 0;
+  double least = 0.0;
+  for (int32_t k = 0; k < z.elements; ++k) {
+    double n[2][2];
+    facing_normals(m, z, k, n);
+    const double turned = 0.5 + n[0][0] * n[1][0] + n[0][1] * n[1][1];
+    if (turned < 0.0) continue;
+    if (count++ > 0 && turned <= least) continue;
+    worst = k;
+    least = turned;
+  }
+  if (count == 0) return;
+  double n[2][2];
+  facing_normals(m, z, worst, n);
+  const int32_t e1 = zone_element(m, z, 0, worst), e2 = zone_element(m, z, 1, worst);
+  Finding f(in_zone(m, zone, z.body[0], e1));
+  say(f, "zone ", zone_named(m, zone), ": element ", e1 + 1, " of body ", body_named(m, z.body[0]), " with normal (", n[0][0],
+      ", ", n[0][1], ") and element ", e2 + 1, " of body ", body_named(m, z.body[1]), " with normal (", n[1][0], ", ", n[1][1],
+      ") do not face each other");
+  if (count > 1) say(f, ", the least of ", count);
+  report(reporter, f);
+}
+
+// Pairs of tied zones stand behind all others.
+void number_pairs(const Model& m) {
+  int32_t pairs = 0;
+  for (int32_t tied = 0; tied < 2; ++tied) {
+    for (int32_t i = 0; i < m.head->zones; ++i) {
+      if (m.zone[i].is_tied != tied) continue;
+      m.zone[i].first_pair = pairs;
+      pairs += m.zone[i].pairs;
+    }
+    if (tied == 0) m.head->path_pairs = pairs;
+  }
+  m.head->pairs = pairs;
+}
+
+// Cut free zones down to what faces each other, and number the pairs of all zones again.
+bool fit_zones(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    m.zone[i].normal_part = find_normal_part(m, m.zone[i]);
+    if (m.zone[i].is_free != 0) {
+      check_lengths(m, i, 0, reporter);
+      if (reporter.faults != before) return false; // points would have no normals
+      kFreeZonePart.fit_free_zone(m, i, reporter);
+    }
+  }
+  number_pairs(m);
+  return reporter.faults == before;
+}
+
+} // namespace
+
+bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int32_t i = 0; i < m.head->zones; ++i) check_bodies(m, i, reporter);
+  if (reporter.faults != before) return false;
+  for (int32_t i = 0; i < m.head->zones; ++i)
+    for (int side = 0; side < 2; ++side) check_region(m, i, side, reporter);
+  if (reporter.faults != before) return false; // the rest looks up what the zones name
+  if (!fit_zones(m, reporter)) return false;
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    const bool platen = is_platen(m, m.zone[i].body[0]); // both sides are one
+    if (m.zone[i].is_free == 0) {
+      check_nodes(m, i, reporter);
+      if (!platen) check_facing(m, i, sound, reporter);
+    }
+    for (int side = platen ? 1 : 0; side < 2; ++side) {
+      check_overlap(m, i, side, reporter);
+      check_lengths(m, i, side, reporter);
+    }
+  }
+  return reporter.faults == before;
+}
+
+} // namespace c2d

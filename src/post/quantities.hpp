@@ -1,0 +1,65 @@
+// The numbers that sum up a state of the contact: where it ends, where stick ends, peaks, resultants, what friction took.
+// Edges and borders lie between nodes (METHOD 16.4). A number may carry a stated error, which is an estimate.
+#pragma once
+
+#include "post/summary.hpp"
+#include "post/zone_line.hpp"
+
+#include <contact2d.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace app {
+
+enum class Measure {
+  kPeakPressure, // and where
+  kMeanPressure, // over what touches, by its length between the edges
+  kContactEdge,  // where contact ends: value is the length along side 2, from its first pair
+  kStickBorder,  // where stick meets slip, likewise
+  kForceX,
+  kForceY,
+  kMoment,        // on side 2, the moment about the origin
+  kApproach,      // c2d_zone_state; without a contact of a rigid body or platen, its item, along what drives it: zone 0
+  kShift,         // c2d_zone_state
+  kDissipated,    // since zero load; of zone 0 by the whole contact
+  kEdgePressure,  // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
+  kEdgeFriction,  // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
+  kSlipRange,     // the largest slip, in size, of what touches, since the loads last turned; and where
+  kFrictionForce, // of tt along the surface, on side 2
+  kMotionX,       // of zone 0: how the rigid body or platen whose number is the item moved, its point and its rotation
+  kMotionY,
+  kRotation,
+};
+constexpr int kMeasures = 17;
+
+struct Quantity {
+  Measure what = Measure::kPeakPressure;
+  int32_t zone = 0; // from 1; 0: of all
+  int32_t item = 0; // of several of a zone, from 1 along side 2; 0: a zone has one
+  double value = 0;
+  double at[2] = {NAN, NAN};
+  double s = NAN;         // the length along side 2, from its first pair, of that place
+  double spacing = NAN;   // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
+  double error = NAN;     // stated, absolute; NaN: none is
+  bool at_corner = false; // an edge: contact ends at a body's corner
+  double doubt = 0;       // what another way to find it on this mesh is apart
+  // Is it one of a rigid body or platen?
+  bool is_of_body() const { return zone == 0 && item > 0; }
+};
+
+// Of the state that a table shows (a step callback's, or one filled by c2d_get).
+// Tied zones have forces alone, those without a touching pair also what they have dissipated. `states` is one per zone
+// (c2d_get_zone_state), `bodies` one per body (c2d_get_body_state), `dissipated` as in c2d_step. `slip_at_turn`: C2D_SLIP_SUM
+// of every pair where the loads last changed their direction; without it (empty) stick borders are right on a load path that
+// has not turned yet.
+std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
+                                    const std::vector<c2d_zone_state>& states, double dissipated,
+                                    const std::vector<double>& slip_at_turn = {},
+                                    const std::vector<c2d_body_state>& bodies = {});
+
+// "peak pressure", "contact edge", in the words of listing, JSON and CSV.
+const char* name_of(Measure what);
+
+} // namespace app

@@ -1,0 +1,67 @@
+#include "report/listing/key_table.hpp"
+
+#include "report/text.hpp"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+std::string number(double value, int digits) {
+  std::string out;
+  append_general(out, value, 0, digits);
+  return out;
+}
+
+const Quantity* find(const StepRecord& step, Measure what, int32_t zone) {
+  for (const Quantity& q : step.quantities)
+    if (q.what == what && q.zone == zone) return &q;
+  return nullptr;
+}
+
+std::string value_of(const StepRecord& step, Measure what, int32_t zone, int digits) {
+  const Quantity* q = find(step, what, zone);
+  return q != nullptr ? number(q->value, digits) : "-";
+}
+
+// Of all items of a kind.
+std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits) {
+  std::string out;
+  for (const Quantity& q : step.quantities)
+    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(q.value, digits);
+  return out.empty() ? "-" : out;
+}
+
+std::vector<std::string> row_of(const StepRecord& step, int32_t zone, int digits) {
+  std::vector<std::string> row{std::to_string(step.step)};
+  for (const double load : step.loads) row.push_back(number(load, digits));
+  const Quantity* peak = find(step, Measure::kPeakPressure, zone);
+  row.push_back(value_of(step, Measure::kPeakPressure, zone, digits));
+  if (peak != nullptr)
+    for (const double place : {peak->at[0], peak->at[1], peak->s}) row.push_back(number(place, digits));
+  else
+    row.insert(row.end(), 3, "-");
+  for (const Measure what : {Measure::kForceX, Measure::kForceY, Measure::kMoment, Measure::kShift, Measure::kSlipRange})
+    row.push_back(value_of(step, what, zone, digits));
+  row.push_back(value_of(step, Measure::kDissipated, zone, digits));
+  for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder}) row.push_back(values_of(step, what, zone, digits));
+  return row;
+}
+
+} // namespace
+
+KeyTable key_table(const CoefficientRecord& c, int32_t zone, int digits) {
+  KeyTable out;
+  const size_t first = c.steps.size() > kMostKeyRows ? c.steps.size() - kMostKeyRows : 0;
+  for (size_t i = first; i < c.steps.size(); ++i)
+    if (!c.steps[i].quantities.empty() && !is_repeated(c, i)) out.rows.push_back(row_of(c.steps[i], zone, digits));
+  if (out.rows.empty()) return out;
+  out.heading = {"step"};
+  for (size_t k = 1; k <= c.steps.back().loads.size(); ++k) out.heading.push_back(k == 1 ? "load" : "load" + std::to_string(k));
+  for (const char* name : {"peak pressure", "at x", "at y", "at s", "force x", "force y", "moment", "shift", "slip range",
+                           "dissipated", "contact edges", "stick borders"})
+    out.heading.emplace_back(name);
+  return out;
+}
+
+} // namespace app

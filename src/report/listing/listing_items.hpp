@@ -1,0 +1,36 @@
+// Headings and named values of the printed results, and the parts of the data read.
+#pragma once
+
+#include "post/summary.hpp"
+
+#include <contact2d.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace app {
+
+void append_rule(std::string& out);
+void append_section(std::string& out, const std::string& title);
+// "Body 2 (bolt)", and what else the heading says.
+void append_body_section(std::string& out, const Summary& summary, int32_t body, const char* more = "");
+// "  name ............ value"; append_name stops before the value.
+std::string& append_name(std::string& out, const char* name);
+void append_item(std::string& out, const char* name, int64_t value);
+void append_item(std::string& out, const char* name, double value);
+void append_item(std::string& out, const char* name, const char* value);
+// How far the loads were, of all load cases.
+void append_loads(std::string& out, const std::vector<double>& factors);
+
+// Known components of every element end that is neither free of traction nor left to the contact, case by
+// case.
+c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary& summary, int32_t body);
+// Point loads, body forces, motions of rigid bodies, press fit: nothing of what there is none.
+c2d_status append_other_loads(std::string& out, c2d_solver* solver, const Summary& summary);
+// Coefficients of friction and the load path.
+c2d_status append_path(std::string& out, c2d_solver* solver, const Summary& summary);
+// Elements and nodes of every zone.
+c2d_status append_zones(std::string& out, c2d_solver* solver, const Summary& summary);
+
+} // namespace app

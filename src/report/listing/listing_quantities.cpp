@@ -1,0 +1,85 @@
+#include "report/listing/listing.hpp"
+
+#include "report/listing/key_table.hpp"
+#include "report/listing/listing_items.hpp"
+#include "report/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+void append_row(std::string& out, const Quantity& q) {
+  if (q.zone > 0)
+    append_column(out, q.zone, 8);
+  else
+    append_column(out, "all", 8);
+  std::string name = name_of(q.what);
+  if (q.item > 0) name += " " + std::to_string(q.item);
+  out += "   " + name;
+  out.append(name.size() < 18 ? 18 - name.size() : 1, ' ');
+  append_general(out, q.value, 14);
+  std::string error;
+  if (std::isfinite(q.error)) append_general(error += "+- ", q.error, 0, 2);
+  if (!error.empty() || std::isfinite(q.at[0])) out.append(2, ' ') += error;
+  if (std::isfinite(q.at[0])) {
+    out.append(error.size() < 14 ? 14 - error.size() : 1, ' ');
+    for (const double v : q.at) append_general(out, v, 14);
+  }
+  out += '\n';
+}
+
+// The last two columns, which are as long as they like, begin at the left.
+void append_line(std::string& out, const std::vector<std::string>& cells, size_t edges) {
+  for (size_t k = 0; k + 2 < cells.size(); ++k) append_column(out, cells[k].c_str(), k == 0 ? 8 : 14);
+  const std::string& last = cells[cells.size() - 2];
+  out += "  " + last;
+  out.append(edges - last.size() + 2, ' ') += cells.back() + "\n";
+}
+
+void append_table(std::string& out, const KeyTable& table) {
+  size_t edges = 0;
+  for (const std::vector<std::string>& row : table.rows) edges = std::max(edges, row[row.size() - 2].size());
+  edges = std::max(edges, table.heading[table.heading.size() - 2].size());
+  append_line(out, table.heading, edges);
+  for (const std::vector<std::string>& row : table.rows) append_line(out, row, edges);
+}
+
+} // namespace
+
+void append_quantities(std::string& out, const RunRecord& record, const Summary& s) {
+  if (s.pairs == 0) return;
+  append_section(out, "Contact in numbers");
+  for (const CoefficientRecord& c : record.coefficients) {
+    if (c.steps.empty()) continue;
+    append_number(append_name(out, "coefficient of friction"), c.mu);
+    out += "\n";
+    append_loads(out, c.loads);
+    out += "\n    zone   quantity                   value    stated error              x             y\n";
+    for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
+    out += '\n';
+  }
+  out += "  edges and borders are counted by the length along side 2 from the zone's first pair, x and y is where they are; an "
+         "edge\n"
+         "  pressure is p / sqrt(d), an edge friction q sqrt(d), at the distance d inside an edge\n";
+}
+
+void append_key_tables(std::string& out, const RunRecord& record, const Summary& s) {
+  if (s.pairs == 0) return;
+  std::string tables;
+  for (const CoefficientRecord& c : record.coefficients)
+    for (int32_t zone = 1; zone <= s.zones; ++zone) {
+      const KeyTable table = key_table(c, zone, 6);
+      if (table.rows.size() < 2) continue; // the last state stands above
+      append_number(append_name(tables, "coefficient of friction"), c.mu);
+      tables += "\n  " + zone_text(s, zone) + "\n";
+      append_table(tables, table);
+    }
+  if (tables.empty()) return;
+  append_section(out, "Contact in numbers, step by step");
+  out += tables + "\n  dissipated: by friction in the zone since zero load; edges and borders by the length along side 2 from "
+                  "the zone's first pair\n";
+}
+
+} // namespace app

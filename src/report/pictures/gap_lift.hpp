@@ -1,0 +1,31 @@
+// Where a magnified deformed shape draws bodies so that the gaps between them are magnified as their displacements are: what
+// is closed touches, what is open stands off, and what overlapped before a press fit does not float.
+#pragma once
+
+#include "report/drawn/scene.hpp"
+
+#include <vector>
+
+namespace app {
+
+// Initial normal gaps of the pairs between a body and those that were placed before it, as vectors that move the body; a
+// field over the plane that takes their values at the pairs and is smooth elsewhere.
+class GapLift {
+public:
+  GapLift() = default;
+  // Of the last state of the last coefficient.
+  explicit GapLift(const Scene& scene);
+  double largest() const { return largest_; }
+  // By how much a point of a body moves for every unit of magnification beyond 1.
+  Point at(size_t body, Point p) const;
+
+private:
+  struct Source {
+    Point at, by;
+  };
+  void place(const Scene& scene, const std::vector<Source>& pairs);
+  std::vector<std::vector<Source>> of_; // per body
+  double largest_ = 0.0;
+};
+
+} // namespace app

@@ -1,0 +1,272 @@
+#include "report/pictures/model_symbols.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+// Symbols closer than this to one of their kind are left out.
+constexpr double kSpacing = 11.0;
+// Of what stands inside a body: length of an arrow from its middle, radius of a turn.
+constexpr double kInnerArrow = 44.0, kTurnRadius = 20.0;
+
+// A load case has a colour and a dash of its own.
+Stroke stroke_of(Symbol symbol, size_t load_case) {
+  static const Stroke kCases[] = {
+      {colour::kOrange, 0.0, ""}, {colour::kPurple, 0.0, "6 2"}, {colour::kBlue, 0.0, "2 2"}, {colour::kInk, 0.0, "8 2 2 2"}};
+  static const double kWidths[] = {1.4, 2.4, 1.4, 4.0, 2.4, 2.4};
+  Stroke out = kCases[load_case % 4];
+  out.width = kWidths[static_cast<size_t>(symbol)];
+  return out;
+}
+
+Head head_of(Symbol symbol) {
+  return symbol == Symbol::kDisplacement || symbol == Symbol::kRigidMotion ? Head::kOpen : Head::kFilled;
+}
+
+bool visible(const Chart& view, Point p) {
+  const Box& f = view.frame;
+  return p.x > f.left - 20 && p.x < f.right + 20 && p.y > f.top - 20 && p.y < f.bottom + 20;
+}
+
+// Is there room around p? Then p is taken.
+bool take_place(std::vector<Point>& placed, Point p, double spacing) {
+  for (const Point& other : placed)
+    if (std::hypot(p.x - other.x, p.y - other.y) < spacing) return false;
+  placed.push_back(p);
+  return true;
+}
+
+// A triangle with its tip at `p`, its base away along (dx, dy); with a line behind it where the body may
+// slide.
+void draw_support(Svg& svg, Point p, double dx, double dy, bool both) {
+  const double h = 8.0, w = 4.5;
+  const Point base{p.x + h * dx, p.y + h * dy};
+  svg.area({{p, {base.x - w * dy, base.y + w * dx}, {base.x + w * dy, base.y - w * dx}}}, both ? colour::kInk : "white",
+           Stroke{colour::kInk, 1.0, ""});
+  if (both) return;
+  const Point rail{p.x + (h + 2.5) * dx, p.y + (h + 2.5) * dy};
+  svg.line({rail.x - w * dy, rail.y + w * dx}, {rail.x + w * dy, rail.y - w * dx}, Stroke{colour::kInk, 1.0, ""});
+}
+
+// Outward direction along x or y at a node: a corner's symbol belongs to the side that it holds.
+std::vector<Point> outward(const BodyScene& body) {
+  std::vector<Point> out;
+  for (size_t i = 0; i < body.nodes.size(); ++i) {
+    const size_t node = static_cast<size_t>(body.nodes[i]);
+    if (out.size() <= node) out.resize(node + 1);
+    const Point n = body.normals[i];
+    if (std::fabs(n.x) > std::fabs(out[node].x)) out[node].x = n.x;
+    if (std::fabs(n.y) > std::fabs(out[node].y)) out[node].y = n.y;
+  }
+  return out;
+}
+
+// Known and zero in every load case.
+bool is_held(const EndCondition& c, int quantity) {
+  if (!c.known(quantity)) return false;
+  for (const double value : c.values[quantity])
+    if (value != 0.0) return false;
+  return true;
+}
+
+// A shaft whose head stands at a point of the boundary, or whose tail does if it pulls outwards.
+struct Arrow {
+  Point direction, normal; // of the picture: y downwards
+  double length, head;
+};
+void draw_arrow(Svg& svg, Point p, const Arrow& a, const Stroke& stroke, Head head) {
+  const double size = std::hypot(a.direction.x, a.direction.y);
+  const Point way{a.length * a.direction.x / size, a.length * a.direction.y / size};
+  if (way.x * a.normal.x + way.y * a.normal.y > 0.0)
+    svg.arrow(p, {p.x + way.x, p.y + way.y}, stroke, a.head, head);
+  else
+    svg.arrow({p.x - way.x, p.y - way.y}, p, stroke, a.head, head);
+}
+
+// Three quarters of a circle round a cross, the way of a positive or negative rotation.
+void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head head) {
+  const double radius = kTurnRadius, pi = 3.14159265358979323846;
+  std::vector<Point> arc;
+  for (int i = 0; i <= 24; ++i) {
+    const double angle = (positive ? -1.0 : 1.0) * 1.5 * pi * i / 24.0;
+    arc.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+  }
+  svg.polyline(arc, stroke);
+  const Point end = arc.back(), way{end.x - arc[23].x, end.y - arc[23].y};
+  const double size = std::hypot(way.x, way.y);
+  svg.arrow(end, {end.x + 9.0 * way.x / size, end.y + 9.0 * way.y / size}, Stroke{stroke.colour, stroke.width, ""}, 9.0, head);
+  svg.mark(Mark::kCross, centre, 7.0, stroke.colour);
+}
+
+// Centre of the area within a body's curves, images included.
+Point centre_of(const BodyScene& body) {
+  double area = 0.0;
+  Point moment;
+  for (const std::vector<Point>& curve : outline_of(body, 0.0))
+    for (size_t i = 0; i < curve.size(); ++i) {
+      const Point a = curve[i], b = curve[(i + 1) % curve.size()];
+      const double part = a.x * b.y - b.x * a.y;
+      area += part;
+      moment.x += part * (a.x + b.x) / 3.0;
+      moment.y += part * (a.y + b.y) / 3.0;
+    }
+  return area != 0.0 ? Point{moment.x / area, moment.y / area} : Point{};
+}
+
+// The loads of one case on one body and its images.
+class Loads {
+public:
+  Loads(Svg& svg, const Scene& scene, const Chart& view, size_t load_case, Present& present)
+      : svg_(svg), scene_(scene), view_(view), case_(load_case), present_(present) {}
+
+  void boundary(const BodyScene& body) {
+    double largest = 0.0;
+    for (const EndCondition& c : body.conditions) largest = std::max(largest, std::hypot(c.value(0, case_), c.value(1, case_)));
+    std::vector<Point> motions, tractions;
+    for (const Image& image : scene_.images)
+      for (size_t i = 0; i < body.conditions.size(); ++i) {
+        const EndCondition& c = body.conditions[i];
+        const Point at = image.place(body.ends[i]), p = view_.at(at.x, at.y);
+        if (!visible(view_, p)) continue;
+        const Point n = image.direction(body.normals[i]);
+        const Point u = image.direction({c.value(2, case_), c.value(3, case_)});
+        const Point t = image.direction({c.value(0, case_), c.value(1, case_)});
+        const double size = std::hypot(t.x, t.y);
+        if (std::hypot(u.x, u.y) > 0.0 && take_place(motions, p, 1.5 * kSpacing))
+          arrow(Symbol::kDisplacement, p, u, {0.0, 0.0}, 26.0, 7.0);
+        if (size > 1e-12 * largest && take_place(tractions, p, 0.8 * kSpacing))
+          arrow(Symbol::kTraction, p, t, n, 10.0 + 18.0 * size / largest, 6.5);
+      }
+  }
+
+  void point_load(const PointLoad& load) {
+    for (const Image& image : scene_.images) {
+      const Point at = image.place(load.at), p = view_.at(at.x, at.y);
+      if (!visible(view_, p) || std::hypot(load.force.x, load.force.y) == 0.0) continue;
+      arrow(Symbol::kPointLoad, p, image.direction(load.force), {0.0, 0.0}, 34.0, 9.0);
+      svg_.mark(Mark::kCircle, p, 5.0, stroke_of(Symbol::kPointLoad, case_).colour);
+    }
+  }
+
+  // Starts at the middle of the body.
+  void body_force(const BodyForce& force) {
+    const Point middle = centre_of(scene_.bodies[static_cast<size_t>(force.body) - 1]);
+    const Point p = view_.at(middle.x, middle.y), axis = view_.at(force.axis.x, force.axis.y);
+    if ((force.force.x != 0.0 || force.force.y != 0.0) && visible(view_, p))
+      arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, kInnerArrow, 13.0);
+    if (force.rho_omega2 != 0.0 && visible(view_, axis)) turn(Symbol::kRotation, axis, true);
+  }
+
+  void rigid_motion(const RigidMotion& motion) {
+    const Point middle = centre_of(scene_.bodies[static_cast<size_t>(motion.body) - 1]);
+    const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
+    if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
+      arrow(Symbol::kRigidMotion, p, motion.by, motion.by, kInnerArrow, 12.0);
+    if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
+  }
+
+private:
+  // `direction` and `normal` are of the model.
+  void arrow(Symbol symbol, Point p, Point direction, Point normal, double length, double head) {
+    draw_arrow(svg_, p, {{direction.x, -direction.y}, {normal.x, -normal.y}, length, head}, stroke_of(symbol, case_),
+               head_of(symbol));
+    present_.note(symbol, case_);
+  }
+  void turn(Symbol symbol, Point p, bool positive) {
+    draw_turn(svg_, p, positive, stroke_of(symbol, case_), head_of(symbol));
+    present_.note(symbol, case_);
+  }
+
+  Svg& svg_;
+  const Scene& scene_;
+  const Chart& view_;
+  size_t case_;
+  Present& present_;
+};
+
+} // namespace
+
+void Present::note(Symbol symbol, size_t load_case) {
+  std::vector<bool>& cases = load[static_cast<size_t>(symbol)];
+  if (cases.size() <= load_case) cases.resize(load_case + 1, false);
+  cases[load_case] = true;
+}
+
+void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& present) {
+  std::vector<Point> placed[2];
+  for (const BodyScene& body : scene.bodies) {
+    if (body.rigid) continue;
+    const std::vector<Point> out = outward(body);
+    const size_t ends = static_cast<size_t>(scene.summary.function_nodes);
+    for (const Image& image : scene.images)
+      for (size_t i = 0; i < body.conditions.size(); ++i) {
+        // On a line of symmetry by images what holds a node across it is the line.
+        const int line = image_line_at(scene.summary, body.ends[i]);
+        const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2), line != 2 && is_held(body.conditions[i], 3)};
+        const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
+        if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends] || !visible(view, p)) continue;
+        const bool both = fixed[0] && fixed[1];
+        if (!take_place(placed[both ? 1 : 0], p, kSpacing)) continue;
+        present.support = true;
+        const Point n = image.direction(out[static_cast<size_t>(body.nodes[i])]);
+        const bool along_x = both ? std::fabs(n.x) > std::fabs(n.y) + 1e-3 : fixed[0];
+        const double dx = n.x < -1e-6 ? -1.0 : 1.0, dy = n.y > 1e-6 ? -1.0 : 1.0; // of the picture
+        draw_support(svg, p, along_x ? dx : 0.0, along_x ? 0.0 : dy, both);
+      }
+  }
+}
+
+void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& present) {
+  for (size_t k = 0; k < scene.cases; ++k) {
+    Loads loads(svg, scene, view, k, present);
+    for (const BodyScene& body : scene.bodies)
+      if (!body.rigid) loads.boundary(body);
+    for (const PointLoad& load : scene.point_loads)
+      if (load.load_case == k) loads.point_load(load);
+    for (const BodyForce& force : scene.body_forces)
+      if (force.load_case == k) loads.body_force(force);
+    for (const RigidMotion& motion : scene.motions)
+      if (motion.load_case == k) loads.rigid_motion(motion);
+  }
+}
+
+std::vector<Box> inner_symbols(const Scene& scene, const Chart& view) {
+  std::vector<Box> out;
+  const auto add = [&](Point p, double half) { out.push_back({p.x - half, p.y - half, p.x + half, p.y + half}); };
+  const auto add_arrow = [&](int32_t body, Point way) {
+    const double size = std::hypot(way.x, way.y);
+    const Point middle = centre_of(scene.bodies[static_cast<size_t>(body) - 1]), p = view.at(middle.x, middle.y);
+    for (double at = 0.0; size > 0.0 && at <= kInnerArrow; at += 0.125 * kInnerArrow)
+      add({p.x + at * way.x / size, p.y - at * way.y / size}, 6.0);
+  };
+  const auto add_turn = [&](Point axis) { add(view.at(axis.x, axis.y), kTurnRadius + 4.0); };
+  for (const BodyForce& force : scene.body_forces) {
+    add_arrow(force.body, force.force);
+    if (force.rho_omega2 != 0.0) add_turn(force.axis);
+  }
+  for (const RigidMotion& motion : scene.motions) {
+    add_arrow(motion.body, motion.by);
+    if (motion.rotation != 0.0) add_turn(motion.axis);
+  }
+  return out;
+}
+
+std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& present) {
+  const auto rigid = std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const BodyScene& b) { return b.rigid; });
+  const char* const words[] = {"traction",   "point load", "prescribed displacement",
+                               "body force", "rotation",   rigid > 1 ? "motion of a rigid body" : "motion of the rigid body"};
+  std::vector<LegendEntry> out;
+  if (present.support) out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
+  for (size_t k = 0; k < scene.cases; ++k)
+    for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
+      if (k >= present.load[s].size() || !present.load[s][k]) continue;
+      const Symbol symbol = static_cast<Symbol>(s);
+      const std::string text = scene.cases > 1 ? words[s] + (", case " + std::to_string(k + 1)) : words[s];
+      out.push_back({text, stroke_of(symbol, k), Mark::kNone, true, "", head_of(symbol)});
+    }
+  return out;
+}
+
+} // namespace app

@@ -1,0 +1,326 @@
+#include "report/drawn/axes.hpp"
+#include "report/pictures/model_symbols.hpp"
+#include "report/pictures/pictures.hpp"
+#include "report/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+Point mapped(const Chart& view, Point p) { return view.at(p.x, p.y); }
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+// A rigid obstacle is hatched.
+std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
+  return scene.bodies[b].rigid ? svg.hatch(style_of(b).hatch, style_of(b).fill) : std::string(style_of(b).fill);
+}
+
+Stroke platen_stroke(size_t b) { return {style_of(b).edge, 5.0, ""}; }
+
+class ModelView {
+public:
+  ModelView(Svg& svg, const Scene& scene, const Chart& view, bool zoom, Present& present)
+      : svg_(svg), scene_(scene), view_(view), zoom_(zoom), present_(present) {}
+
+  void draw() {
+    draw_axes(svg_, view_);
+    svg_.begin_clip(view_.frame);
+    for (size_t b = 0; b < scene_.bodies.size(); ++b) bodies(b);
+    lines_of_symmetry();
+    pairs();
+    draw_supports(svg_, scene_, view_, present_);
+    draw_loads(svg_, scene_, view_, present_);
+    svg_.end_clip();
+    pair_labels();
+    if (scene_.bodies.size() > 1) body_labels();
+  }
+
+private:
+  bool visible(Point p) const {
+    const Box& f = view_.frame;
+    return p.x > f.left - 20 && p.x < f.right + 20 && p.y > f.top - 20 && p.y < f.bottom + 20;
+  }
+
+  void bodies(size_t b) {
+    const BodyScene& body = scene_.bodies[b];
+    if (body.platen) return platen(b);
+    std::vector<std::vector<Point>> curves = outline_of(body, 0.0);
+    for (auto& curve : curves)
+      for (Point& p : curve) p = mapped(view_, p);
+    svg_.area(curves, fill_of(svg_, scene_, b), Stroke{style_of(b).edge, 1.3, ""});
+    for (const Image& image : scene_.images) {
+      Point last{-1e9, -1e9};
+      for (const Point& corner : body.corners) {
+        const Point p = mapped(view_, image.place(corner));
+        if (!visible(p) || distance(p, last) < 3.0) continue;
+        svg_.mark(Mark::kCircle, p, zoom_ ? 3.2 : 2.2, style_of(b).edge);
+        last = p;
+      }
+    }
+  }
+
+  // A bar along the ends that it moves, and their places on it.
+  void platen(size_t b) {
+    for (const ZoneScene& zone : scene_.zones) {
+      if (zone.body[0] != static_cast<int32_t>(b) + 1) continue;
+      for (const Image& image : scene_.images) {
+        std::vector<Point> bar;
+        for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
+          bar.push_back(mapped(view_, image.place(scene_.pairs[p].on[0])));
+        svg_.polyline(bar, platen_stroke(b));
+        for (const Point& p : bar)
+          if (visible(p)) svg_.mark(Mark::kSquare, p, 5.0, style_of(b).edge, false);
+      }
+    }
+  }
+
+  void lines_of_symmetry() {
+    const Stroke line{colour::kPurple, 1.2, "14 4 3 4"};
+    const Summary& s = scene_.summary;
+    const Box& f = view_.frame;
+    if ((s.symmetry & 1) != 0) {
+      const double x = view_.at(s.symmetry_at[0], 0.0).x;
+      svg_.line({x, f.top}, {x, f.bottom}, line);
+    }
+    if ((s.symmetry & 2) != 0) {
+      const double y = view_.at(0.0, s.symmetry_at[1]).y;
+      svg_.line({f.left, y}, {f.right, y}, line);
+    }
+  }
+
+  void pairs() {
+    for (const Image& image : scene_.images)
+      for (const PairScene& pair : scene_.pairs) {
+        if (!is_of_contact(scene_, pair)) continue;
+        const Point a = mapped(view_, image.place(pair.on[0])), b = mapped(view_, image.place(pair.on[1]));
+        if (!visible(a)) continue;
+        svg_.line(a, b, Stroke{colour::kGreen, zoom_ ? 1.2 : 1.0, ""});
+        if (!zoom_) continue;
+        svg_.mark(Mark::kSquare, a, 4.5, colour::kGreen);
+        svg_.mark(Mark::kSquare, b, 4.5, colour::kGreen, false);
+      }
+  }
+
+  // Numbers of the first and last pair of each zone in the zoom.
+  void pair_labels() {
+    if (!zoom_) return;
+    for (const ZoneScene& zone : scene_.zones) {
+      if (zone.pairs == 0) continue;
+      const size_t last = zone.first + zone.pairs - 1;
+      for (const size_t p : {zone.first, last}) {
+        const Point a = mapped(view_, scene_.pairs[p].on[0]);
+        const std::string number = std::to_string(p + 1);
+        const double x = std::min(std::max(a.x, view_.frame.left + 14.0), view_.frame.right - 14.0);
+        const Box box = around({x, a.y + 16.0}, 0.5 * text_width(number, 11.0), 7.0);
+        if (a.y + 24.0 < view_.frame.bottom && a.y > view_.frame.top && take_box(box))
+          svg_.text({x, a.y + 20.0}, number, 11.0, Anchor::kMiddle, colour::kGreen, false, true);
+        if (last == zone.first) break;
+      }
+    }
+  }
+
+  // The number of every body that has room for it; in the view of the whole of every one.
+  void body_labels() {
+    const std::vector<Box> symbols = inner_symbols(scene_, view_), nothing;
+    for (size_t b = 0; b < scene_.bodies.size(); ++b) {
+      std::vector<std::vector<Point>> curves = outline_of(scene_.bodies[b], 0.0);
+      for (auto& curve : curves)
+        for (Point& p : curve) p = mapped(view_, p);
+      const std::string number = std::to_string(b + 1);
+      const double half = std::max(9.0, 0.5 * text_width(number, kBodyNumber) + 3.0);
+      double room = 0.0;
+      Point at = widest_place(curves, half, symbols, room);
+      if (room <= 0.0) at = widest_place(curves, half, nothing, room);
+      if (room <= 0.0 || (zoom_ && room < half)) continue;
+      take_box(around(at, half, half));
+      if (room >= half) svg_.mark(Mark::kCircle, at, 2.0 * half, style_of(b).edge, false);
+      svg_.text({at.x, at.y + 4.5}, number, kBodyNumber, Anchor::kMiddle, style_of(b).edge, false, true);
+    }
+  }
+
+  // Of the middles of rows and columns of a body within the frame, those amid the body first, the one farthest
+  // from its boundary where nothing stands yet; `room`: how far. 0: there is none.
+  Point widest_place(const std::vector<std::vector<Point>>& curves, double half, const std::vector<Box>& symbols,
+                     double& room) const {
+    const Box& f = view_.frame;
+    const Box inner{f.left + half + 1.0, f.top + half + 1.0, f.right - half - 1.0, f.bottom - half - 1.0};
+    Range x, y;
+    for (const auto& curve : curves)
+      for (const Point& p : curve) x.include(p.x), y.include(p.y);
+    const int lines = 41;
+    Point best;
+    for (int i = 0; i < 2 * lines; ++i) {
+      const bool row = i < lines;
+      const double low = row ? std::max(y.low, inner.top) : std::max(x.low, inner.left);
+      const double high = row ? std::min(y.high, inner.bottom) : std::min(x.high, inner.right);
+      if (low > high) continue;
+      const int k = i % lines, place = lines / 2 + (k % 2 == 0 ? k / 2 : -(k + 1) / 2);
+      const double level = low + (place + 0.5) / lines * (high - low);
+      for (const Point& p : middles(curves, inner, level, row)) {
+        const Box label = around(p, half, half);
+        if (!is_free(label, taken_) || !is_free(label, symbols)) continue;
+        const double here = distance_to(curves, p);
+        if (here > room + 0.5 || room == 0.0) best = p, room = here;
+      }
+    }
+    return best;
+  }
+
+  // Middles of the parts of a row (y = level) or column that lie inside curves and a box.
+  static std::vector<Point> middles(const std::vector<std::vector<Point>>& curves, const Box& box, double level, bool row) {
+    std::vector<double> crossings;
+    for (const std::vector<Point>& curve : curves)
+      for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+        const Point a = row ? curve[i] : Point{curve[i].y, curve[i].x}, b = row ? curve[j] : Point{curve[j].y, curve[j].x};
+        if ((a.y > level) != (b.y > level)) crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+    std::sort(crossings.begin(), crossings.end());
+    std::vector<Point> out;
+    for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const double low = std::max(crossings[i], row ? box.left : box.top);
+      const double high = std::min(crossings[i + 1], row ? box.right : box.bottom);
+      if (low < high) out.push_back(row ? Point{0.5 * (low + high), level} : Point{level, 0.5 * (low + high)});
+    }
+    return out;
+  }
+
+  static double distance_to(const std::vector<std::vector<Point>>& curves, Point p) {
+    double least = HUGE_VAL;
+    for (const std::vector<Point>& curve : curves)
+      for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+        const Point a = curve[j], way{curve[i].x - a.x, curve[i].y - a.y};
+        const double square = way.x * way.x + way.y * way.y;
+        const double along = square > 0.0 ? ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square : 0.0;
+        const double part = std::min(1.0, std::max(0.0, along));
+        least = std::min(least, distance(p, {a.x + part * way.x, a.y + part * way.y}));
+      }
+    return least;
+  }
+
+  static Box around(Point p, double half_width, double half_height) {
+    return {p.x - half_width, p.y - half_height, p.x + half_width, p.y + half_height};
+  }
+  static bool is_free(const Box& box, const std::vector<Box>& taken) {
+    for (const Box& other : taken)
+      if (box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom) return false;
+    return true;
+  }
+  bool take_box(const Box& box) {
+    if (!is_free(box, taken_)) return false;
+    taken_.push_back(box);
+    return true;
+  }
+
+  static constexpr double kBodyNumber = 12.5; // size of the text
+
+  Svg& svg_;
+  const Scene& scene_;
+  const Chart& view_;
+  bool zoom_;
+  Present& present_;
+  std::vector<Box> taken_; // by labels
+};
+
+std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& present) {
+  std::vector<LegendEntry> out;
+  for (size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::string label = body_label(scene, static_cast<int64_t>(b) + 1);
+    if (scene.bodies[b].platen)
+      out.push_back({label + ": ends that it moves", platen_stroke(b), Mark::kSquare, true, ""});
+    else
+      out.push_back({label + (scene.bodies[b].rigid ? ", rigid" : ""), Stroke{style_of(b).edge, 1.3, ""}, Mark::kNone, true,
+                     fill_of(svg, scene, b)});
+  }
+  if (has_contact(scene)) out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
+  if (scene.summary.symmetry != 0)
+    out.push_back({"line of symmetry", Stroke{colour::kPurple, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
+  for (const LegendEntry& entry : symbol_legend(scene, present)) out.push_back(entry);
+  return out;
+}
+
+std::string describe_body(const Scene& scene, size_t b) {
+  const Summary& s = scene.summary;
+  std::string out = std::to_string(s.body[b].elements) + " elements";
+  if (scene.bodies[b].rigid) return out + ", rigid";
+  return out + ", E = " + figure(s.body[b].youngs_modulus, scene.stress_unit) + ", Poisson's ratio " +
+         figure(s.body[b].poisson_ratio);
+}
+
+std::string model_caption(const Scene& scene) {
+  const Summary& s = scene.summary;
+  std::string out = s.bodies == 1   ? "The body as the deck describes it: "
+                    : s.bodies == 2 ? "Both bodies as the deck describes them: "
+                                    : "All bodies as the deck describes them: ";
+  for (size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (b > 0) out += "; ";
+    const std::string label = body_label(scene, static_cast<int64_t>(b) + 1);
+    if (scene.bodies[b].platen) {
+      out += label + " moves " + s.moved_by(static_cast<int32_t>(b) + 1) + " as if rigid";
+      continue;
+    }
+    if (s.bodies > 1) out += label + " has ";
+    out += describe_body(scene, b);
+  }
+  out += s.plane == C2D_PLANE_STRESS ? "; plane stress." : "; plane strain.";
+  if (!scene.pairs.empty())
+    out += " The contact is described by " + std::to_string(s.pairs) + " pairs of nodes in " + std::to_string(s.zones) +
+           (s.zones == 1 ? " zone." : " zones.");
+  for (size_t z = 0; z < scene.zones.size(); ++z)
+    if (scene.zones[z].free)
+      out += " Z" + zone_label(scene, z).substr(1) + " joins nodes of " + body_label(scene, scene.zones[z].body[1]) +
+             " to points of " + body_label(scene, scene.zones[z].body[0]) + ": the meshes need not match.";
+  if (scene.summary.symmetry != 0) out += " One side of a line of symmetry was given, the other is its image.";
+  if (scene.summary.symmetry != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
+  if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
+  if (scene.interference > 0)
+    out += " The factor of load case " + std::to_string(scene.interference) + " closes the overlaps of the press fit.";
+  return out;
+}
+
+} // namespace
+
+void draw_model(const Scene& scene, Pictures& out) {
+  Range x, y, zoom_x, zoom_y;
+  for (const BodyScene& body : scene.bodies)
+    for (const auto& curve : body.curves)
+      for (const OutlinePoint& p : curve) x.include(p.at.x), y.include(p.at.y);
+  for (const Image& image : scene.zone_images)
+    for (const PairScene& pair : scene.pairs)
+      for (const Point& on : pair.on) {
+        if (!is_of_contact(scene, pair)) continue;
+        const Point p = image.place(on);
+        zoom_x.include(p.x), zoom_y.include(p.y);
+      }
+  if (x.empty) return;
+  const bool zoom = has_contact(scene);
+  const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;
+  const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
+  const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
+  const Box whole{left, top, left + wide, top + high}, part{whole.right + gap, top, whole.right + gap + wide, top + high};
+  const Chart view = make_view(whole, x, y, 40.0, scene.length_unit);
+
+  Present present;
+  Svg trial("model", kPictureWidth, 0.0); // tells what is present before the height is known
+  ModelView(trial, scene, view, false, present).draw();
+  if (zoom) ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
+  const double legend_top = whole.bottom + 44.0, legend_width = kPictureWidth - left - right;
+  const double height =
+      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) + 4.0;
+  Svg svg("model", kPictureWidth, height);
+  ModelView(svg, scene, view, false, present).draw();
+  draw_heading(svg, whole, "Whole model");
+  if (zoom) {
+    const Chart close = make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit);
+    draw_zoom_frame(svg, view, close);
+    ModelView(svg, scene, close, true, present).draw();
+    draw_heading(svg, part, "Contact " + contact_zones(scene) + " (dashed frame)");
+  }
+  draw_legend(&svg, {left, legend_top}, legend_width, legend(svg, scene, present));
+  Picture picture{"model", "Model", model_caption(scene), ""};
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
+} // namespace app

@@ -1,0 +1,116 @@
+#include "report/pictures/pictures.hpp"
+
+#include "report/text.hpp"
+
+namespace app {
+
+void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Scene&, size_t, size_t, Pictures&),
+                 Pictures& out) {
+  size_t drawn = 0;
+  for (size_t c = 0; c < coefficients; ++c)
+    for (size_t z = 0; z < scene.zones.size(); ++z)
+      if (!scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 && drawn++ < kMostCharts)
+        draw(scene, c, z, out);
+}
+
+std::string chart_title(const Scene& scene, double mu, size_t zone) {
+  std::string out = "&#956; = " + figure(mu);
+  const std::string label = zone_label(scene, zone);
+  if (scene.zones.size() > 1 || label.back() == ')') out += ", " + label;
+  if (scene.summary.names_bodies()) out += ": " + bodies_of(scene, scene.zones[zone]);
+  return out;
+}
+
+std::string body_label(const Scene& scene, int64_t body) { return escape_xml(body_text(scene.summary, body)); }
+
+std::string zone_label(const Scene& scene, size_t zone) {
+  return escape_xml(zone_text(scene.summary, static_cast<int64_t>(zone) + 1));
+}
+
+std::string bodies_of(const Scene& scene, const ZoneScene& zone) {
+  return body_label(scene, zone.body[0]) + " on " + body_label(scene, zone.body[1]);
+}
+
+std::string contact_zones(const Scene& scene) {
+  return scene.summary.names_bodies() && scene.zones.size() > 1 ? "zones" : "zone";
+}
+
+const BodyStyle& style_of(size_t body) {
+  static const BodyStyle kStyles[] = {
+      {"#dce9f5", "#b9cbdc", colour::kBlue, ""},     {"#e6c88c", "#c2a263", "#8a5a00", "7 2"},
+      {"#f6f3ea", "#d6d0bc", "#444444", "12 3"},     {"#a4b494", "#85966f", "#33521f", "4 2"},
+      {"#e8d0dc", "#c8a9b9", "#7a2a5a", "10 2 3 2"}, {"#b4b8cc", "#9297b0", "#35357a", "14 2 2 2 2 2"}};
+  return kStyles[body % 6];
+}
+
+std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone) {
+  std::string out;
+  if (scene.summary.coefficients > 1) out += "_" + std::to_string(coefficient + 1);
+  if (scene.zones.size() > 1) out += "_zone" + std::to_string(zone + 1);
+  return out;
+}
+
+bool is_of_contact(const Scene& scene, const PairScene& pair) {
+  const ZoneScene& zone = scene.zones[static_cast<size_t>(pair.zone) - 1];
+  return !scene.bodies[static_cast<size_t>(zone.body[0]) - 1].platen;
+}
+
+bool has_contact(const Scene& scene) {
+  for (const PairScene& pair : scene.pairs)
+    if (is_of_contact(scene, pair)) return true;
+  return false;
+}
+
+bool is_tied(const CoefficientRecord& record, const ZoneScene& zone) {
+  return static_cast<int>(record.table[zone.first * C2D_PAIR_FIELDS + C2D_STATUS]) == C2D_TIED;
+}
+
+Mark status_mark(int status) {
+  if (status == C2D_TIED) return Mark::kSquare;
+  return status == C2D_STICK ? Mark::kCircle : status == C2D_SLIP ? Mark::kTriangle : Mark::kCross;
+}
+
+std::vector<LegendEntry> status_legend(bool tied) {
+  if (tied) return {{"tied", Stroke{}, Mark::kSquare, true, ""}};
+  return {{"stick", Stroke{}, Mark::kCircle, true, ""},
+          {"slip", Stroke{}, Mark::kTriangle, true, ""},
+          {"open", Stroke{}, Mark::kCross, true, ""}};
+}
+
+std::string position_name(const Scene& scene, const ZoneScene& zone) {
+  const std::string along = ", along " + body_label(scene, zone.body[0]);
+  if (*zone.position != 's') return zone.position + along;
+  if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + along;
+  const Summary& s = scene.summary;
+  std::string line;
+  if (s.symmetry == 3) // which of the two
+    line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0]) : " y = " + figure(s.symmetry_at[1]);
+  return "distance s from the line of symmetry" + line + along;
+}
+
+std::string traction_name(const ZoneScene& zone, const char* name) {
+  const std::string text = name;
+  return zone.free ? text.substr(text.rfind(' ') + 1) + " per length of body " + std::to_string(zone.body[1]) : text;
+}
+
+c2d_status draw_pictures(const Scene& scene, Pictures& out) {
+  draw_model(scene, out);
+  draw_tractions(scene, out);
+  draw_status_map(scene, out);
+  draw_loop(scene, out);
+  draw_gap(scene, out);
+  c2d_status status = C2D_OK;
+  if (scene.solved) {
+    draw_deformed(scene, out);
+    status = draw_boundary_stress(scene, out);
+    if (status == C2D_OK) status = draw_stress(scene, out);
+  }
+  draw_path(scene, out);
+  draw_energy(scene, out);
+  if (scene.solved) draw_balance(scene, out);
+  draw_meshes(scene, out);
+  draw_convergence(scene, out);
+  return status;
+}
+
+} // namespace app

@@ -1,0 +1,91 @@
+// The pictures of a run, in the order of the page. Each is drawn by a file of its own.
+#pragma once
+
+#include "report/drawn/axes.hpp"
+#include "report/drawn/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Picture {
+  std::string name;    // file name without .svg, begins its ids
+  std::string title;   // may hold entities, as all text here
+  std::string caption; // one or two sentences with the key numbers
+  std::string svg;     // the whole file
+};
+using Pictures = std::vector<Picture>;
+
+constexpr double kPictureWidth = 760.0;
+// Coefficients of friction and zones that get charts of their own; the rest is left to the CSV.
+constexpr size_t kMostCharts = 16;
+
+// All bodies, nodes, supports, loads, pairs; beside it what is in contact.
+void draw_model(const Scene& scene, Pictures& out);
+// Pressure and friction along a zone with the Coulomb bounds, per coefficient and zone.
+void draw_tractions(const Scene& scene, Pictures& out);
+// Open, stick and slip over position and load, per coefficient and zone.
+void draw_status_map(const Scene& scene, Pictures& out);
+// Friction force over displacement where the loads turn, per coefficient and zone; the last whole cycle and its area.
+void draw_loop(const Scene& scene, Pictures& out);
+// Gap and slip along a zone, per coefficient and zone.
+void draw_gap(const Scene& scene, Pictures& out);
+// The deformed shape over the undeformed one.
+void draw_deformed(const Scene& scene, Pictures& out);
+// Stress along the boundaries of bodies without contact: hoop stress over arc length.
+c2d_status draw_boundary_stress(const Scene& scene, Pictures& out);
+// Changes of status, peak pressure and pairs in contact against the load.
+void draw_path(const Scene& scene, Pictures& out);
+// Loads and supports against contact forces of each body.
+void draw_balance(const Scene& scene, Pictures& out);
+// Work, elastic energy and dissipation against the load; nothing if the library tells no energies.
+void draw_energy(const Scene& scene, Pictures& out);
+// Filled contours of the stress inside the bodies, on grids of their own. Fails as c2d_interior does.
+c2d_status draw_stress(const Scene& scene, Pictures& out);
+
+// The first and the last of the meshes that were tried for a sketch, whole and at the contact, and how numbers converged over
+// all; nothing if there was one alone.
+void draw_meshes(const Scene& scene, Pictures& out);
+void draw_convergence(const Scene& scene, Pictures& out);
+
+// All of them. Fails only if results could not be had from the solver.
+c2d_status draw_pictures(const Scene& scene, Pictures& out);
+
+// Calls `draw` for every zone with results of the first coefficients, up to kMostCharts times.
+void draw_charts(const Scene& scene, size_t coefficients,
+                 void (*draw)(const Scene& scene, size_t coefficient, size_t zone, Pictures& out), Pictures& out);
+
+// "mu = 0.3" and, if there are several zones, ", zone 2"; with its bodies where these are named.
+std::string chart_title(const Scene& scene, double mu, size_t zone);
+// "_1" and "_1_2": coefficient and zone, numbers only if there are several.
+std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
+// How a status is marked everywhere: stick a full circle, slip a triangle, open a cross, tied a square.
+Mark status_mark(int status);
+std::vector<LegendEntry> status_legend(bool tied); // of a zone
+bool is_tied(const CoefficientRecord& record, const ZoneScene& zone);
+// The pairs of contact and of ties, without those of platens, which are as long as the end of a body that they move.
+bool is_of_contact(const Scene& scene, const PairScene& pair);
+bool has_contact(const Scene& scene);
+// What s means, for axes.
+std::string position_name(const Scene& scene, const ZoneScene& zone);
+// "pressure tn"; in zones of meshes that do not match "tn per length of body 2".
+std::string traction_name(const ZoneScene& zone, const char* name);
+// "body 2 on body 3".
+std::string bodies_of(const Scene& scene, const ZoneScene& zone);
+// "body 2 (bolt)", "zone 1 (thread)", ready for markup; the zone from 0.
+std::string body_label(const Scene& scene, int64_t body);
+std::string zone_label(const Scene& scene, size_t zone);
+// "zone", with several zones of named bodies "zones".
+std::string contact_zones(const Scene& scene);
+
+// How a body is drawn: fills differ in lightness, edges in dash, too; every sixth body looks alike.
+struct BodyStyle {
+  const char* fill;
+  const char* hatch; // over the fill of a rigid body
+  const char* edge;
+  const char* dash;
+};
+const BodyStyle& style_of(size_t body);
+
+} // namespace app

@@ -1,0 +1,258 @@
+#include "results/interior/interior_cells.hpp"
+
+#include "bie/integrals/kernels.hpp"
+#include "memory/hostile.hpp"
+#include "memory/math.hpp"
+#include "memory/workers.hpp"
+#include "results/back.hpp"
+#include "results/interior/interior_elements.hpp"
+#include "solver/far_cells.hpp"
+
+namespace c2d {
+
+namespace {
+
+FarCells cells_of(const Session& session, int b) { return far_cells_in(session.area.work, session.model.body[b].elements); }
+
+// ---- making --------------------------------------------------------------------------------------------------------------
+
+struct CellJob {
+  const Session* session;
+  int b;
+  FarCells cells;
+  int32_t first; // leaf of task 0
+};
+
+void element_field(const Session& session, int b, int32_t element, Measure measure, const Complex* t, const Complex* u,
+                   FieldElement& out) {
+  make_integrator(session.model, b, element, Quadrature::accurate, measure, out.in);
+  prepare_field(t, u, out);
+}
+
+void make_leaf(void* argument, int32_t task) {
+  const CellJob& job = *static_cast<const CellJob*>(argument);
+  const Session& session = *job.session;
+  const int32_t leaf = job.first + task, n = job.cells.elements, depth = job.cells.depth;
+  const int32_t first = leaf_begin(n, depth, leaf), last = leaf_begin(n, depth, leaf + 1);
+  FarCell& cell = job.cells.at(depth, leaf);
+  bound_leaf(
+      session.model, job.b, first, last, [&](int32_t element) { return is_integrated(session.model, job.b, element); }, cell);
+  for (int32_t element = first; element < last; ++element) {
+    if (!is_integrated(session.model, job.b, element)) continue;
+    NodalValues values;
+    FieldElement e;
+    nodal_values(session, job.b, element, values);
+    element_field(session, job.b, element, Measure::own_length, values.own, values.u, e);
+    add_to_far_field(e, *job.cells.rest, cell.field);
+    if (!values.any_contact) continue;
+    element_field(session, job.b, element, Measure::contact, values.contact, nullptr, e);
+    add_to_far_field(e, Complex{0.0, 0.0}, cell.field);
+  }
+}
+
+Complex mean_displacement(const Session& session, int b) {
+  const int32_t nodes = session.model.body[b].nodes;
+  Complex sum = {0.0, 0.0};
+  for (int32_t node = 0; node < nodes; ++node) {
+    double u[2];
+    get_displacement(session, b, node, u);
+    add(sum, Complex{u[0], u[1]});
+  }
+  return (1.0 / (nodes * session.model.head->length_unit)) * sum;
+}
+
+struct Material {
+  double k, kappa;
+};
+Material material_of(const Model& m, int b) {
+  const double nu = strain_poisson_ratio(m, b);
+  return {1.0 / (4.0 * kPi * (1.0 - nu)), 3.0 - 4.0 * nu};
+}
+
+c2d_status make_cells(const Session& session, int b) {
+  c2d_solver* s = session.solver;
+  CellJob job{&session, b, cells_of(session, b), 0};
+  const FarCells& cells = job.cells;
+  if (far_cells_of(s) == b + 1) return C2D_OK;
+  take_back_work(s);
+  *cells.rest = mean_displacement(session, b);
+  const Workers workers = workers_of(&s->port);
+  const int32_t leaves = int32_t{1} << cells.depth, step = 4 * workers.count;
+  for (job.first = 0; job.first < leaves; job.first += step) {
+    const c2d_status status = pause_at_points(session, b, leaf_begin(cells.elements, cells.depth, job.first));
+    if (status != C2D_OK) return status;
+    run_tasks(workers, leaves - job.first < step ? leaves - job.first : step, make_leaf, &job);
+  }
+  const double kappa = material_of(session.model, b).kappa;
+  for (int32_t d = cells.depth - 1; d >= 0; --d)
+    for (int32_t i = 0; i < int32_t{1} << d; ++i) make_parent(&cells.at(d + 1, 2 * i), kappa, cells.at(d, i));
+  if (s->back_substituted != 0) s->back_substituted = 2 + b;
+  return C2D_OK;
+}
+
+// ---- walking -------------------------------------------------------------------------------------------------------------
+
+// What both walks know.
+struct Visit {
+  const Session& session;
+  int b;
+  const Points& block;
+
+  Complex seen(int image, double x, double y) const { return {block.seen(image, 0, x), block.seen(image, 1, y)}; }
+  // Is a point, or an image of it, within so many radii of the cell's middle?
+  bool is_within(const FarCell& cell, double radii, double x, double y) const {
+    const int32_t lines = block.lines(b);
+    const double reach = radii * cell.field.radius;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
+      const Complex w = seen(image, x, y) - cell.field.middle;
+      if (dot(w, w) <= reach * reach) return true;
+    }
+    return false;
+  }
+  Points chosen(const uint16_t* order, int32_t count) const {
+    Points out = block;
+    out.count = count;
+    out.chosen = order;
+    return out;
+  }
+};
+
+// Nearest boundary point and winding number.
+struct PlacingVisit : Visit {
+  bool is_near(const FarCell& cell, int32_t row) const {
+    const PointSearch& p = block.search(row);
+    if (!(cell.field.radius > 0.0)) return false;
+    if (cell.chains > 2 || is_within(cell, 1.0 + 1e-9, p.x, p.y)) return true;
+    const Complex w = Complex{p.x, p.y} - cell.field.middle;
+    const double reach = p.distance + cell.field.radius;
+    return dot(w, w) <= reach * reach;
+  }
+  void meet(const FarCell& cell, int32_t row) const {
+    PointSearch& p = block.search(row);
+    const int32_t lines = block.lines(b);
+    for (int64_t c = 0; c < cell.chains; ++c)
+      for (int image = 0; image <= lines; ++image)
+        if (is_image(lines, image)) p.windings += chord_winding(cell.chain[c], lines != 0, seen(image, p.x, p.y));
+  }
+  void meet_elements(int32_t first, int32_t last, const uint16_t* order, int32_t count) const {
+    const Points points = chosen(order, count);
+    for (int32_t element = first; element < last; ++element)
+      if (is_integrated(session.model, b, element)) place_by_element(session, b, element, points);
+  }
+};
+
+// Displacement and stress.
+struct FieldVisit : Visit {
+  Material material;
+  Complex rest;
+
+  bool is_near(const FarCell& cell, int32_t row) const {
+    const PointSums& p = block.sums(row);
+    return cell.chains > 2 || is_within(cell, kFarDistance, p.x, p.y);
+  }
+  void meet(const FarCell& cell, int32_t row) const {
+    if (!(cell.field.radius > 0.0)) return;
+    PointSums& p = block.sums(row);
+    const int32_t lines = block.lines(b);
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
+      const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+      const Complex at = seen(image, p.x, p.y);
+      PointField sum = {};
+      add_far_field(cell.field, material.k, material.kappa, at.re, at.im, sum);
+      for (int64_t c = 0; c < cell.chains; ++c)
+        add_uniform_chain(cell.chain[c], rest - reference, material.k, material.kappa, at.re, at.im, sum);
+      add_displacement(image, sum, p);
+      add_stress(image, sum, p);
+    }
+  }
+  void meet_elements(int32_t first, int32_t last, const uint16_t* order, int32_t count) const {
+    const Points points = chosen(order, count);
+    for (int32_t element = first; element < last; ++element)
+      if (is_integrated(session.model, b, element)) integrate_element(session, b, element, points);
+  }
+};
+
+// No boundary point is farther than all of the leaf that lies nearest by its middle. (Some leaf has elements, and so has one of
+// the two halves that are asked for.)
+void bound_distance(const FarCells& cells, PointSearch& p) {
+  const Complex at = {p.x, p.y};
+  int32_t i = 0;
+  for (int32_t d = 1; d <= cells.depth; ++d) {
+    double away[2];
+    for (int k = 0; k < 2; ++k) {
+      const FarField& field = cells.at(d, 2 * i + k).field;
+      away[k] = field.radius > 0.0 ? length_of(at - field.middle) : 1e300;
+    }
+    i = 2 * i + (away[1] < away[0] ? 1 : 0);
+  }
+  const FarField& field = cells.at(cells.depth, i).field;
+  p.distance = (1.0 + 1e-12) * (length_of(at - field.middle) + field.radius) + kRounding;
+}
+
+struct PointJob {
+  const Session* session;
+  const Points* points;
+  int b;
+  int32_t first; // point of task 0
+  FarCells cells;
+
+  Points block(int32_t task) const { return some_points(*points, first + task * kBlockOfPoints, kBlockOfPoints); }
+};
+
+void place_block(void* argument, int32_t task) {
+  const PointJob& job = *static_cast<const PointJob*>(argument);
+  const Points block = job.block(task);
+  uint16_t order[kBlockOfPoints];
+  int32_t count = 0;
+  for (int32_t i = 0; i < block.count; ++i) {
+    if (block.place(i) != kUnplaced) continue;
+    bound_distance(job.cells, block.search(i));
+    order[count++] = static_cast<uint16_t>(i);
+  }
+  walk(job.cells, order, count, PlacingVisit{{*job.session, job.b, block}});
+}
+
+void sum_block(void* argument, int32_t task) {
+  const PointJob& job = *static_cast<const PointJob*>(argument);
+  const Points block = job.block(task);
+  uint16_t order[kBlockOfPoints];
+  int32_t count = 0;
+  for (int32_t i = 0; i < block.count; ++i)
+    if (is_inside(block.place(i), job.b)) order[count++] = static_cast<uint16_t>(i);
+  walk(job.cells, order, count,
+       FieldVisit{{*job.session, job.b, block}, material_of(job.session->model, job.b), *job.cells.rest});
+}
+
+c2d_status run_blocks(PointJob& job, void (*task)(void*, int32_t)) {
+  const Session& session = *job.session;
+  const Workers workers = workers_of(&session.solver->port);
+  const int32_t blocks = (job.points->count + kBlockOfPoints - 1) / kBlockOfPoints;
+  for (int32_t block = 0; block < blocks; block += workers.count) {
+    const int32_t done = static_cast<int32_t>(static_cast<int64_t>(block) * session.model.body[job.b].elements / blocks);
+    const c2d_status status = pause_at_points(session, job.b, done);
+    if (status != C2D_OK) return status;
+    job.first = block * kBlockOfPoints;
+    run_tasks(workers, blocks - block < workers.count ? blocks - block : workers.count, task, &job);
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+bool has_far_cells(const Session& session, int b) {
+  return is_compressed(plan_of(session.solver, b)) && may_have_far_cells(session.model.body[b].elements);
+}
+
+c2d_status evaluate_by_cells(const Session& session, int b, const Points& points) {
+  begin_placing(points);
+  c2d_status status = make_cells(session, b);
+  PointJob job{&session, &points, b, 0, cells_of(session, b)};
+  if (status == C2D_OK) status = run_blocks(job, place_block);
+  if (status != C2D_OK) return status;
+  end_placing(session, b, points);
+  return run_blocks(job, sum_block);
+}
+
+} // namespace c2d
