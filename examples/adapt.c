@@ -1,5 +1,5 @@
-/* A mesh that is found by its host: a rigid cylinder on a flat block, smooth. Every round solves on the host's own mesh and on
-   the same with every element in two, states the error from the difference, and bisects the elements that c2d_indicators
+/* A mesh refined by the host program: a rigid cylinder on a flat block, smooth. Every round solves on a mesh and on the same
+   mesh with every element halved, and states the error from the difference. It then halves the elements that c2d_indicators
    marks, until the error is small enough. Static memory, no files. C99, and valid C++.
 
      cc -std=c99 -Iinclude -Iport/memory examples/adapt.c build/libcontact2d.a -lm -o build/adapt && build/adapt          */
@@ -10,25 +10,25 @@
 #include <stdio.h>
 
 #define MOST 256  /* elements of the zone */
-#define SIDE 6    /* of the block's bottom and right side, each */
-#define OUTER 32  /* of its top outside the zone, at most */
+#define SIDE 6    /* elements of the bottom and of the right side of the block */
+#define OUTER 32  /* most elements of its top outside the zone */
 static const double kRadius = 100, kZone = 2, kSize = 300, kModulus = 1000, kNu = 0.3, kLoad = 8.630447; /* half width 1 */
 static unsigned char memory[8 << 20], tapes[16 << 20];
 
 typedef struct Mesh {
   int n;              /* elements */
-  double x[MOST + 1]; /* their ends, from the axis of symmetry on */
+  double x[MOST + 1]; /* their ends, beginning at the axis of symmetry */
 } Mesh;
-typedef struct Answer {
-  double pressure[MOST + 1], density[MOST]; /* of energy, what the mesh leaves open over lengths */
-} Answer;
+typedef struct Result {
+  double pressure[MOST + 1], density[MOST]; /* energy of the mesh error per length */
+} Result;
 
-static void tell(void* context, const c2d_error* entry) {
+static void report(void* context, const c2d_error* entry) {
   (void)context;
   if (entry->severity == C2D_FAULT) fprintf(stderr, "%s\n", entry->text);
 }
 
-/* The right half of the block, counter-clockwise from the axis to the axis; its last n elements are the zone's. */
+/* The right half of the block, counter-clockwise from the axis to the axis; its last n elements are the zone. */
 static int block_points(const Mesh* mesh, double xy[][2]) {
   int i, count = 0, outer = 0;
   double at[OUTER], step = mesh->x[mesh->n] - mesh->x[mesh->n - 1], x = kZone;
@@ -61,7 +61,7 @@ static int add_body(c2d_solver* s, int number, int points, double xy[][2]) {
 }
 
 static int build(c2d_solver* s, const Mesh* mesh, int points, double block[][2], double cylinder[][2]) {
-  static const int32_t held[4] = {0, 1, 1, 0}, falls[3] = {0, 1, 0};
+  static const int32_t fixed[4] = {0, 1, 1, 0}, falls[3] = {0, 1, 0};
   const double zero[4] = {0, 0, 0, 0}, force[3] = {0, -0.5 * kLoad, 0}, centre[2] = {0, kRadius};
   const int n = mesh->n;
   int e, bad;
@@ -72,7 +72,7 @@ static int build(c2d_solver* s, const Mesh* mesh, int points, double block[][2],
   bad = c2d_set_problem(s, &problem) || c2d_set_symmetry(s, 0, 0.0) || add_body(s, 1, points, block) ||
         add_body(s, 2, n + 2, cylinder);
   for (e = 1; e <= SIDE && !bad; ++e)
-    bad = c2d_set_condition(s, 1, e, 1, 1, held, zero) || c2d_set_condition(s, 1, e, 2, 1, held, zero);
+    bad = c2d_set_condition(s, 1, e, 1, 1, fixed, zero) || c2d_set_condition(s, 1, e, 2, 1, fixed, zero);
   arc.kind = C2D_CURVE_ARC, arc.body = 2, arc.first_element = 1, arc.last_element = n;
   arc.centre[1] = arc.radius = kRadius;
   zone.pairs = n + 1;
@@ -84,7 +84,7 @@ static int build(c2d_solver* s, const Mesh* mesh, int points, double block[][2],
          c2d_set_rigid_load(s, 2, 1, falls, force, centre) || c2d_add_zone(s, &zone) || c2d_complete(s);
 }
 
-static int solve(const Mesh* mesh, Answer* out) {
+static int solve(const Mesh* mesh, Result* out) {
   static double block[2 * SIDE + OUTER + MOST + 2][2], cylinder[MOST + 2][2], rows[MOST][C2D_OFF_FIELDS], p[MOST + 1];
   const double smooth = 0, full = 1;
   const int n = mesh->n, points = block_points(mesh, block);
@@ -102,7 +102,7 @@ static int solve(const Mesh* mesh, Answer* out) {
   sizes.zones = 1, sizes.pairs = n + 1, sizes.contact_elements = n, sizes.curves = 1;
   c2d_memory_store_init(&store, tapes, sizeof tapes);
   c2d_memory_store_port(&store, &port);
-  port.log = tell;
+  port.log = report;
   if (c2d_create(&s, memory, sizeof memory, &sizes, &port, &why) != C2D_OK) return puts(why.text), 1;
   bad = build(s, mesh, points, block, cylinder) || c2d_prepare(s) || c2d_begin(s, &smooth, 1) ||
         c2d_advance(s, &full, 1, &outcome) || outcome != C2D_REACHED || c2d_get(s, C2D_TN, 0, 1, n + 1, p, 1) ||
@@ -112,8 +112,8 @@ static int solve(const Mesh* mesh, Answer* out) {
   return c2d_close(s) != C2D_OK || bad;
 }
 
-/* Every element in two, or those of more density than `least`. */
-static Mesh bisected(const Mesh* mesh, const Answer* by, double least) {
+/* Halves every element, or only those with a density above `least`. */
+static Mesh bisected(const Mesh* mesh, const Result* by, double least) {
   Mesh out;
   int i;
   out.n = 0;
@@ -125,8 +125,9 @@ static Mesh bisected(const Mesh* mesh, const Answer* by, double least) {
   return out;
 }
 
-/* Twice the difference of the pressures of a mesh and of its halves, over the latter, both as integrals of squares. */
-static double stated_error(const Mesh* mesh, const Answer* coarse, const Answer* fine) {
+/* Twice the difference between the pressures on a mesh and on the halved mesh, relative to the latter, both as root of the
+   integral of squares. */
+static double stated_error(const Mesh* mesh, const Result* coarse, const Result* fine) {
   double off = 0, all = 0;
   int i;
   for (i = 0; i < 2 * mesh->n; ++i) {
@@ -140,7 +141,7 @@ static double stated_error(const Mesh* mesh, const Answer* coarse, const Answer*
 }
 
 int main(void) {
-  static Answer coarse, fine;
+  static Result coarse, fine;
   Mesh mesh = {4, {0, 0.5, 1, 1.5, 2}};
   int round;
   for (round = 1; 2 * mesh.n <= MOST; ++round) {
@@ -155,6 +156,6 @@ int main(void) {
     for (i = 0; i < mesh.n; ++i) most = fmax(most, coarse.density[i]);
     mesh = bisected(&mesh, &coarse, 0.2 * most);
   }
-  puts("the error asked for was not reached");
+  puts("the required error was not reached");
   return 1;
 }

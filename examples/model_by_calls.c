@@ -1,5 +1,5 @@
-/* A model by calls, every result of it, and a state that is saved and restored. A steel block stands on one of aluminium, is
-   pressed down by 50 N/mm2 and pushed to and fro on its upper face; nothing but the contact holds it. C99, and valid C++.
+/* A model by calls, all its results, and a saved and restored state. A steel block stands on an aluminium block. It is pressed
+   down by 50 N/mm2 and pushed back and forth on its upper face; only the contact supports it. C99, and valid C++.
 
      cc -std=c99 -Iinclude examples/model_by_calls.c build/libcontact2d.a -lm -o build/model_by_calls
      build/model_by_calls
@@ -15,7 +15,7 @@ enum { ALONG = 8, UP = 4, ELEMENTS = 2 * (ALONG + UP), PAIRS = ALONG + 1, ENDS =
 enum { RIGHT = ALONG + 1, TOP = RIGHT + UP, LEFT = TOP + ALONG }; /* first elements of the sides, and their first nodes */
 static const double width = 16.0, height[2] = {8.0, 6.0}, bottom[2] = {-8.0, 0.0};
 
-/* ---- a store of one's own: blocks of a tape one after another in an array ---- */
+/* ---- a block store of this program: the blocks of a tape lie one after another in an array ---- */
 typedef struct Tape {
   unsigned char* bytes;
   uint64_t blocks, block_bytes, room;
@@ -24,7 +24,7 @@ typedef struct Store {
   Tape tape[C2D_TAPES];
 } Store;
 
-/* What an earlier run left stays: a state that was saved is found there. */
+/* Keeps the blocks of an earlier run: they contain its saved state. */
 static int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   Tape* t = &((Store*)context)->tape[tape];
   if (block_bytes != 0 && blocks > t->room / block_bytes) return 1;
@@ -46,9 +46,9 @@ static int32_t write_block(void* context, int32_t tape, uint64_t block, const vo
 static int32_t sync_or_close(void* context, int32_t tape) {
   (void)context;
   (void)tape;
-  return 0; /* memory is as safe as it ever gets */
+  return 0; /* nothing to do for memory */
 }
-static void tell(void* context, const c2d_error* entry) {
+static void report(void* context, const c2d_error* entry) {
   (void)context;
   fprintf(stderr, "%s: %s\n", entry->severity == C2D_FAULT ? "error" : "note", entry->text);
 }
@@ -57,7 +57,7 @@ static c2d_port port_of(Store* store) {
   port.context = store;
   port.open = open_tape, port.read = read_block, port.write = write_block;
   port.sync = sync_or_close, port.close = sync_or_close;
-  port.log = tell;
+  port.log = report;
   return port;
 }
 
@@ -85,19 +85,19 @@ static int add_block(c2d_solver* solver, int32_t b, const char* name, double mod
 }
 
 static int build(c2d_solver* solver) {
-  static const int32_t held[4] = {1, 1, 0, 0}, loaded[4] = {0, 0, 1, 1};                        /* tx ty ux uy */
+  static const int32_t fixed[4] = {1, 1, 0, 0}, loaded[4] = {0, 0, 1, 1};                       /* tx ty ux uy */
   static const double zero[4] = {0, 0, 0, 0}, load[CASES][4] = {{0, -50, 0, 0}, {10, 0, 0, 0}}; /* per load case */
   c2d_problem problem = C2D_INIT(c2d_problem);
   c2d_zone zone = C2D_INIT(c2d_zone);
   int32_t e, end, k;
   int bad;
   problem.plane = C2D_PLANE_STRAIN, problem.analysis = C2D_ANALYSIS_FULL;
-  strcpy(problem.title, "steel on aluminium, to and fro");
+  strcpy(problem.title, "steel on aluminium, back and forth");
   bad = c2d_set_problem(solver, &problem) != C2D_OK;
   bad |= add_block(solver, 1, "aluminium", 70000.0, 0.33) | add_block(solver, 2, "steel", 210000.0, 0.30);
   for (k = 1; k <= CASES; ++k) {
     for (end = 1; end <= 2; ++end) {
-      for (e = 1; e < RIGHT; ++e) bad |= c2d_set_condition(solver, 1, e, end, k, held, zero) != C2D_OK;
+      for (e = 1; e < RIGHT; ++e) bad |= c2d_set_condition(solver, 1, e, end, k, fixed, zero) != C2D_OK;
       for (e = TOP; e < LEFT; ++e) bad |= c2d_set_condition(solver, 2, e, end, k, loaded, load[k - 1]) != C2D_OK;
     }
   }
@@ -123,7 +123,7 @@ static int show_pairs(c2d_solver* solver) {
   return bad;
 }
 
-/* Entries of a field, the largest magnitude of them. */
+/* The largest magnitude of the entries of a field. */
 static double largest(c2d_solver* solver, int32_t field, int32_t body, int32_t count, int* bad) {
   double values[ENDS], most = 0.0;
   int i;
@@ -142,22 +142,22 @@ static int show_bodies(c2d_solver* solver) {
   for (b = 1; b <= 2; ++b) {
     c2d_body_result sums = C2D_INIT(c2d_body_result);
     c2d_body_state state = C2D_INIT(c2d_body_state);
-    double doubt = 0.0;
+    double error_energy = 0.0;
     bad |= c2d_get_name(solver, C2D_NAME_BODY, b, name) != C2D_OK;
     bad |= c2d_get_body_state(solver, b, &state) != C2D_OK;
     bad |= c2d_indicators(solver, b, 1, ELEMENTS, off[0], C2D_OFF_FIELDS) != C2D_OK;
-    for (e = 0; e < ELEMENTS; ++e) doubt += off[e][C2D_OFF_EQUATION_ENERGY] + off[e][C2D_OFF_CONTACT_ENERGY];
+    for (e = 0; e < ELEMENTS; ++e) error_energy += off[e][C2D_OFF_EQUATION_ENERGY] + off[e][C2D_OFF_CONTACT_ENERGY];
     point[0] = 0.5 * width, point[1] = bottom[b - 1] + 0.5 * height[b - 1];
     bad |= c2d_interior(solver, b, 1, point, 2, inside, C2D_POINT_FIELDS) != C2D_OK;
     hoop = largest(solver, C2D_END_HOOP, b, ENDS, &bad);
-    bad |= c2d_get_body_result(solver, b, &sums) != C2D_OK; /* reactions are known now */
+    bad |= c2d_get_body_result(solver, b, &sums) != C2D_OK; /* after the results of the boundary, which give the reactions */
     printf("  %s: contact force (%.4f, %.4f), moment %.3f; applied (%.4f, %.4f)\n", name, state.contact[0], state.contact[1],
            state.contact[2], sums.applied[0], sums.applied[1]);
     printf("    largest displacement %.4e, traction %.3f, hoop stress %.3f, von Mises on the boundary %.3f\n",
            largest(solver, C2D_END_UX, b, ENDS, &bad), largest(solver, C2D_END_TY, b, ENDS, &bad), hoop,
            largest(solver, C2D_END_VON_MISES, b, ENDS, &bad));
-    printf("    in the middle: sxx %.3f, syy %.3f, sxy %.3f, von Mises %.3f; what the mesh leaves open: %.2e\n",
-           inside[C2D_POINT_SXX], inside[C2D_POINT_SYY], inside[C2D_POINT_SXY], inside[C2D_POINT_VON_MISES], doubt);
+    printf("    in the middle: sxx %.3f, syy %.3f, sxy %.3f, von Mises %.3f; energy of the mesh error: %.2e\n",
+           inside[C2D_POINT_SXX], inside[C2D_POINT_SYY], inside[C2D_POINT_SXY], inside[C2D_POINT_VON_MISES], error_energy);
   }
   return bad;
 }
@@ -175,7 +175,7 @@ static int show(c2d_solver* solver) {
   return bad | show_pairs(solver) | show_bodies(solver);
 }
 
-/* ---- the load: pressed, then pushed to and fro, a point of the loop after each quarter ---- */
+/* ---- the load: pressed, then pushed back and forth; a point of the loop after each quarter ---- */
 static int follow(c2d_solver* solver, int first, int last, double shifts[]) {
   static const double push[] = {0.0, 1.0, 0.0, -1.0, 0.0, 1.0, 0.0, -1.0, 0.0};
   int i;
@@ -209,8 +209,8 @@ static int fail(const char* what, c2d_solver* solver) {
   return 1;
 }
 
-/* Twice the same: in the solver that saved, and in another one on the same store, as after a crash. */
-static int go_back(c2d_solver* solver, c2d_solver* other, double shifts[]) {
+/* Repeats the second cycle: in the solver that saved, and in another one on the same store, as after a crash. */
+static int repeat_cycle(c2d_solver* solver, c2d_solver* other, double shifts[]) {
   double again[9], once_more[9];
   if (follow(solver, 5, 8, shifts) != 0) return fail("second cycle", solver);
   if (c2d_restore(solver) != C2D_OK || follow(solver, 5, 8, again) != 0) return fail("restore", solver);
@@ -243,7 +243,7 @@ int main(void) {
   if (follow(solver, 0, 4, shifts) != 0) return fail("path", solver);
   puts("after a cycle:");
   if (show(solver) != 0 || c2d_save(solver) != C2D_OK) return fail("results", solver);
-  bad = go_back(solver, other, shifts);
+  bad = repeat_cycle(solver, other, shifts);
   puts("push and mean slip, the second cycle closed:");
   for (i = 0; i < 9; ++i) printf("  %d %12.5e\n", i, shifts[i]);
   bad |= c2d_close(solver) != C2D_OK;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The wrapper: memory, blocks, solver, and statuses as exceptions. The library's own calls take it as a c2d_solver*.
+// The wrapper: memory, blocks, solver, and statuses as exceptions. Library calls accept it as a c2d_solver*.
 class Contact {
 public:
   Contact(const c2d_limits& limits, uint64_t tape_bytes) : blocks_(tape_bytes) {
@@ -53,7 +53,7 @@ int32_t next_card(void* context, char* text, int32_t size) {
   return static_cast<int32_t>(card.size());
 }
 
-// No exception may leave a callback: this one has none to throw.
+// No exception may leave a callback: this one throws none.
 int32_t show_step(void*, const c2d_step* step) {
   double peak = 0.0;
   for (int32_t pair = 0; pair < step->pairs; ++pair) peak = std::max(peak, step->table[pair * step->stride + C2D_TN]);
@@ -64,7 +64,7 @@ int32_t show_step(void*, const c2d_step* step) {
 void solve(const char* name) {
   c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
-  limits.bodies = 2; // so many have room
+  limits.bodies = 2; // room for two bodies
   limits.body = bodies;
   c2d_error why = C2D_INIT(c2d_error);
   std::ifstream deck(name);

@@ -11,15 +11,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Workspace of the solver, for decks up to the size of examples/hertz.dat: the arguments are those of c2d_limits. */
-#define PANEL 8 /* columns eliminated at a time: with these the tapes are known, too */
+/* Workspace of the solver, for decks up to the size of examples/hertz.dat. The arguments are the members of c2d_limits. */
+#define PANEL 8 /* columns eliminated at a time; a given number makes the sizes of the tapes constants */
 static unsigned char memory[C2D_LIMITS_BYTES(2, 60, 60, 60, 60, 1, 1, 1, 20, 19, 0, 4, 20, 1, PANEL, 0, 0, 0)];
-static unsigned char tapes[           /* what it would otherwise keep in files */
+static unsigned char tapes[           /* blocks that could also be files */
     2 * C2D_LOWER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL, 0) * C2D_LOWER_BLOCK_BYTES(2, 60, 60, 1, 0, PANEL) +
     2 * C2D_UPPER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL) * C2D_UPPER_BLOCK_BYTES(2, 60, 60, 1, PANEL) +
-    C2D_CONTACT_BLOCKS(2, 20, 1) * C2D_CONTACT_BLOCK_BYTES(20) + C2D_CONTROL_BLOCK_BYTES /* nothing is saved */];
+    C2D_CONTACT_BLOCKS(2, 20, 1) * C2D_CONTACT_BLOCK_BYTES(20) + C2D_CONTROL_BLOCK_BYTES /* no saved states */];
 
-/* The next card, without its line end, and its length. */
+/* Reads the next card, without its line end; returns its length. */
 static int32_t read_card(void* context, char* text, int32_t size) {
   FILE* deck = (FILE*)context;
   int32_t length = 0;
@@ -34,15 +34,15 @@ static int32_t read_card(void* context, char* text, int32_t size) {
   return length;
 }
 
-/* Every fault and every warning comes here. */
-static void tell(void* context, const c2d_error* entry) {
+/* Receives every error and every warning. */
+static void report(void* context, const c2d_error* entry) {
   (void)context;
   fprintf(stderr, "%s: ", entry->severity == C2D_FAULT ? "error" : "warning");
   if (entry->line > 0) fprintf(stderr, "line %d, column %d: ", (int)entry->line, (int)entry->column);
   fprintf(stderr, "%s\n", entry->text);
 }
 
-/* After every increment: the largest pressure of all pairs. */
+/* Prints the largest pressure of all pairs after every increment. */
 static int32_t show_step(void* context, const c2d_step* step) {
   double peak = 0.0;
   int32_t pair;
@@ -58,7 +58,7 @@ static int32_t show_step(void* context, const c2d_step* step) {
 
 static int failed(const char* what, c2d_status status, const c2d_error* why) {
   fprintf(stderr, "%s: %s (%s)\n", what, c2d_message(status), why->text);
-  if (status == C2D_ERR_MEMORY) fprintf(stderr, "%llu bytes would do\n", (unsigned long long)why->bytes_needed);
+  if (status == C2D_ERR_MEMORY) fprintf(stderr, "%llu bytes are needed\n", (unsigned long long)why->bytes_needed);
   return 1;
 }
 
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   c2d_status status;
   int result;
 
-  limits.bodies = 2; /* so many have room */
+  limits.bodies = 2; /* room for two bodies */
   limits.body = bodies;
   if (deck == NULL) {
     fprintf(stderr, "usage: static_array DECK\n");
@@ -105,8 +105,8 @@ int main(int argc, char** argv) {
 
   limits.panel_columns = PANEL;
   c2d_memory_store_init(&store, tapes, sizeof tapes);
-  c2d_memory_store_port(&store, &port); /* sets port.context too, which log gets as well */
-  port.log = tell;
+  c2d_memory_store_port(&store, &port); /* also sets port.context, which log receives too */
+  port.log = report;
   status = c2d_create(&solver, memory, sizeof memory, &limits, &port, &why);
   if (status != C2D_OK) {
     fclose(deck);

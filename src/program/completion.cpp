@@ -26,7 +26,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-// What the words of an option's value are, as `compgen` is asked for them.
+// The arguments of `compgen` that complete the value of an option.
 std::string bash_values(const OptionRow& option) {
   const std::string value = option.value;
   if (const std::vector<std::string> words = words_of_value(option); !words.empty()) return "-W '" + joined(words) + "'";
@@ -95,7 +95,7 @@ std::string zsh() {
   out += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  local command=$words[2]\n"
          "  shift words; (( CURRENT-- ))\n  case $command in\n";
   for (const CommandRow& command : all_commands()) {
-    out += std::string("  ") + command.name + ") _arguments -S '--help[tells of this command]'";
+    out += std::string("  ") + command.name + ") _arguments -S '--help[print the help of this command]'";
     for (const OptionRow& option : all_options())
       if (takes(command, option)) out += " \\\n    " + zsh_option(option);
     std::string rest = "'*:file:_files'";

@@ -11,105 +11,103 @@ constexpr uint32_t kRun = bit_of(Command::kRun), kCheck = bit_of(Command::kCheck
 
 const CommandRow kCommands[] = {
     {"run", Command::kRun, "DECK [NAME=VALUE ...]",
-     "solves a deck, or a sketch: shapes without a mesh. NAME=VALUE is for the parameters of a sketch, and for {NAME} in a "
+     "solve a deck, or a sketch (shapes without a mesh). NAME=VALUE sets a parameter of a sketch, or the value of {NAME} in a "
      "deck"},
-    {"check", Command::kCheck, "DECK ... [NAME=VALUE ...]", "reads and validates decks and tells the memory that they need"},
-    {"sketch", Command::kSketch, "DRAWING", "begins a sketch from a drawing (DXF or MSH, ASCII)"},
-    {"mesh", Command::kMesh, "SKETCH [NAME=VALUE ...]", "writes the deck that is made of a sketch"},
+    {"check", Command::kCheck, "DECK ... [NAME=VALUE ...]", "read and validate decks and print the memory that they need"},
+    {"sketch", Command::kSketch, "DRAWING", "make a sketch from a drawing (DXF or MSH, ASCII), to be completed"},
+    {"mesh", Command::kMesh, "SKETCH [NAME=VALUE ...]", "mesh a sketch and write the deck"},
     {"resume", Command::kResume, "DIR",
-     "goes on where a run with --store file:DIR was cut off: the deck, the options, the tapes and the saved state are in DIR; "
-     "outputs are written whole"},
+     "continue an interrupted run with --store file:DIR. DIR contains the deck, the options, the tapes and the saved state; "
+     "all outputs are written in full"},
     {"sweep", Command::kSweep, "TABLE DECK [NAME=VALUE ...]",
-     "solves a deck or a sketch once for every row of a table (CSV; its heading names parameters) and writes a table of "
+     "solve a deck or a sketch once for every row of a table (CSV; its heading names parameters) and write a table of "
      "results"},
-    {"convert", Command::kConvert, "DECK", "writes a deck in the other form (fixed columns or free) without changing a number"},
-    {"make", Command::kMake, "NAME key=value ...", "writes the deck of a problem known by name to standard output"},
-    {"completion", Command::kCompletion, "bash|zsh|fish", "writes what that shell completes commands and options by"},
-    {"help", Command::kHelp, "[COMMAND]", "tells commands and options, of one command or of all"},
+    {"convert", Command::kConvert, "DECK", "convert a deck between fixed columns and free form without changing a number"},
+    {"make", Command::kMake, "NAME key=value ...", "write the deck of a named problem to standard output"},
+    {"completion", Command::kCompletion, "bash|zsh|fish", "write the completion script for this shell"},
+    {"help", Command::kHelp, "[COMMAND]", "print commands and options, of one command or of all"},
 };
 
 const OptionRow kOptions[] = {
     {"--listing", nullptr, "FILE", kRun,
-     "printed results; default: standard output, unless another output is sent there. On a terminal that nobody asked for a "
-     "listing its end alone is shown"},
+     "printed results; default: standard output, unless another output is sent there. On a terminal only the summary is "
+     "printed unless --listing is given"},
     {"--csv", nullptr, "FILE", kRun, "contact results, a row per pair and recorded step"},
     {"--boundary", nullptr, "FILE", kRun, "CSV of every element end of every body at the last step"},
-    {"--interior", nullptr, "FILE", kRun,
-     "CSV of displacements and stresses inside, at the points asked for, at the last step"},
+    {"--interior", nullptr, "FILE", kRun, "CSV of displacements and stresses at the interior points at the last step"},
     {"--json", nullptr, "FILE", kRun, "summary of the run"},
     {"--report", nullptr, "FILE", kRun, "one HTML page with pictures of the model and the results"},
     {"--vtk", nullptr, "FILE", kRun,
-     "boundary with displacements, tractions and stresses at the last step, and the points inside, for ParaView"},
+     "boundary with displacements, tractions and stresses at the last step, and the interior points, for ParaView"},
     {"--trace", nullptr, "FILE", kRun, "CSV of every change of status: load, pair, from, to, why"},
-    {"--bodies", nullptr, "FILE", kRun, "CSV of every body: contact force and moment, and how a rigid one moved, by step"},
+    {"--bodies", nullptr, "FILE", kRun, "CSV of contact force and moment of every body, and motion of rigid bodies, by step"},
     {"--summary", nullptr, "FILE", kRun,
-     "CSV of what sums up the contact, by step: pressures, edges, stick borders, resultants"},
+     "CSV of the main contact numbers by step: pressures, edges, stick borders, resultants"},
     {"--stresses", nullptr, "FILE", kRun,
-     "CSV of stresses at every element end of every body and at the points inside, at every recorded step"},
+     "CSV of stresses at every element end of every body and at the interior points, at every recorded step"},
     {"--ranges", nullptr, "FILE", kRun,
-     "CSV of how far stresses go at these places in the last cycle of the loads, or in all recorded steps if there is none"},
+     "CSV of stress ranges at these places over the last load cycle, or over all recorded steps if there is no cycle"},
     {"--points", nullptr, "FILE", kRun | kSweep,
-     "CSV body,x,y of points inside, instead of those under *POINTS in the deck; - for standard input"},
+     "CSV body,x,y of interior points, used instead of *POINTS in the deck; - for standard input"},
     {"--figures", nullptr, "DIR", kRun, "the pictures of --report as single SVG files"},
     {"--out", nullptr, "DIR", kRun,
-     "all of these outputs in one folder, but for those that have a name of their own, and --stresses and --ranges"},
+     "write all these outputs to one folder, except --stresses, --ranges and outputs given an option of their own"},
     {"--stepping", nullptr, "events|deck", kRun | kSweep,
-     "events (default): follow every change of status; deck: the increments of the deck"},
-    {"--quadrature", nullptr, "accurate|thesis", kRun | kSweep, "accurate (default) or thesis: the rule of 2, 4 and 10 points"},
+     "events (default): follow every change of status; deck: use the increments of the deck"},
+    {"--quadrature", nullptr, "accurate|thesis", kRun | kSweep,
+     "accurate (default), or thesis: the rule of 2, 4 and 10 points"},
     {"--symmetry", nullptr, "deck|images", kRun | kCheck | kSweep,
-     "deck (default): elements on a line of symmetry are kept; images: they are replaced by images"},
+     "deck (default): keep elements on a line of symmetry; images: replace them by images"},
     {"--elimination", nullptr, "dense|compressed|size", kRun | kCheck | kSweep,
-     "compressed: time and memory grow with the number of nodes, not with its cube and square as dense; size (default): "
-     "compressed where a body has more than 800 nodes and one for two pairs"},
+     "dense: time grows as the cube, memory as the square of the number of nodes; compressed: both grow in proportion to it; "
+     "size (default): compressed if a body has more than 800 nodes plus one for every two pairs"},
     {"--touching", nullptr, "N", kRun | kCheck | kSweep,
-     "pairs that may touch, or nearly, at once, 0 for all: where there are more, columns of the contact system are made when "
-     "pairs are about to touch; default: a fifth of more than 1500 pairs, and all where that cannot be or is too little"},
+     "number of pairs that may touch at once, or nearly touch; 0: all. If there are more pairs, columns of the contact system "
+     "are computed only when pairs approach contact. Default: a fifth of more than 1500 pairs; all where this is not possible "
+     "or not enough"},
     {"--memory", nullptr, "SIZE", kRun | kSweep,
-     "bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most half of what is free; compressed: what it "
-     "needs"},
+     "bytes of workspace, for example 65536, 64K, 16M, 1G; default: everything in memory, but at most half of the free memory; "
+     "with compressed elimination what it needs"},
     {"--store", nullptr, "WHERE", kRun, "memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR"},
     {"--threads", nullptr, "N", kRun | kSweep,
-     "tasks at once in assembly, elimination and at interior points, 1 to 64; default 1; of sweep: rows at once, default as "
-     "many "
-     "as the machine has processors. No result depends on it"},
+     "threads for assembly, elimination and interior points, 1 to 64; default 1. For sweep: rows solved at once; default: the "
+     "number of processors. Results do not depend on it"},
     {"--set", nullptr, "NAME=VALUE", kRun | kCheck | kMesh | kSweep,
-     "the value of a parameter, instead of the one that stands there; behind the file's name NAME=VALUE is enough"},
+     "replace the value of a parameter; NAME=VALUE after the file name does the same"},
     {"--params", nullptr, "FILE", kRun | kCheck | kMesh | kSweep,
-     "values of parameters, a line each, NAME = VALUE, or a file of parameters of Dakota; --set goes before it"},
-    {"--response", nullptr, "LIST", kRun | kSweep,
-     "numbers that are asked for, with semicolons between them: \"max tn; contact edge 1\""},
+     "values of parameters, one line NAME = VALUE for each, or a Dakota parameters file; --set takes precedence"},
+    {"--response", nullptr, "LIST", kRun | kSweep, "requested numbers, separated by semicolons: \"max tn; contact edge 1\""},
     {"--results", nullptr, "FILE", kRun | kSweep,
-     "these numbers, a line each; if the run fails a line that begins with FAIL and tells why; of sweep: the table of all "
-     "rows"},
-    {"--row", nullptr, "FILE", kRun, "appends a row to a CSV file: what became of the run, its parameters, these numbers"},
-    {"--resume", nullptr, nullptr, kSweep, "of a sweep that was cut off the rows that are missing"},
-    {"--estimate", nullptr, nullptr, kRun, "solve the deck once more with every element cut in two, and state errors"},
+     "the requested numbers, one line for each; if the run fails, one line with FAIL and the reason. For sweep: the table of "
+     "all rows"},
+    {"--row", nullptr, "FILE", kRun, "append a row to a CSV file: outcome, parameters, requested numbers"},
+    {"--resume", nullptr, nullptr, kSweep, "solve only the rows missing from an interrupted sweep"},
+    {"--estimate", nullptr, nullptr, kRun, "solve the deck again with every element halved, and state errors"},
     {"--progress", nullptr, nullptr, kRun | kResume | kSweep,
-     "a line on standard error that tells how far the run is; default: only on a terminal"},
-    {"--no-progress", nullptr, nullptr, kRun | kResume | kSweep, "no such line"},
+     "show a progress line on standard error; default: only on a terminal"},
+    {"--no-progress", nullptr, nullptr, kRun | kResume | kSweep, "show no progress line"},
     {"--keep", nullptr, nullptr, kRun, "leave the tapes in their folder"},
     {"--save-every", nullptr, "SECONDS", kRun,
-     "with --store file:DIR: how often the state of the path is saved; default 2, and at most 1/60 of the time; 0: at every "
-     "recorded load"},
+     "with --store file:DIR: interval between saved states of the load path; default 2, and at most 1/60 of the time; 0: save "
+     "at every recorded load"},
     {"--quiet", "-q", nullptr, kRun | kCheck | kResume | kSweep,
-     "errors alone on the terminal: neither warnings nor, unless asked for, a listing"},
-    {"--with", nullptr, "FILE", kSketch, "adds the statements of a file"},
-    {"--join", nullptr, "D", kSketch, "takes ends of curves up to a distance D for one"},
-    {"--halve", nullptr, nullptr, kMesh, "takes decks, too, and writes the deck with every element cut in two"},
-    {"--to", nullptr, "fixed|free", kConvert, "the form to write; default: the other one"},
-    {"--output", "-o", "FILE", kSketch | kMesh | kConvert, "where to; default: standard output"},
-    {"--list", nullptr, nullptr, kMake, "tells names and keys"},
+     "print only errors on the terminal: no warnings, and a listing only if it is requested"},
+    {"--with", nullptr, "FILE", kSketch, "add the statements of a file"},
+    {"--join", nullptr, "D", kSketch, "join ends of curves that are at most D apart"},
+    {"--halve", nullptr, nullptr, kMesh, "accept decks too, and write the deck with every element halved"},
+    {"--to", nullptr, "fixed|free", kConvert, "form to write; default: the other form"},
+    {"--output", "-o", "FILE", kSketch | kMesh | kConvert, "output file; default: standard output"},
+    {"--list", nullptr, nullptr, kMake, "list names and keys"},
 };
 
-const char kNotes[] =
-    "DECK, and FILE of what is read, may be - for standard input; FILE of what is written - for standard output.\n";
+const char kNotes[] = "DECK and input FILEs may be - for standard input, output FILEs - for standard output.\n";
 const char kStatuses[] =
     "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output file failed;\n"
-    "4 workspace too small; 64 bad usage; 75 store or sweep in use by another process; 130 cancelled;\n"
-    "143 ended by SIGTERM, resume goes on\n";
+    "4 workspace too small; 5 results written, a wanted tolerance not met; 64 bad usage;\n"
+    "75 store or sweep in use by another process; 130 cancelled; 143 ended by SIGTERM, resume continues\n";
 constexpr size_t kMargin = 23, kWidth = 110;
 
-// `name`, and `text` beside it, on lines of kWidth.
+// Appends `name`, and beside it `text`, broken into lines of at most kWidth characters.
 void append_row(std::string& out, const std::string& name, const std::string& text) {
   std::string line = "  " + name;
   if (line.size() > kMargin - 2) {
@@ -191,16 +189,16 @@ std::string help_text(const std::string& command) {
   if (const CommandRow* row = find_command(command); row != nullptr && row->command != Command::kHelp) return help_of(*row);
   std::string out = "usage: contact2d COMMAND ...\n\n";
   for (const CommandRow& row : kCommands) append_row(out, std::string(row.name) + " " + row.words, row.help);
-  append_row(out, "-V, --version", "tells the version");
-  append_row(out, "-h, --help", "behind a command: tells of it alone");
+  append_row(out, "-V, --version", "print the version");
+  append_row(out, "-h, --help", "after a command: print the help of that command");
   for (const CommandRow& row : kCommands) {
     bool first = true;
     for (const OptionRow& option : kOptions) {
       if ((option.commands & bit_of(row.command)) == 0) continue;
       if (first) out += std::string("\noptions of ") + row.name + ":\n";
       first = false;
-      const bool told = (option.commands & (bit_of(row.command) - 1)) != 0; // with a command before this one
-      if (told)
+      const bool described = (option.commands & (bit_of(row.command) - 1)) != 0; // with a command before this one
+      if (described)
         append_row(out, option.name, "as above");
       else
         append_option(out, option);

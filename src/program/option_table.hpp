@@ -1,5 +1,5 @@
-// Commands and options of the program, each in one row: what the command line is read by, and what help and the completions of
-// shells are made from.
+// Commands and options of the program, one row each. The parser of the command line, the help and the shell completions all
+// use these tables.
 #pragma once
 
 #include "program/options.hpp"
@@ -12,15 +12,15 @@ namespace app {
 struct CommandRow {
   const char* name;
   Command command;
-  const char* words; // what stands behind it beside options
+  const char* words; // arguments after the name, options excepted
   const char* help;
 };
 
 struct OptionRow {
   const char* name;  // --csv
-  const char* brief; // -o; null: there is none
-  const char* value; // FILE, DIR, SIZE, events|deck ...: one of these words; null: it takes no value
-  uint32_t commands; // bit_of each that takes it
+  const char* brief; // short form (-o), or null
+  const char* value; // FILE, DIR, SIZE, or the permitted words (events|deck); null: no value
+  uint32_t commands; // bit_of each command that accepts it
   const char* help;
 };
 
@@ -29,14 +29,14 @@ constexpr uint32_t bit_of(Command command) { return 1u << static_cast<unsigned>(
 const std::vector<CommandRow>& all_commands();
 const std::vector<OptionRow>& all_options();
 
-// null: there is no such command.
+// Null if there is no such command.
 const CommandRow* find_command(const std::string& name);
-// Of `command`, by either name; null: it has none such.
+// The option of `command` with this long or short name; null if it has none.
 const OptionRow* find_option(Command command, const std::string& name);
-// "events|deck" as its words; empty for anything that is not such a list.
+// The words of a list such as "events|deck"; empty if the value is no such list.
 std::vector<std::string> words_of_value(const OptionRow& option);
 
-// What --help prints; with the name of a command what there is to know of it.
+// The text of --help, for all commands or for one.
 std::string help_text(const std::string& command = "");
 
 } // namespace app
