@@ -36,46 +36,88 @@ std::string tail_of(const double* loads, int32_t load_cases) {
   return tail + '\n';
 }
 
-} // namespace
+// A table is a list of columns: the name, and what adds the value of a row with a comma before it. Behind them stand the
+// factors of the other load cases.
+template <class Row> struct Column {
+  const char* name;
+  void (*add)(std::string& out, const Row& row);
+};
 
-void append_contact_header(std::string& out, int32_t load_cases) {
-  out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2";
+template <class Row, size_t N> void append_heading(std::string& out, const Column<Row> (&columns)[N], int32_t load_cases) {
+  out += "mu,step,load";
+  for (const Column<Row>& column : columns) (out += ',') += column.name;
   end_heading(out, load_cases);
 }
+
+template <class Row, size_t N>
+void append_row(std::string& out, const Column<Row> (&columns)[N], const Row& row, const std::string& head,
+                const std::string& tail) {
+  out += head;
+  for (const Column<Row>& column : columns) column.add(out, row);
+  out += tail;
+}
+
+struct PairRow {
+  int64_t pair;        // from 1
+  const double* value; // of the library's table
+  const c2d_zone* zone;
+};
+template <int32_t Field> void add_value(std::string& out, const PairRow& row) { add(out, row.value[Field]); }
+constexpr Column<PairRow> kContactColumns[] = {
+    {"pair", [](std::string& out, const PairRow& row) { add(out, row.pair); }},
+    {"x", add_value<C2D_X>},
+    {"y", add_value<C2D_Y>},
+    {"status",
+     [](std::string& out, const PairRow& row) { (out += ',') += status_word(static_cast<int32_t>(row.value[C2D_STATUS])); }},
+    {"tn", add_value<C2D_TN>},
+    {"tt", add_value<C2D_TT>},
+    {"un1", add_value<C2D_UN1>},
+    {"ut1", add_value<C2D_UT1>},
+    {"un2", add_value<C2D_UN2>},
+    {"ut2", add_value<C2D_UT2>},
+    {"gap", add_value<C2D_GAP>},
+    {"slip", add_value<C2D_SLIP_SUM>},
+    {"zone", [](std::string& out, const PairRow& row) { add(out, static_cast<int64_t>(row.value[C2D_PAIR_ZONE])); }},
+    {"body1", [](std::string& out, const PairRow& row) { add(out, int64_t{row.zone->side1.body}); }},
+    {"body2", [](std::string& out, const PairRow& row) { add(out, int64_t{row.zone->side2.body}); }},
+};
+
+struct BodyRow {
+  int64_t body; // from 1
+  const c2d_body_state* state;
+};
+template <int32_t Component> void add_contact(std::string& out, const BodyRow& row) { add(out, row.state->contact[Component]); }
+template <int32_t Component> void add_motion(std::string& out, const BodyRow& row) { add(out, row.state->motion[Component]); }
+constexpr Column<BodyRow> kBodyColumns[] = {
+    {"body", [](std::string& out, const BodyRow& row) { add(out, row.body); }},
+    {"fx", add_contact<0>},
+    {"fy", add_contact<1>},
+    {"moment", add_contact<2>},
+    {"ux", add_motion<0>},
+    {"uy", add_motion<1>},
+    {"rotation", add_motion<2>},
+};
+
+} // namespace
+
+void append_contact_header(std::string& out, int32_t load_cases) { append_heading(out, kContactColumns, load_cases); }
 
 void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary) {
   const std::string head = head_of(step), tail = tail_of(step.loads, step.cases);
   for (int32_t p = 0; p < step.pairs; ++p) {
-    const double* row = step.table + p * step.stride;
-    out += head;
-    add(out, int64_t{p} + 1);
-    add(out, row[C2D_X]);
-    add(out, row[C2D_Y]);
-    out += ',';
-    out += status_word(static_cast<int32_t>(row[C2D_STATUS]));
-    for (int32_t k = C2D_TN; k <= C2D_SLIP_SUM; ++k) add(out, row[k]);
-    const int64_t zone = static_cast<int64_t>(row[C2D_PAIR_ZONE]);
-    const c2d_zone& z = summary.zone[static_cast<size_t>(zone - 1)];
-    for (const int64_t number : {zone, int64_t{z.side1.body}, int64_t{z.side2.body}}) add(out, number);
-    out += tail;
+    const double* value = step.table + p * step.stride;
+    const c2d_zone& zone = summary.zone[static_cast<size_t>(value[C2D_PAIR_ZONE]) - 1];
+    append_row(out, kContactColumns, PairRow{int64_t{p} + 1, value, &zone}, head, tail);
   }
 }
 
-void append_bodies_header(std::string& out, int32_t load_cases) {
-  out += "mu,step,load,body,fx,fy,moment,ux,uy,rotation";
-  end_heading(out, load_cases);
-}
+void append_bodies_header(std::string& out, int32_t load_cases) { append_heading(out, kBodyColumns, load_cases); }
 
 void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver) {
   const std::string head = head_of(step), tail = tail_of(step.loads, step.cases);
   c2d_body_state state = C2D_INIT(c2d_body_state);
-  for (int32_t body = 1; c2d_get_body_state(solver, body, &state) == C2D_OK; ++body) {
-    out += head;
-    add(out, int64_t{body});
-    for (const double number : state.contact) add(out, number);
-    for (const double number : state.motion) add(out, number);
-    out += tail;
-  }
+  for (int32_t body = 1; c2d_get_body_state(solver, body, &state) == C2D_OK; ++body)
+    append_row(out, kBodyColumns, BodyRow{body, &state}, head, tail);
 }
 
 namespace {

@@ -12,12 +12,12 @@ namespace app {
 
 // With several load cases tables of steps have their other factors at the end, load2, load3, ...
 
-// mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2
+// Names of the columns: kContactColumns.
 void append_contact_header(std::string& out, int32_t load_cases);
 // A row per pair of a recorded or last step.
 void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary);
 
-// mu,step,load,body,fx,fy,moment,ux,uy,rotation
+// Names of the columns: kBodyColumns.
 void append_bodies_header(std::string& out, int32_t load_cases);
 // A row per body of a recorded or last step; inside the callback.
 void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver);
