@@ -249,7 +249,7 @@ TEST_CASE("names by calls: what is refused changes nothing") {
   CHECK(refused(C2D_NAME_BODY, 1, "12345678901234567890123456789012"));
   CHECK(std::string(error_of(s.solver).text) == "the name is too long, expected at most 31 bytes");
   CHECK(refused(C2D_NAME_BODY, 1, "two\nlines"));
-  CHECK(std::string(error_of(s.solver).text) == "the name holds a control character or no UTF-8, expected text");
+  CHECK(std::string(error_of(s.solver).text) == "the name contains a control character or no UTF-8, expected text");
   for (const char* wrong : {"\x01",
                             "a\tb",
                             "\x7f",
@@ -308,7 +308,7 @@ TEST_CASE("names in a deck: faults, with their columns") {
   CHECK(f.column == 14);
   CHECK(f.column_end == 45);
   f = fault_of("*NAME ZONE 2 caf\xe9 bar");
-  CHECK(std::string(f.text) == "the name holds a control character or no UTF-8, expected text");
+  CHECK(std::string(f.text) == "the name contains a control character or no UTF-8, expected text");
   CHECK(f.column == 14);
   CHECK(f.column_end == 21);
   CHECK(std::string(fault_of("*NAME BODY 2").text) == "the card ends here, expected a name");

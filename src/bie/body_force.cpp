@@ -1,3 +1,10 @@
+// Particular solutions for weight and rotation, and their resultants (METHOD 6, equations METHOD (6.1) to (6.3)).
+//   weight b:                  sigma_p = -(b.x) I
+//   rotation rho omega^2 x:    u_p = -rho omega^2 (1 - 2 nu) / (16 G (1 - nu)) r^2 x
+// u - u_p then satisfies the equations without body force, and no integral over the area is needed. Resultants and work are
+// integrals of polynomials over the area. By the divergence theorem they are integrals along the boundary, exact by Gauss
+// rules.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course, on body forces (particular solutions).
 #include "bie/body_force.hpp"
 
 #include "model/element.hpp"
@@ -27,7 +34,7 @@ void add_rotation(const BodyForce& f, double nu, double g, double x, double y, P
   out.stress[2] += 4.0 * g * k * x * y;
 }
 
-// Area and first moments about a point.
+// Area and first moments about a point, from the boundary alone.
 struct AreaMoments {
   double area, x, y;
 
@@ -40,7 +47,7 @@ struct AreaMoments {
   }
 };
 
-// Five points are exact up to the ninth degree; x^2 dy is of the eighth on cubic elements.
+// Five points are exact up to degree nine; x^2 dy has degree eight on cubic elements.
 constexpr int kPoints = 5;
 constexpr double kPlace[kPoints] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831, 0.9061798459386640};
 constexpr double kWeight[kPoints] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
@@ -73,6 +80,7 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
   const double nu = strain_poisson_ratio(m, b), g = shear_modulus(m, b);
   Particular out = {{0.0, 0.0}, {0.0, 0.0, 0.0}};
   double origin[2];
+  // On a line of symmetry the origin is on the line: u_p is then as symmetric as the body force.
   for (int c = 0; c < 2; ++c) origin[c] = (m.body[b].lines >> c & 1) != 0 ? head.line_at[c] : m.body[b].centre[c];
   add_weight(f, nu, g, x - origin[0], y - origin[1], out);
   add_rotation(f, nu, g, x - f.x0, y - f.y0, out);
@@ -92,7 +100,8 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
   if (!is_loaded(f)) return;
   const double* centre = body_of(m, b).centre;
   const AreaMoments a = area_moments(m, b, centre[0], centre[1]);
-  // Force density: weight plus rho omega^2 (place - axis), place counted from the centre.
+  // Force density: weight plus rho omega^2 (place - axis), with the place counted from the body's centre. Moments of area
+  // about a far axis would cancel.
   const double w = f.rho_omega2, ax = f.x0 - centre[0], ay = f.y0 - centre[1];
   out[0] = f.bx * a.area + w * (a.x - ax * a.area);
   out[1] = f.by * a.area + w * (a.y - ay * a.area);
@@ -103,7 +112,7 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
 
 namespace {
 
-// Of b.u_p, along a line y = constant from x = from to `to`: three Gauss points are exact for its fourth degree.
+// Integral of b.u_p along a line y = constant from x = from to x = to: three Gauss points are exact for its fourth degree.
 double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to, double y) {
   const GaussRule rule = gauss_legendre(3);
   double sum = 0.0;
@@ -122,6 +131,7 @@ double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particula
 double body_force_work(const Model& m, int b, int32_t load_case, int32_t particular_case) {
   const BodyForce& f = body_force(m, b, load_case);
   if (!is_loaded(f)) return 0.0;
+  // Green's theorem: the area integral of f is the boundary integral of (int f dx) dy.
   const double origin = body_of(m, b).centre[0];
   const GaussRule rule = gauss_legendre(10); // exact for the 17th degree of cubic elements
   double sum = 0.0;

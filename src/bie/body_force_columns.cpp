@@ -1,4 +1,5 @@
-// Right-hand sides of body forces: optional (memory/parts.hpp).
+// Right-hand sides of body forces: H u_p - G t_p, moved to the right, and the force and moment of the body force in the
+// balances (METHOD (6.1)). An optional part (memory/parts.hpp).
 #include "bie/body_force.hpp"
 #include "bie/panel.hpp"
 
@@ -20,6 +21,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
     const Particular p = particular_solution(m, b, load_case, x, y);
     particular_traction(m, b, load_case, element, l, t);
     for (int c = 0; c < 2; ++c) {
+      // u_p and t_p are interpolated like any displacement and traction of the element.
       deposits.add(&blocks.h[l][0][c], column, p.u[c] / m.head->length_unit);
       deposits.add(&blocks.g[l][0][c], column, -t[c] / (2.0 * shear_modulus(m, b)));
     }
@@ -28,17 +30,18 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
   if (deposits.count > 0) scatter_sources(system, hole, node, true, true);
 }
 
-// What the body force of a load case adds to its right-hand side: the equations hold for u - u_p and t - t_p.
+// The body force of one load case in its right-hand side: METHOD (2.5) is valid for u - u_p and t - t_p.
 void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.body[b];
   const int32_t column = panel.range.right + load_case;
-  if (!panel.range.holds(column) || !is_loaded(body_force(m, b, load_case))) return;
+  if (!panel.range.contains(column) || !is_loaded(body_force(m, b, load_case))) return;
   const bool elsewhere = !kSmallCode && system.rest && !hole;
   for (int32_t element = 0; element < body.elements && !elsewhere; ++element)
     if (is_integrated(m, b, element)) add_particular(system, hole, panel, element, load_case);
   if (hole) return;
+  // The diagonal block acts on u_p as it does on u.
   for (int32_t node = 0; node < body.nodes; ++node) {
     if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
     double x, y;

@@ -1,3 +1,7 @@
+// Stress tensor on the boundary from traction and tangential strain, METHOD (16.1): s_ss = 2G/(1 - nu) e_ss + nu/(1 - nu)
+// s_nn. The traction gives the normal and shear components directly; only s_ss needs Hooke's law. So no hypersingular integral
+// is evaluated at the boundary.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course, on stresses on the boundary.
 #include "bie/boundary_stress.hpp"
 
 #include "memory/math.hpp"

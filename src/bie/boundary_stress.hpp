@@ -1,5 +1,5 @@
 #pragma once
-// Stress tensor on the boundary from what is known there: traction and the derivative of displacement along it.
+// Stress tensor on the boundary from the traction and the derivative of the displacement along the boundary.
 
 namespace c2d {
 
@@ -15,7 +15,7 @@ PlaneStress boundary_stress(const double n[2], const double t[2], const double d
 
 // Out of the plane: nu (sxx + syy) in plane strain, 0 in plane stress.
 double stress_across(const PlaneStress& s, bool plane_strain, double nu);
-// Invariants: von Mises' with szz, and the largest shear in the plane.
+// Invariants: von Mises stress with szz, and the largest shear stress in the plane.
 double von_mises(const PlaneStress& s, double szz);
 double largest_shear(const PlaneStress& s);
 

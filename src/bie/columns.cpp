@@ -1,3 +1,16 @@
+// Assembly of a body's equations, column by column (METHOD 2, equations METHOD (2.5) and (2.6)):
+//   H u - G t - rho - omega e_z x (x - x_0) = 0 at every functional node, sum of forces = 0, sum of moments = 0.
+// The elimination asks for a range of columns.
+// Phases:
+// 1. For each element with an unknown or a prescribed value in the range: work out where its integrals go (targets.cpp),
+//    integrate it for all sources (sources.cpp), add its share of the balances.
+// 2. Point loads and body forces, into the right-hand sides.
+// 3. Holes: the same integrals in the additional term of METHOD (4.1).
+// 4. Nodes: free term and principal value (the diagonal), twins, rho and omega.
+// 5. Free zones (transfer.cpp), and at last the rows that symmetry replaces by u = 0.
+// Columns and not rows, because an element's integrals belong to a few columns: each panel of the elimination integrates only
+// the elements that it needs.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course; Rizzo, Quart. Appl. Math. 25 (1967).
 #include "bie/columns.hpp"
 
 #include "bie/body_force.hpp"
@@ -15,7 +28,7 @@ C2D_USES(HolePart);
 
 namespace {
 
-// Prescribed values of one element and one load case.
+// Prescribed values of one element in one load case. They multiply the same integrals as unknowns do.
 void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case, bool want_h,
                          bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
   const Model& m = panel.m;
@@ -37,6 +50,8 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   const bool contact = measure == Measure::contact;
+  // Displacements go with the element's own length. Tractions of the contact are measured per length of the other side, so
+  // they have integrals of their own.
   const bool want_h = t.want_h && !contact, want_g = contact ? t.want_contact : t.want_g;
   make_integrator(m, system.body, element, system.quadrature, measure, system.scratch->integrator);
   const Blocks& blocks = system.scratch->blocks;
@@ -47,16 +62,18 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
       if (want_h) add_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
       if (want_g && t.g[l][c].contact == contact) add_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
     }
-  // One load case shares the pass over the sources with the unknowns; each further one has a pass of its own.
-  const int32_t passes = panel.range.holds_right() ? m.head->load_cases : 1;
+  // The first load case shares the pass over the sources with the unknowns; each further one has a pass of its own. The list of
+  // deposits is then bounded, however many load cases there are.
+  const int32_t passes = panel.range.has_right() ? m.head->load_cases : 1;
   for (int32_t pass = 0; pass < passes; ++pass) {
     if (pass > 0) deposits.count = 0;
-    if (panel.range.holds_right()) aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
+    if (panel.range.has_right()) aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
     scatter_sources(system, hole, t.node, want_h, want_g);
   }
 }
 
+// Resultants of the shape functions: their integrals are exact, so forces and moments balance to rounding in METHOD (2.6).
 void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure,
                  int32_t row) {
   const Model& m = system.model;
@@ -87,6 +104,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t source) {
   unknowns_at(m, b, node, unknown);
   for (int c = 0; c < 2; ++c) {
     const Destination d = displacement_destination(m, b, node, c, unknown[c]);
+    // The second of two nodes at one place: its equations are u_first = u_second, METHOD 2.5.
     if (second) {
       const Destination other = displacement_destination(m, b, twin, c, unknown_at(m, b, twin, c));
       panel.send_h(d, node, c, row + c, 1.0);
@@ -98,6 +116,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t source) {
   }
   if (second) return;
   const double* at = system.point + 2 * static_cast<int64_t>(source);
+  // rho and omega e_z x (x - x_0) in this node's two equations.
   panel.add(row, body.columns, -1.0);
   panel.add(row + 1, body.columns + 1, -1.0);
   panel.add(row, body.columns + 2, at[1] - body.centre[1] / m.head->length_unit);
@@ -106,7 +125,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t source) {
 
 namespace {
 
-// Everything that is integrated or acts at points; with a hole, what its equations have beside those of other nodes.
+// Everything that is integrated or acts at points. With a hole: its additional term instead.
 void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   const Model& m = system.model;
   const int b = system.body;
@@ -121,31 +140,32 @@ void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
     add_element(system, hole, panel, element, targets, Measure::contact);
     if (!hole) add_balance(system, panel, element, targets, Measure::contact, balance);
   }
-  for (int32_t i = 0; i < m.head->point_loads && panel.range.holds_right(); ++i)
+  for (int32_t i = 0; i < m.head->point_loads && panel.range.has_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);
   for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k)
     kBodyForcePart.add_body_force_columns(system, hole, panel, k);
 }
 
-// This row says: the unknown of column j is zero.
-void hold(const Panel& panel, int32_t row, int32_t j) {
+// Replaces a row by the equation "the unknown of column j is zero".
+void set_zero_row(const Panel& panel, int32_t row, int32_t j) {
   for (int32_t k = panel.range.first; k < panel.range.last; ++k) *(panel.column(k) + row) = 0;
   panel.add(row, j, 1.0);
 }
 
-// Where symmetry leaves nothing of an equation, or fixes the displacement: u = 0 in place of it. Of the balances those
-// remain that a symmetric state can violate: the force along the only line.
-[[gnu::noinline]] void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
+// Rows that symmetry leaves empty, or whose displacement it fixes, become u = 0. Of the balances only those remain that a
+// symmetric state can violate: the force along a single line (METHOD 5).
+[[gnu::noinline]] void fix_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   const Model& m = system.model;
   const Body& body = m.body[system.body];
   for (int32_t node = 0; node < body.nodes; ++node)
     for (int c = 0; c < 2; ++c)
-      if (is_held_by_symmetry(m, system.body, node, c)) hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
+      if (is_held_by_symmetry(m, system.body, node, c))
+        set_zero_row(panel, 2 * node + c, outer_column(m, system.body, node, c));
   for (int c = 0; c < 3; ++c)
-    if (c == 2 || (body.lines >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
+    if (c == 2 || (body.lines >> c & 1) != 0) set_zero_row(panel, 2 * body.nodes + c, body.columns + c);
 }
 
-// All but what free zones hand over. (Not inlined: that goes deep.)
+// Everything but free zones. (Not inlined: the call chain below is deep.)
 [[gnu::noinline]] void fill_own_columns(const ColumnSystem& system, const Panel& panel) {
   const Model& m = system.model;
   const int b = system.body;
@@ -169,7 +189,7 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   const Panel panel{m, system.body, range, data, ld};
   fill_own_columns(system, panel);
   if (body.free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
-  if (body.lines != 0) hold_by_symmetry(system, panel);
+  if (body.lines != 0) fix_by_symmetry(system, panel);
 }
 
 } // namespace c2d

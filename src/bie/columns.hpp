@@ -1,8 +1,8 @@
 #pragma once
 // Column-wise assembly of the balanced boundary equations of one body (METHOD 2):
 //   H u - G t - rho - omega e_z x (x - x0) = 0 at every functional node, and forces and moment of all t add to 0.
-// With lines of symmetry (model/symmetry.hpp) every element acts together with its images, and equations that symmetry
-// leaves empty say that their unknown is zero.
+// With lines of symmetry (model/symmetry.hpp) every element acts together with its images. An equation that symmetry leaves
+// empty becomes "its unknown is zero".
 // Lengths are in ModelHeader::length_unit, outer tractions of body b in 2 G_b, contact tractions tau in stress_unit.
 //
 // Rows: 2 p, 2 p + 1 for functional node p; then three, the balances of force x, force y and moment; then, for each contact
@@ -20,7 +20,7 @@
 
 namespace c2d {
 
-struct AssemblyScratch; // bie/panel.hpp: what one element at a time needs, too much for a small stack
+struct AssemblyScratch; // bie/panel.hpp: work space for one element at a time, too large for a small stack
 struct BatchKernel;
 struct Hole;
 struct ColumnSystem {
@@ -31,13 +31,13 @@ struct ColumnSystem {
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
   AssemblyScratch* scratch;
-  const BatchKernel* batch = nullptr; // bie/integrals/batch.hpp; without it sources are taken one by one
-  bool some_passed_over = true;       // second twins or nodes of axis elements; place_sources() tells
-  // Where not every node is a source (bie/integrals/chosen.hpp): point and twin are then of the chosen ones alone.
-  const int32_t* chosen = nullptr; // [sources] nodes, kNoNode for a point that is none; null: all of the body's
+  const BatchKernel* batch = nullptr; // bie/integrals/batch.hpp; null: sources are processed one by one
+  bool some_passed_over = true;       // second twins or nodes of axis elements exist; from place_sources()
+  // If not every node is a source (bie/integrals/chosen.hpp): point and twin then belong to the chosen ones alone.
+  const int32_t* chosen = nullptr; // [sources] nodes, kNoNode for a point that is no node; null: all of the body's
   int32_t sources = 0;
   bool alone = false; // without images
-  bool rest = false;  // without what elements do at the body's own nodes (elimination/far_sums.hpp)
+  bool rest = false;  // without the sums over elements at the body's own nodes (elimination/far_sums.hpp)
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 constexpr int32_t kNoNode = -1;
@@ -45,15 +45,15 @@ inline int32_t sources_of(const ColumnSystem& s) { return s.chosen ? s.sources :
 inline int32_t node_of_source(const ColumnSystem& s, int32_t source) { return s.chosen ? s.chosen[source] : source; }
 inline int32_t images_of(const ColumnSystem& s) { return s.alone ? 0 : s.model.body[s.body].lines; }
 
-// The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and
-// U likewise: the image of an element acts on P as the element itself on RP, rows times the signs of R.
+// The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and U
+// likewise: the image of an element acts on P as the element itself acts on RP, with the rows times the signs of R.
 struct Source {
   double x, y;
-  bool on_itself; // it lies on every line it is mirrored across
+  bool on_itself; // it lies on every line across which it is mirrored
 };
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]);
 
-// Fill `point` and `twin`. Before everything else. Returns whether there are nodes without collocation.
+// Fills `point` and `twin`; called first. Returns whether there are nodes without collocation.
 bool place_sources(const ColumnSystem& system);
 
 inline int32_t system_rows(const Model& m, int b) { return 2 * m.body[b].nodes + 3 + m.body[b].free_rows; }
@@ -69,7 +69,7 @@ int32_t outer_column(const Model& model, int b, int32_t node, int component);
 // Fill `diagonal` for the nodes [first, first + count): one integral with unit density per source and element.
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count);
 
-// What one element takes off it, for the sources [first, first + count).
+// Subtracts one element's share from the diagonal, for the sources [first, first + count).
 void take_rigid_sums(const ColumnSystem& system, int32_t element, int32_t first, int32_t count);
 
 // Assign all rows of columns first ... first+count-1; panel is column-major with leading dimension ld.

@@ -8,8 +8,8 @@
 
 namespace c2d {
 
-// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor *
-// block[i] with `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
+// Where the integrals of one element go, found once for all sources: column[2 s + i] += factor * block[i]. `block` is the
+// place of the component's integral for i = 0; the one for i = 1 is two doubles behind it.
 struct Deposit {
   const double* block;
   Real* column;

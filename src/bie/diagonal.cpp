@@ -1,3 +1,12 @@
+// The diagonal blocks of a body of straight elements in closed form (METHOD 2.3, equation METHOD (2.4)).
+//
+// A translation needs no tractions, so int T ds over a path depends on its ends only. For a source on the boundary the path is
+// the whole boundary except the elements at the source:
+// 1. Rays from the source to the two ends of that path, images included.
+// 2. Elements at the source: their sums without the singular part are subtracted.
+// 3. The path: METHOD (2.4), where the angle grows by that of the material at the source.
+// Cost: constant for each node, in place of one integral per element and node.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course (diagonal by rigid-body motion).
 #include "bie/diagonal.hpp"
 
 #include "bie/integrals/integrals_detail.hpp"
@@ -10,7 +19,7 @@ namespace c2d {
 
 namespace {
 
-// Rays from a source along the boundary that is left without the elements at it: to where it starts and ends.
+// Rays from a source to the start and the end of the boundary without the elements at it.
 struct Rays {
   double start[2], end[2];
 };
@@ -22,8 +31,8 @@ void aim(const Model& m, int image, double x, double y, const double at[2], doub
   ray[0] = p.x - at[0], ray[1] = p.y - at[1];
 }
 
-// Leaves out the images of the elements at the node, which is its own image there; their own sums are taken off the diagonal.
-// (A reflection turns the way round: where the element ends its image starts.)
+// Leaves out the elements at the node, and their images if the node is its own image: their own sums are subtracted from the
+// diagonal. (A reflection reverses the direction of travel: where the element ends, its image starts.)
 void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, int image, const double at[2], Rays& rays,
                double* diagonal) {
   const Model& m = system.model;
@@ -43,11 +52,12 @@ void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, 
   }
 }
 
-// Takes the path off the diagonal.
+// Subtracts the path's integral from the diagonal.
 void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
   const double(&p)[2] = rays.start, (&q)[2] = rays.end;
   const double p2 = p[0] * p[0] + p[1] * p[1], q2 = q[0] * q[0] + q[1] * q[1];
   const double turn = atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+  // The angle of the path is between 0 and 2 pi; atan2 gives angles above pi as negative ones.
   const double alpha = -any.t2 * (turn < 0.0 ? turn + 2.0 * kPi : turn);
   const double beta = p[0] * p[1] / p2 - q[0] * q[1] / q2;
   const double gamma = 0.5 * ((q[0] * q[0] - q[1] * q[1]) / q2 - (p[0] * p[0] - p[1] * p[1]) / p2);
@@ -78,7 +88,7 @@ bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_
       leave_out(system, any, node, image, at, rays, diagonal);
       if (twin >= 0) leave_out(system, any, twin, image, at, rays, diagonal);
     }
-    if (images <= 2) take_path_off(any, rays, diagonal); // (on both lines symmetry holds the node)
+    if (images <= 2) take_path_off(any, rays, diagonal); // on both lines of symmetry the node is fixed
   }
   return true;
 }

@@ -3,9 +3,9 @@
 // integrals.hpp,
 //   int T ds = k [ -(2-2nu) theta - sin(2 theta)/2, cos(2 theta)/2 - (1-2nu) ln r ]
 //                [ cos(2 theta)/2 + (1-2nu) ln r,   -(2-2nu) theta + sin(2 theta)/2 ]   between its ends:
-// a rigid translation does no work on the way. The boundary without the elements at the source is such a path, over
-// which theta grows by the angle of the material there, holes and all. No element need be looked at. With images it is the
-// boundary of the body and of all its images.
+// it does not depend on the way, because a translation needs no tractions. The boundary without the elements at the source is
+// such a path, over which theta grows by the angle of the material at the source, holes or not. No element needs to be
+// visited. With images it is the boundary of the body and of all its images.
 #include "bie/columns.hpp"
 
 namespace c2d {

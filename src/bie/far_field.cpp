@@ -1,3 +1,15 @@
+// Far field of a group of elements: multipole series of displacement and stress (METHOD (16.10)).
+//
+// With w = P - c from the centre c of the group's circle, METHOD (16.2) summed over the group depends on two analytic
+// functions:
+//   F = T ln w + sum f_j (R/w)^j,   X = -(kappa/2) T* ln w + sum x_j (R/w)^j,
+// the Kolosov-Muskhelishvili functions of the group's forces and displacements.
+// 1. Element to group: a Gauss rule gives point sources, whose coefficients are powers of q = (x - c)/R.
+// 2. Group to larger group: the series is shifted to the new centre by the binomial theorem.
+// 3. Evaluation at a point: one sum of kFarTerms terms for displacement, trace and deviator.
+// At kFarDistance radii from the centre the terms decay like 3^-j, so 30 of them are as accurate as the integrals.
+// Literature: Greengard and Rokhlin, J. Comput. Phys. 73 (1987); Muskhelishvili, Some Basic Problems of the Mathematical
+// Theory of Elasticity.
 #include "bie/far_field.hpp"
 
 #include "bie/integrals/integrals_detail.hpp"
@@ -8,7 +20,8 @@
 namespace c2d {
 namespace {
 
-// Points of the group's own distance from where it is looked at see each of its elements so far away that this rule does.
+// The Gauss rule for an element: a point at kFarDistance of the group's radius is so far from each of its elements that this
+// rule meets its bound.
 int far_order(const FieldElement& e, double radius) {
   const Integrator& in = e.in;
   const double away = (kFarDistance - 1.0) * radius;
@@ -21,12 +34,14 @@ int far_order(const FieldElement& e, double radius) {
   return kFarOrders[kLast];
 }
 
-// One point of the element: force t, n u and n . u, all times the weight, at a place q, in radii from the middle.
+// A quadrature point of the element: force t, n u and n . u, all times the weight, at the place q, in radii from the centre.
 struct PointSource {
   Complex t, nu, q;
   double along;
 };
 
+// Expands 1/(q - w) in powers of q/w. X contains conj(q) explicitly, because displacements are not analytic in the place of
+// the source.
 void add_source(const PointSource& s, double kappa, FarField& out) {
   const Complex tq = s.t * conj(s.q), nq = s.nu * conj(s.q);
   Complex power = {1.0, 0.0}, before = {0.0, 0.0}; // q^(j-1), q^(j-2)
@@ -41,17 +56,17 @@ void add_source(const PointSource& s, double kappa, FarField& out) {
   }
 }
 
-// sum over j of c_j (w - d)^-j in powers of 1/w: of one more power in each step.
+// Coefficients of sum over j of c_j (w - d)^-j in powers of 1/w, row by row: each step adds one power.
 struct Shift {
   double ratio;             // of the radii
-  Complex by;               // the way between the middles, in the larger radius
+  Complex by;               // distance of the centres, in the larger radius
   Complex table[kFarTerms]; // binomial (l-1 over j-1) ratio^j by^(l-j), of the row l
 
   void first() {
     for (Complex& entry : table) entry = Complex{0.0, 0.0};
     table[0] = Complex{ratio, 0.0};
   }
-  // From row l - 1 to l: (l-1 over j-1) = (l-2 over j-1) + (l-2 over j-2).
+  // Pascal's rule, from row l - 1 to l: (l-1 over j-1) = (l-2 over j-1) + (l-2 over j-2).
   void next(int l) {
     for (int j = l; j > 1; --j) table[j - 1] = table[j - 1] * by + ratio * table[j - 2];
     table[0] = table[0] * by;
@@ -63,6 +78,7 @@ struct Shift {
 void add_to_far_field(const FieldElement& e, Complex rest, FarField& out) {
   const GaussRule rule = gauss_legendre(far_order(e, out.radius));
   const Expansion x = expand(e.in, 0.0, out.middle.re, out.middle.im, false);
+  // Powers of (x - c)/R stay below 1, so no coefficient overflows, however many terms there are.
   const double part = 1.0 / out.radius;
   for (int i = 0; i < rule.n; ++i) {
     const GaussPoint point = gauss_point(rule, i);
@@ -75,7 +91,7 @@ void add_to_far_field(const FieldElement& e, Complex rest, FarField& out) {
   }
 }
 
-// With w = w' - d, w' from the larger group's middle, the term w conj(F')/2 leaves -d* F'/2 to X.
+// Shift to the larger group's centre. With w = w' - d, w' from that centre, the term w conj(F')/2 contributes -d* F'/2 to X.
 void add_to_far_field(const FarField& part, double kappa, FarField& out) {
   if (!(part.radius > 0.0)) return;
   const Complex d = part.middle - out.middle;
@@ -100,7 +116,7 @@ void add_to_far_field(const FarField& part, double kappa, FarField& out) {
   }
 }
 
-constexpr double kNothing = 1e-38; // squared, of what the first power is worth
+constexpr double kNothing = 1e-38; // squared size of a power, relative to 1, below which the rest vanishes
 
 void add_far_field(const FarField& group, double k, double kappa, double x, double y, PointField& sum) {
   const Complex w = Complex{x, y} - group.middle;
@@ -118,6 +134,7 @@ void add_far_field(const FarField& group, double k, double kappa, double x, doub
     add(g1, j * b);
     power = power * s;
   }
+  // F', F'' and X' from the sums weighted by j and j (j + 1): no second series is needed.
   const Complex slope = inverse * (group.force - f1), bend = (inverse * inverse) * (f2 - group.force);
   const Complex rise = (-1.0) * (inverse * ((0.5 * kappa) * conj(group.force) + g1));
   const double far = 0.5 * log(w2);
@@ -143,7 +160,7 @@ Complex far_displacement(const FarField& group, double k, double kappa, double x
   return k * ((0.5 - 0.5 * kappa * log(w2)) * group.force - (0.5 * kappa) * f + conj(g) + 0.5 * (w * conj(slope)));
 }
 
-// With n ds = -i dz all three are differences between the ends.
+// A uniform displacement on a chain. With n ds = -i dz the integrands are total differentials, so only the ends count.
 void add_uniform_chain(const Chain& chain, Complex u, double k, double kappa, double x, double y, PointField& sum) {
   const Complex a = chain.from - Complex{x, y}, b = chain.to - Complex{x, y};
   const double a2 = dot(a, a), b2 = dot(b, b);

@@ -1,6 +1,6 @@
 #pragma once
-// What a group of elements does far away, METHOD (16.10): with w = P - c from the middle c of a circle that holds them, METHOD
-// (16.2) and METHOD (16.3) summed over the group are two functions of w,
+// Far field of a group of elements, METHOD (16.10): with w = P - c from the centre c of a circle that contains them, METHOD
+// (16.2) and METHOD (16.3) summed over the group depend on two functions of w,
 //   u / k = -(kappa/2) F + T/2 + conj(X) + w conj(F')/2         trace / k = -2 Re F'         deviator / k = w* F'' + 2 X'
 //   F = T ln w + sum f_j (R/w)^j        X = -(kappa/2) T* ln w + sum x_j (R/w)^j
 // where T is the group's force and R the circle's radius. Units and signs as in bie/integrals/interior.hpp. Outside of
@@ -14,23 +14,23 @@ constexpr double kFarDistance = 3.0; // 3^-30 times the 30^2 of the second deriv
 
 struct FarField {
   Complex middle;
-  double radius; // 0: there is nothing in the group
+  double radius; // 0: the group is empty
   Complex force;
   Complex f[kFarTerms], x[kFarTerms]; // of the powers from 1 on
 };
 
-// Adds an element that lies in the circle, with `rest` taken off its displacements.
+// Adds an element inside the circle, with `rest` subtracted from its displacements.
 void add_to_far_field(const FieldElement& element, Complex rest, FarField& out);
-// Adds a group whose circle lies in this one's. Material: kappa = 3 - 4 nu.
+// Adds a group whose circle is inside this one. Material: kappa = 3 - 4 nu.
 void add_to_far_field(const FarField& part, double kappa, FarField& out);
-// Adds the group's share at (x, y), no nearer to its middle than kFarDistance times the radius. k = 1/(4 pi (1 - nu)).
+// Adds the group's field at (x, y), which is at least kFarDistance times the radius from its centre. k = 1/(4 pi (1 - nu)).
 void add_far_field(const FarField& group, double k, double kappa, double x, double y, PointField& sum);
 
-// Its displacements alone.
+// Its displacement alone.
 Complex far_displacement(const FarField& group, double k, double kappa, double x, double y);
 
-// Elements that follow each other, of which nothing but the two ends matters: `u` everywhere on them, no tractions, at a point
-// that is not between them and the straight line through the ends.
+// Consecutive elements of which only the two ends matter: `u` is uniform on them, there are no tractions, and the point is not
+// between them and the straight line through the ends.
 struct Chain {
   Complex from, to;
 };

@@ -1,3 +1,14 @@
+// Holes of a body, and the place inside each where METHOD (4.1) takes the trace of the stress (METHOD 4).
+//
+// Phases:
+// 1. Runs: a region is cut at its elements on lines of symmetry. Each run, completed by its images, is one closed outline.
+// 2. Area of the polygon of chords: negative if the material is outside. Then the outline is a hole.
+// 3. A point inside: the centroid of the area. If it is outside the hole or too close to its boundary: the centre of the
+//    largest circle in the hole, with preference for circles near the centroid.
+// 4. Rows: L tr V at that point from every element, L = 4 A / S.
+// The place must not depend on numbering, rotation or reflection of the mesh: results would change with it in the digits of
+// the discretisation error. Therefore two circles that are mirror images of each other both count.
+// Literature: own method, METHOD 20.
 #include "bie/holes.hpp"
 
 #include "bie/integrals/interior.hpp"
@@ -12,7 +23,7 @@ namespace {
 
 // ---- runs of elements -------------------------------------------------------------------------------------------------
 
-// Where the first run of a region begins: behind elements on a line of symmetry, if there are any.
+// The first element of the first run: behind elements on a line of symmetry, if there are any, so that no run is cut in two.
 int32_t first_of_runs(const Model& m, int b, const Region& region) {
   if (region.open) return region.first;
   for (int32_t e = region.first; e <= region.last && m.body[b].lines != 0; ++e)
@@ -20,7 +31,7 @@ int32_t first_of_runs(const Model& m, int b, const Region& region) {
   return region.first;
 }
 
-// ---- what a run encloses ----------------------------------------------------------------------------------------------
+// ---- outlines ---------------------------------------------------------------------------------------------------------
 
 // Visits the chords of a run and of its images: visit(p, q, element, image).
 template <class Visit> void visit_chords(const Model& m, int b, const Hole& run, Visit visit) {
@@ -41,16 +52,16 @@ template <class Visit> void visit_chords(const Model& m, int b, const Hole& run,
   }
 }
 
-// What a run encloses with the lines of symmetry it ends on, image for image.
+// The outline of a run, closed along the lines of symmetry on which it ends, without its images.
 struct Outline {
   double area; // negative: a hole
   double length;
   double centroid[2];       // of a hole
-  double first[2], last[2]; // where it begins and ends
+  double first[2], last[2]; // its ends
 };
 
 Outline outline_of(const Model& m, int b, const Hole& run) {
-  const double* at = m.head->line_at; // where there is no line any point will do
+  const double* at = m.head->line_at; // without a line any point is as good
   Outline out{};
   double moment[2] = {0.0, 0.0};
   int32_t element = run.first;
@@ -61,6 +72,8 @@ Outline outline_of(const Model& m, int b, const Hole& run) {
     out.last[0] = c.x[c.count], out.last[1] = c.y[c.count];
     for (int i = 0; i < c.count; ++i) {
       const double px = c.x[i] - at[0], py = c.y[i] - at[1], qx = c.x[i + 1] - at[0], qy = c.y[i + 1] - at[1];
+      // Twice the area of the triangle (at, p, q). `at` is on the lines of symmetry, so the segments along them that close the
+      // outline contribute nothing.
       const double twice = px * qy - qx * py;
       out.area += 0.5 * twice;
       moment[0] += twice * (px + qx) / 6.0;
@@ -90,7 +103,8 @@ double chord_distance2(const double p[2], const double a[2], const double c[2]) 
   return rx * rx + ry * ry;
 }
 
-// Does the hole wind round p, farther from its boundary than `least`?
+// Does the hole wind round p, with p farther from its boundary than `least`? A hole is traversed clockwise, so the angle is -2
+// pi.
 bool is_well_inside(const Model& m, int b, const Hole& run, const double p[2], double least) {
   double turned = 0.0, distance2 = -1.0;
   visit_chords(m, b, run, [&](const double* a, const double* c, int32_t, int image) {
@@ -103,8 +117,8 @@ bool is_well_inside(const Model& m, int b, const Hole& run, const double p[2], d
   return turned < -3.0 && distance2 > least * least;
 }
 
-// Radius of the largest circle that touches the chord (a, c) from its right at its middle and holds no other point of the
-// boundary; p: its centre.
+// Radius of the largest circle that touches the chord (a, c) from its right at its middle and contains no other point of the
+// boundary; p: its centre. It is the smallest of the circles through the middle and one point of any other chord.
 double touching_circle(const Model& m, int b, const Hole& run, const double a[2], const double c[2], double p[2]) {
   const double middle[2] = {0.5 * (a[0] + c[0]), 0.5 * (a[1] + c[1])}, length = hypot(c[0] - a[0], c[1] - a[1]);
   const double n[2] = {(c[1] - a[1]) / length, (a[0] - c[0]) / length};
@@ -131,9 +145,9 @@ double touching_circle(const Model& m, int b, const Hole& run, const double a[2]
   return radius;
 }
 
-// Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the centroid. A
-// hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and both count.
-// False: none, in a slit with no more breadth than rounding leaves.
+// The centre of the largest of these circles, weighted by its distance from the centroid. A hole whose centroid lies outside
+// is at most a mirror image of itself: two equal centres both count. Returns false in a slit that has no width beyond
+// rounding.
 bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   double best = -1.0, centre[2][2] = {};
   run.points = 0;
@@ -149,6 +163,7 @@ bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
       const double away = hypot(p[0] - outline.centroid[0], p[1] - outline.centroid[1]) / outline.length;
       const double merit = radius * (1.0 - away * away);
       if (!(radius > 0.0) || merit < best * (1.0 - 1e-6)) continue;
+      // A tolerance of 1e-6 decides "equal": the two centres of a symmetric hole differ by rounding.
       const bool better = merit > best * (1.0 + 1e-6);
       if (better) run.points = 0;
       if (better) best = merit;
@@ -163,9 +178,10 @@ bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   return run.points > 0;
 }
 
-// The centroid of the area, if it lies well inside or nothing does. No rotation, reflection or numbering changes what is found.
+// The centroid of the area, if it is well inside or if there is no circle. Rotation, reflection and numbering do not change
+// the result.
 void find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
-  constexpr double kWell = 0.31; // of the radius that a circle of this area and length has
+  constexpr double kWell = 0.31; // of the radius of a circle with this ratio of area to length
   const double radius = -2.0 * outline.area / outline.length, unit = m.head->length_unit;
   run.length = 2.0 * radius / unit;
   if (!is_well_inside(m, b, run, outline.centroid, kWell * radius) && find_widest(m, b, outline, run)) return;
@@ -173,7 +189,7 @@ void find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
   for (int i = 0; i < 2; ++i) run.at[0][i] = outline.centroid[i] / unit;
 }
 
-// The next run of a region, whatever it encloses; false at the region's end.
+// The next run of a region, whether a hole or not; false at the region's end.
 bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
   const Region& region = m.region[b][walk.region];
   const int32_t size = region.last - region.first + 1;
@@ -209,7 +225,7 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
 
 namespace {
 
-// add(x, y) at every point inside and its images; what is added up over them counts by 1 / points.
+// add(x, y) at every point inside and its images. Sums over the points are divided by their number.
 template <class Add> void at_points(const Model& m, int b, const Hole& hole, Add add) {
   const int32_t lines = m.body[b].lines;
   for (int32_t k = 0; k < hole.points; ++k)
@@ -231,6 +247,7 @@ void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, boo
         double& to = kind == 0 ? out.h[l][c] : out.g[l][c];
         to = 0.0;
         if (!(kind == 0 ? want_h : want_g)) continue;
+        // The field of one unit nodal value: interior.cpp evaluates it as for any other point off the boundary.
         Complex zero[kElementNodes] = {}, one[kElementNodes] = {};
         one[l] = c == 0 ? Complex{1.0, 0.0} : Complex{0.0, 1.0};
         prepare_field(kind == 0 ? zero : one, kind == 0 ? one : nullptr, e);
@@ -240,6 +257,7 @@ void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, boo
       }
 }
 
+// A point load acts on the filling like a traction: it goes to the side of G t, hence the sign.
 double hole_load(const Model& m, int b, const Hole& hole, const PointLoad& load) {
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
   const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
@@ -255,6 +273,7 @@ void hole_normal(const Model& m, int b, int32_t node, double n[2]) {
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
   n[0] = n[1] = 0.0;
+  // At a corner the mean of both elements' normals.
   for (int i = 0; i < count; ++i) {
     double one[2];
     outward_normal(m, b, ends[i] / f, node_eta(f, ends[i] % f), one);

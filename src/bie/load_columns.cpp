@@ -1,4 +1,6 @@
-// Right-hand sides of point loads.
+// Right-hand sides of point loads: U(P, x_F) F at every source, and force and moment in the balances (METHOD 2.6). U is the
+// kernel of METHOD (2.2), evaluated at one point in place of an integral.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course (fundamental solution, concentrated loads).
 
 #include "bie/integrals/kernels.hpp"
 #include "bie/panel.hpp"
@@ -32,6 +34,7 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
   for (int32_t node = 0; node < body.nodes; ++node) {
     if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(node);
+    // The image of the load acts on P as the load acts on the mirrored P, METHOD (5.1).
     for (int image = 0; image <= body.lines; ++image) {
       if (!is_image(body.lines, image)) continue;
       double u[2][2];
@@ -41,6 +44,7 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
       for (int i = 0; i < 2; ++i) panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
     }
   }
+  // Rows of the balances: the load is part of the sums METHOD (2.6).
   const double ax = (load.x - body.centre[0]) / unit, ay = (load.y - body.centre[1]) / unit;
   panel.add(2 * body.nodes, column, f[0]);
   panel.add(2 * body.nodes + 1, column, f[1]);

@@ -1,3 +1,6 @@
+// Elements in the units of the equations, and the length per which a traction on them is measured (METHOD 9.1). In an ordinary
+// zone tau is per length of one side. The integrals over the other side use the Jacobian of the facing element, so both bodies
+// receive the same force, although their elements differ in length.
 #include "bie/measure.hpp"
 
 #include "model/shape.hpp"
@@ -17,7 +20,7 @@ Element scaled_element(const Model& m, int b, int32_t element) {
   return make_element(nodes, x, y);
 }
 
-// The element of side 0 that faces a contact element of side 1; -1 if there is none.
+// The element of side 0 that faces a contact element of side 1; element -1 if there is none.
 struct Facing {
   int32_t body;
   int32_t element;
@@ -28,7 +31,7 @@ Facing facing_element(const Model& m, int b, int32_t element) {
   find_contact_element(m, b, element, &at);
   if (at.side != 1) return Facing{0, -1, false};
   const Zone& z = m.zone[at.zone];
-  if (z.is_free != 0) return Facing{0, -1, false}; // tau is per length of side 1
+  if (z.is_free != 0) return Facing{0, -1, false}; // there tau is per length of side 1
   return Facing{z.body[0], zone_element(m, z, 0, at.place), z.element_step[0] != z.element_step[1]};
 }
 

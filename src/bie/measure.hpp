@@ -1,5 +1,5 @@
 #pragma once
-// Elements of a body in the units of its equations, and the length that a traction on them is measured per (METHOD 9.1).
+// Elements of a body in the units of its equations, and the length per which a traction on them is measured (METHOD 9.1).
 #include "bie/integrals/integrals.hpp"
 #include "model/model.hpp"
 

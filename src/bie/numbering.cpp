@@ -1,4 +1,5 @@
-// Columns of the outer unknowns.
+// Columns of the outer unknowns: node by node along the contour, two for each node outside the contact. Consecutive columns
+// then belong to neighbouring elements, so a panel of the elimination integrates few elements.
 #include "bie/columns.hpp"
 
 namespace c2d {
@@ -19,6 +20,7 @@ void number_unknowns(const Model& m, int b) {
 
 int32_t outer_column(const Model& m, int b, int32_t node, int component) {
   const int32_t first = m.node_column[b][node], columns = m.node_column[b][node + 1] - first;
+  // A node with one outer unknown has the other component in contact.
   if (columns == 2) return first + component;
   return columns == 0 || unknown_at(m, b, node, component).kind == UnknownKind::contact ? -1 : first;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
+// Adding to a panel of columns: one number, or the integrals of an element for one source after another.
 #include "bie/deposits.hpp"
 #include "bie/holes.hpp"
 #include "bie/integrals/interior.hpp"
@@ -19,7 +19,7 @@ struct Panel {
 
   Real* column(int32_t j) const {
     if (place) return place[j] >= 0 ? data + place[j] * ld : nullptr;
-    return range.holds(j) ? data + (j - range.first) * ld : nullptr;
+    return range.contains(j) ? data + (j - range.first) * ld : nullptr;
   }
   void add(int32_t row, int32_t j, double value) const {
     if (Real* to = column(j)) to[row] += static_cast<Real>(value);
@@ -27,7 +27,7 @@ struct Panel {
   template <class Value> void send(const Destination& d, int32_t row, double integral, Value value) const {
     for (const Target& target : d.target)
       if (target.column >= 0) add(row, target.column, target.factor * integral);
-    if (!d.known || !range.holds_right()) return;
+    if (!d.known || !range.has_right()) return;
     for (int32_t k = 0; k < m.head->load_cases; ++k) add(row, range.right + k, value(k) * integral);
   }
   void send_h(const Destination& d, int32_t node, int c, int32_t row, double integral) const {
@@ -55,8 +55,8 @@ inline void add_deposits(const Panel& panel, const Destination& d, const double*
     if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
 }
 
-// Integrals of the scratch's element for every source and image, added where its deposits say; of a hole, if
-// one is given, what its nodes' equations have beside those.
+// Integrals of the scratch's element for every source and image, added where its deposits say. With a hole: the additional
+// terms of its nodes' equations instead.
 void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[kElementNodes], bool want_h, bool want_g);
 
 // The blocks of one element for every source, tractions in one measure; displacements go with its own length.
@@ -68,7 +68,7 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
 // Free term, twin equations and the multipliers' columns of one source.
 void add_node(const ColumnSystem& system, const Panel& panel, int32_t source);
 
-// Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
+// Point loads of the body and its body force of one load case, in the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);
 void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case);
 // H u_p - G t_p of one element, its share of that.

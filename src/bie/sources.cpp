@@ -1,4 +1,10 @@
-// Collocation points, their images, and what every one of them takes from an element.
+// Collocation points, their mirror images, and the integrals of one element for all of them (METHOD 2.2, METHOD 5).
+//
+// Images: with R the reflection, T(P, RQ) R = R T(RP, Q), METHOD (5.1). So the element is integrated as it is for the mirrored
+// source, and the rows get the signs of R.
+// Diagonal: the block of a source is minus the sum of all others, since a translation needs no tractions (thesis (A.5);
+// Brebbia and Dominguez, Boundary Elements: An Introductory Course, on rigid-body motion).
+#include "bie/integrals/batch_sources.hpp"
 #include "bie/diagonal.hpp"
 #include "bie/holes.hpp"
 #include "bie/integrals/batch_sources.hpp"
@@ -11,6 +17,7 @@ C2D_USES(HolePart);
 
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   if (image == 0) return Source{at[0], at[1], true};
+  // Equality decides whether a source is its own image.
   double p[2];
   for (int c = 0; c < 2; ++c) p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
   return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
@@ -47,6 +54,7 @@ void sign_rows(int image, int functions, double block[kElementNodes][2][2]) {
       for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
 }
 
+// The term L n tr V of METHOD (4.1): one row of integrals, multiplied by the normal at each node of the hole.
 void scatter_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
   Blocks& blocks = system.scratch->blocks;
   HoleRow& row = system.scratch->hole_row;
@@ -71,6 +79,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   const Integrator& integrator = system.scratch->integrator;
   const Deposits& deposits = system.scratch->deposits;
   Blocks& blocks = system.scratch->blocks;
+  // Several sources at once in vector registers, if element and build allow it.
   if (scatter_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
@@ -83,6 +92,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
       if (!is_image(lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, at);
       const int singular = p.on_itself ? singular_node(node, nf, node_of_source(system, source), twin) : -1;
+      // A source on a line of symmetry is its own image: there the image's integrals are singular, too.
       integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
       if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
       if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
@@ -121,6 +131,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
   const int b = system.body;
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
+  // Straight elements: closed form, no element needs to be visited.
   if (fill_diagonal_closed(system, first_node, count)) return;
   for (int32_t element = 0; element < m.body[b].elements; ++element)
     if (is_integrated(m, b, element)) take_rigid_sums(system, element, first_node, count);

@@ -1,3 +1,7 @@
+// Targets: for each nodal component of an element, the columns that receive its integrals, or the right-hand sides if the
+// value is prescribed (METHOD 2.2). At each node and in each direction exactly one of displacement and traction is unknown; in
+// contact both are, in the pair's frame, so a component has two columns there.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course (boundary conditions, corners).
 #include "bie/targets.hpp"
 #include "model/pair_frame.hpp"
 
@@ -5,11 +9,11 @@ namespace c2d {
 
 namespace {
 
+// Global component = normal and tangential unknowns times the direction cosines of the pair's frame.
 void place_contact(const Model& m, const PairSide& at, int component, int32_t base, double factor, Destination& out) {
   const Pair& pair = m.pair[at.pair];
   const int32_t first = base + dof_on(m, pair, at.side);
-  for (int slot = 0; slot <= pair.tangential; ++slot)
-    out.target[slot] = Target{first + slot, factor * along(pair, slot, component)};
+  for (int dof = 0; dof <= pair.tangential; ++dof) out.target[dof] = Target{first + dof, factor * along(pair, dof, component)};
 }
 
 Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }
@@ -18,13 +22,13 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
                                  const PairSide& contact) {
   Destination out = nowhere();
   const int32_t end = element * m.head->function_nodes + l;
-  const bool holds_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
-                             unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
+  const bool has_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
+                           unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
   if (contact.pair >= 0 && is_in_contact(unknown)) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
     place_contact(m, contact, component, outer_columns(m, b) + m.body[b].contact, scale, out);
-    out.contact = contact.side == 1; // on side 0 both measures are one
-  } else if (holds_unknown) {
+    out.contact = contact.side == 1; // on side 0 both measures are the same
+  } else if (has_unknown) {
     out.target[0] = Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
   } else {
     out.known = true;
@@ -39,12 +43,12 @@ struct Place {
   int l, component;
 };
 
-// Something of this destination falls into the range (for a prescribed one: is not zero in every case).
+// Does anything of this destination fall into the range? A prescribed value must also differ from zero in some load case.
 bool wanted(const Model& m, const Destination& d, const Range& range, const Place& at, bool traction) {
-  if (range.holds(d.target[0].column) || range.holds(d.target[1].column)) return true;
-  if (!d.known || !range.holds_right()) return false;
+  if (range.contains(d.target[0].column) || range.contains(d.target[1].column)) return true;
+  if (!d.known || !range.has_right()) return false;
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
-    if (!range.holds(range.right + k)) continue;
+    if (!range.contains(range.right + k)) continue;
     const double value = traction ? known_traction(m, at.b, at.element, at.l, at.component, k)
                                   : known_displacement(m, at.b, at.node, at.component, k);
     if (value != 0.0) return true;
@@ -87,6 +91,7 @@ bool concerns(const Model& m, int b, int32_t node, const Range& range) {
 
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
   out.want_h = out.want_g = out.want_contact = out.shared = false;
+  // Most elements have no column in a narrow panel: they are excluded before their unknowns are looked up.
   bool concerned = false;
   for (int l = 0; l < m.head->function_nodes && !concerned; ++l)
     concerned = concerns(m, b, functional_node(m, b, element, l), range);

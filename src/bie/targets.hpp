@@ -1,5 +1,5 @@
 #pragma once
-// Where the integrals of an element go: columns of the unknowns, or the right-hand sides for what is prescribed.
+// Destinations of the integrals of an element: columns of the unknowns, or the right-hand sides for prescribed values.
 #include "bie/columns.hpp"
 
 namespace c2d {
@@ -8,8 +8,8 @@ struct Target { // column -= or += factor * integral; column < 0: nowhere
   int32_t column;
   double factor;
 };
-// Of one component of one local node: at most the two contact columns of its pair, or one outer column. What is
-// prescribed goes to the right-hand sides.
+// For one component of one local node: at most the two contact columns of its pair, or one outer column. Prescribed values go
+// to the right-hand sides.
 struct Destination {
   Target target[2];
   bool known;   // times value(case), into the right-hand sides
@@ -18,8 +18,8 @@ struct Destination {
 
 struct Range { // the columns wanted, and the first right-hand side
   int32_t first, last, right;
-  bool holds(int32_t column) const { return column >= first && column < last; }
-  bool holds_right() const { return last > right; }
+  bool contains(int32_t column) const { return column >= first && column < last; }
+  bool has_right() const { return last > right; }
 };
 
 struct ElementTargets {
@@ -27,7 +27,7 @@ struct ElementTargets {
   int32_t node[kElementNodes];
   bool want_h, want_g; // tractions on the element's own length
   bool want_contact;   // contact tractions
-  bool shared;         // some component goes to two columns, be they in the range or not
+  bool shared;         // some component goes to two columns, inside the range or not
 };
 
 Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown);
@@ -36,10 +36,10 @@ Destination displacement_destination(const Model& m, int b, int32_t node, int co
 double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
 double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case);
 
-// May the range hold columns of a node's own unknowns? Always, if it goes beyond the columns of nodes.
+// May the range contain columns of a node's own unknowns? Always true if it extends beyond the columns of nodes.
 bool concerns(const Model& m, int b, int32_t node, const Range& range);
 
-// Targets of all that falls into the range; what does not goes nowhere.
+// Targets of everything in the range; the rest goes nowhere.
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out);
 
 } // namespace c2d

@@ -1,3 +1,14 @@
+// Free zones seen from side 0: displacements at the points that pairs face, and integrals of tau over pieces of elements
+// (METHOD 9.2, equation METHOD (9.2)).
+//   u_c = sum_l N_l(eta) u_l,   int U t ds = -sum over pieces of int U(x_1) M_j J_2 deta_2 tau_j.
+// Phases:
+// 1. Constraints: one equation per contact unknown of side 0, below the balances. It removes no column.
+// 2. Pieces: the facing parts between consecutive nodes of both sides. On each, tau is a polynomial and both geometries are
+//    smooth, so the usual integrals apply. J_2 is the measure of both sides, so the forces balance to rounding.
+// 3. Each piece, for all sources and images, and in the balances and the equations of holes.
+// Integration over the intersections of both meshes is what mortar methods do (for example Wohlmuth, Discretization Methods
+// and Iterative Solvers Based on Domain Decomposition, Springer 2001). In this file side 0 has the suffix 1 and side 1 the
+// suffix 2, as in METHOD.
 #include "bie/transfer.hpp"
 
 #include "bie/panel.hpp"
@@ -13,7 +24,8 @@ C2D_USES(HolePart);
 
 namespace {
 
-// The part of an element between two local coordinates, in the length unit; ends that are nodes are exactly those.
+// The part of an element between two local coordinates, in the length unit. Ends at nodes get exactly their coordinates: a
+// source there is recognised by equality.
 Element part_of(const Model& m, int b, int32_t element, double from, double to, const int32_t node[2]) {
   const double unit = m.head->length_unit;
   double x[kElementNodes], y[kElementNodes], px[kElementNodes], py[kElementNodes];
@@ -42,7 +54,7 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
   const FacingPiece& piece = walk.piece;
   const int32_t(&body)[2] = m.zone[walk.zone].body;
   const int nf = m.head->function_nodes, functions = functions_of_piece(m);
-  const int first = piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in side 0's direction of travel, which is against side 1's
+  const int first = piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in side 0's direction of travel, opposite to side 1's
   const double from = piece.eta1[first], to = piece.eta1[1 - first];
   const double high = piece.eta2[first], low = piece.eta2[1 - first];
   const int32_t none[2] = {-1, -1};
@@ -59,7 +71,7 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
 
 namespace {
 
-// Is tau at an end of the element of side 1 among what is wanted?
+// Does the element of side 1 contribute to one of the columns that are assembled? Pieces are searched only if it does.
 bool is_wanted(const Model& m, const Zone& z, const TransferWalk& walk) {
   if (walk.to == 0) return true;
   const int32_t element = zone_element(m, z, 1, walk.place);
@@ -100,7 +112,8 @@ struct Columns { // the panel of a body
   }
 };
 
-// weight * u of a node's component into one of the rows below the balances.
+// Adds weight * u of a node's component to one of the rows below the balances: to its column, or to the right-hand sides if it
+// is prescribed.
 void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component, double weight) {
   const int b = panel.b;
   const Unknown unknown = unknown_at(m, b, node, component);
@@ -120,7 +133,7 @@ void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t
   }
 }
 
-// part * u of side 0 at a pair, as an element has it, in the pair's row for direction d.
+// Adds part * u of side 0 at a pair, interpolated by one element, to the pair's row for direction d.
 void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pair, int d, int32_t element, double part) {
   const int nf = m.head->function_nodes;
   const int32_t row = 2 * m.body[panel.b].nodes + 3 + pair.row + d;
@@ -133,7 +146,8 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
     }
 }
 
-// Constant functions jump where elements meet: a point there moves with the mean of both, whichever element is said to hold it.
+// Constant functions jump between elements: a point there moves with the mean of both, so it does not matter to which element
+// it is assigned.
 [[gnu::noinline]] void add_constraints(const Model& m, const Columns& panel) {
   const int32_t below = 2 * m.body[panel.b].nodes + 3, outer = outer_columns(m, panel.b);
   for (int32_t i = 0; i < m.head->pairs; ++i) {
@@ -148,15 +162,15 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
   }
 }
 
-// Integrals of the functions of a piece become those of tau at the ends of the element of side 1, in columns of tau. Where
-// these are does not depend on the row.
+// Distributes integrals of the functions of a piece to the columns of tau at the ends of the element of side 1. The columns do
+// not depend on the row, so they are found once for a piece.
 struct Receiver {
   const Columns& panel;
   int functions, ends;
   const double (*weight)[kElementNodes];
   struct End {
     int32_t column;
-    int slots;
+    int dofs;
     double factor[2][2]; // of slot, of component
   } end[kElementNodes];
 
@@ -166,8 +180,8 @@ struct Receiver {
     for (int l = 0; l < ends; ++l) {
       const Pair& pair = m.pair[t.pair[l]];
       end[l].column = outer_columns(m, to.b) + m.body[to.b].contact + dof_on(m, pair, 0);
-      end[l].slots = 1 + pair.tangential;
-      for (int d = 0; d < end[l].slots; ++d)
+      end[l].dofs = 1 + pair.tangential;
+      for (int d = 0; d < end[l].dofs; ++d)
         for (int c = 0; c < 2; ++c) end[l].factor[d][c] = scale * along(pair, d, c);
     }
   }
@@ -175,13 +189,13 @@ struct Receiver {
     for (int l = 0; l < ends; ++l) {
       double sum = 0.0;
       for (int k = 0; k < functions; ++k) sum += weight[k][l] * value[k];
-      for (int d = 0; d < end[l].slots; ++d) panel.add(row, end[l].column + d, end[l].factor[d][component] * sum);
+      for (int d = 0; d < end[l].dofs; ++d) panel.add(row, end[l].column + d, end[l].factor[d][component] * sum);
     }
   }
 };
 
-// What a piece adds to the equations at the nodes of a hole. (Not inlined, like the others: the search for the next piece would
-// stand on their frames.)
+// A piece in the equations at the nodes of a hole. (Not inlined, like the others: the search for the next piece would
+// otherwise run on top of their frames.)
 [[gnu::noinline]] void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Receiver to(system.model, panel, t);
   HoleRow& row = system.scratch->hole_row;
@@ -206,6 +220,7 @@ struct Receiver {
     for (int image = 0; image <= body.lines; ++image) {
       if (!is_image(body.lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
+      // The source is singular if it is the node at one end of the piece.
       const int at = !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
       integrate(t.in, p.x, p.y, at, false, true, blocks);
       for (int i = 0; i < 2; ++i)
@@ -216,6 +231,7 @@ struct Receiver {
         }
     }
   }
+  // The balances, METHOD (2.6): those that symmetry satisfies have no row.
   const int32_t row = 2 * body.nodes, lines = body.lines;
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
@@ -227,7 +243,7 @@ struct Receiver {
   to.send(wx, row + 2, 1);
 }
 
-// Every piece, to the equations at the nodes of a hole or to all others. (Those that symmetry takes are emptied later.)
+// All pieces, in the equations at the nodes of a hole or in all others. (Equations that symmetry replaces are cleared later.)
 [[gnu::noinline]] void add_pieces(const ColumnSystem& system, const Hole* hole, const Columns& panel) {
   const int32_t before = outer_columns(system.model, panel.b) + system.model.body[panel.b].contact;
   TransferWalk walk{};
@@ -251,6 +267,7 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   const int b = system.body;
   const Columns panel{b, first, count, data, ld};
   add_constraints(m, panel);
+  // Only the columns of tau have integrals over pieces.
   const int32_t from = outer_columns(m, b) + m.body[b].contact;
   if (first + count <= from || first >= from + m.body[b].contact) return;
   add_pieces(system, nullptr, panel);
@@ -265,14 +282,15 @@ namespace {
   return element_point(element_of(m, b, at.element), at.eta);
 }
 
-// What the end at `at` takes from what faces it at `faced`. (Not inlined: the search for `faced` is deep.)
+// The traction at the end `at` as a combination of tau where it faces side 1. (Not inlined: the search for `faced` is deep.)
 [[gnu::noinline]] void weigh_end(const Model& m, const Zone& z, const FacePoint& at, const FacePoint& faced,
                                  TransferredEnd& out) {
   const int nf = m.head->function_nodes;
   double n[2];
   facing_direction(m, z, at, faced, n);
   const Point p = point_of(m, z.body[0], at), q = point_of(m, z.body[1], faced);
-  // Both advance equally across the line along n that joins them.
+  // Both points advance by the same amount across n, the direction of the line that joins them. This gives the ratio of
+  // lengths.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);

@@ -1,4 +1,14 @@
-// Solutions from what compressed elimination has written: the border first, then the cells from the root to the leaves.
+// Solutions and functionals from the records of compressed elimination (METHOD 7.6).
+//
+// Solution, root to leaves:
+// 1. The dense border gives its own unknowns y (back_substitute).
+// 2. Each cluster, in reverse order of elimination: x_1 = h - M x_2, where x_2 was found by the cluster above it.
+// Functional f . x = w . c, leaves to root, the transpose of that:
+// 1. Each cluster: w += h^T f_1, then f_2 := f_2 - M^T f_1. The eliminated unknowns are then accounted for.
+// 2. The border takes the rest (transposed_functional).
+// Both read the records once. The tape is written once, so a record is found by its length: behind it when reading backwards,
+// from its counts when reading forwards.
+// Literature: Golub and Van Loan, Matrix Computations, section 3.1 (substitution).
 #include <string.h>
 
 #include "elimination/later_sides.hpp"
@@ -41,7 +51,7 @@ uint64_t lay_out_back(const CompressedPlan& plan, char* base, BackWork* out) {
   BackWork w{};
   char* dense = nullptr;
   const uint64_t block = round_up(kBlockHeaderBytes + plan.block_bytes), own = back_substitution_bytes(plan.border);
-  area.take(dense, own > block ? own : block); // however the border is cut
+  area.take(dense, own > block ? own : block); // enough for any cut of the border
   w.dense = dense;
   area.take(w.y, static_cast<uint64_t>(plan.border.pivots));
   area.take(w.coefficient, static_cast<uint64_t>(plan.border.trailing));
@@ -51,7 +61,7 @@ uint64_t lay_out_back(const CompressedPlan& plan, char* base, BackWork* out) {
   return area.total();
 }
 
-// A cell's record, as write_record wrote it; and the numbers of M and h, which stand unaligned.
+// A cluster's record, as write_record() wrote it. The numbers of M and h are not aligned in it, so they are copied out.
 struct Record {
   int32_t spare, kept;
   const char *ids, *m, *h;
@@ -88,7 +98,7 @@ Records begin_reading(const CompressedPlan& plan, Tapes& tapes, void* work) {
   return r;
 }
 
-// Counts and identities lead to places in memory: those of another maker's record may be any.
+// Counts and identities address memory, and the record may come from another program: every one of them is checked.
 c2d_status fault_of(const Records& r) { return r.stream.status != C2D_OK ? r.stream.status : c2d_status{C2D_ERR_INTERNAL}; }
 
 uint64_t length_of(const Records& r, int64_t spare, int64_t kept) {
@@ -110,7 +120,7 @@ bool open_record(const Records& r, uint64_t length, Record& out) {
   return true;
 }
 
-// The record that ends at `end` comes into w.record; `end` goes to where it begins, and its length is returned; 0: no record.
+// Reads the record that ends at `end` into w.record and moves `end` to its begin. Returns its length; 0 if there is none.
 uint64_t read_backwards(Records& r, uint64_t& end) {
   uint64_t length = 0;
   if (r.stream.status != C2D_OK || end < sizeof length ||
@@ -121,7 +131,8 @@ uint64_t read_backwards(Records& r, uint64_t& end) {
   return read_at(r.stream, end, r.w.record, length) == C2D_OK ? length : 0;
 }
 
-// Which unknown of the body each of the border's is, -1: none, in w.record, and its plan; false: nothing of the kind.
+// Reads which unknown of the body each unknown of the border is (-1: none), into w.record, and the border's plan. Returns
+// false if the record does not fit the plan.
 bool read_border(Records& r, uint64_t& end, EliminationPlan& border) {
   const uint64_t listed = read_backwards(r, end) / sizeof(int32_t), most = static_cast<uint64_t>(r.plan.border.pivots);
   const uint64_t least = most - static_cast<uint64_t>(root_size(r.plan));
@@ -132,21 +143,22 @@ bool read_border(Records& r, uint64_t& end, EliminationPlan& border) {
   return true;
 }
 
-// x of what a cell has eliminated from x of what it kept.
-void substitute(const Records& r, const Record& cell, Real* x) {
-  for (int32_t i = 0; i < cell.spare; ++i) {
+// x_1 = h - M x_2: unknowns that a cluster eliminated, from those that it kept. h is the sum over the right-hand sides.
+void substitute(const Records& r, const Record& cluster, Real* x) {
+  for (int32_t i = 0; i < cluster.spare; ++i) {
     Real sum = 0;
     for (int32_t k = 0; k < right_sides(r.plan); ++k)
-      sum += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * r.w.coefficient[2 * border_contact(r.plan) + k];
-    x[cell.id(i)] = sum;
+      sum += number(cluster.h, i + static_cast<int64_t>(k) * cluster.spare) * r.w.coefficient[2 * border_contact(r.plan) + k];
+    x[cluster.id(i)] = sum;
   }
-  for (int32_t j = 0; j < cell.kept; ++j) {
-    const Real factor = x[cell.id(cell.spare + j)];
-    for (int32_t i = 0; i < cell.spare; ++i) x[cell.id(i)] -= number(cell.m, i + static_cast<int64_t>(j) * cell.spare) * factor;
+  for (int32_t j = 0; j < cluster.kept; ++j) {
+    const Real factor = x[cluster.id(cluster.spare + j)];
+    for (int32_t i = 0; i < cluster.spare; ++i)
+      x[cluster.id(i)] -= number(cluster.m, i + static_cast<int64_t>(j) * cluster.spare) * factor;
   }
 }
 
-// Its coefficients stand in w.coefficient.
+// The coefficients of the load cases and of the contact are in w.coefficient.
 c2d_status solve(Records& r, Tapes& tapes, Real* x) {
   uint64_t end = r.end;
   if (r.stream.status != C2D_OK) return r.stream.status;
@@ -158,11 +170,12 @@ c2d_status solve(Records& r, Tapes& tapes, Real* x) {
     const int32_t id = border_id(r.w.record, j);
     if (id >= 0) x[id] = r.w.y[j];
   }
+  // The samples for the check come first on the tape; everything behind them is a record.
   while (end > sample_bytes(r.plan)) {
-    Record cell;
+    Record cluster;
     const uint64_t length = read_backwards(r, end);
-    if (length == 0 || !open_record(r, length, cell)) return fault_of(r);
-    substitute(r, cell, x);
+    if (length == 0 || !open_record(r, length, cluster)) return fault_of(r);
+    substitute(r, cluster, x);
   }
   return C2D_OK;
 }
@@ -179,6 +192,7 @@ c2d_status back_substitute_compressed(const CompressedPlan& plan, Tapes& tapes, 
   return solve(r, tapes, x);
 }
 
+// The same solution for the right-hand side of random signs: A^-1 s of METHOD 7.6.
 c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, void* work) {
   Records r = begin_reading(plan, tapes, work);
   const int32_t last = plan.border.trailing - 1;
@@ -187,26 +201,26 @@ c2d_status substitute_noise(const CompressedPlan& plan, Tapes& tapes, Real* x, v
   return solve(r, tapes, x);
 }
 
-int64_t later_room(const CompressedPlan& plan) {
+int64_t sides_room(const CompressedPlan& plan) {
   const int64_t n = most_dofs(plan);
   return n * n / 4 + 1 + n * kMostSides;
 }
 
 namespace {
 
-// substitute() of many side by side.
-void substitute_sides(const Engine& engine, const Record& cell, int32_t count, Real* x, Real* room) {
+// substitute() for many right-hand sides at once: a matrix product, with h already in x.
+void substitute_sides(const Engine& engine, const Record& cluster, int32_t count, Real* x, Real* room) {
   const int64_t sides = count;
   const size_t bytes = static_cast<size_t>(count) * sizeof(Real);
-  Real *const kept = room, *const spare = kept + cell.kept * sides, *const m = spare + cell.spare * sides;
-  for (int32_t i = 0; i < cell.spare; ++i) memcpy(spare + i * sides, x + cell.id(i) * sides, bytes);
-  for (int32_t j = 0; j < cell.kept; ++j) {
-    memcpy(kept + j * sides, x + cell.id(cell.spare + j) * sides, bytes);
-    for (int32_t i = 0; i < cell.spare; ++i)
-      m[j + static_cast<int64_t>(i) * cell.kept] = number(cell.m, i + static_cast<int64_t>(j) * cell.spare);
+  Real *const kept = room, *const spare = kept + cluster.kept * sides, *const m = spare + cluster.spare * sides;
+  for (int32_t i = 0; i < cluster.spare; ++i) memcpy(spare + i * sides, x + cluster.id(i) * sides, bytes);
+  for (int32_t j = 0; j < cluster.kept; ++j) {
+    memcpy(kept + j * sides, x + cluster.id(cluster.spare + j) * sides, bytes);
+    for (int32_t i = 0; i < cluster.spare; ++i)
+      m[j + static_cast<int64_t>(i) * cluster.kept] = number(cluster.m, i + static_cast<int64_t>(j) * cluster.spare);
   }
-  gemm_minus(engine, count, cell.spare, cell.kept, kept, count, m, cell.kept, spare, count);
-  for (int32_t i = 0; i < cell.spare; ++i) memcpy(x + cell.id(i) * sides, spare + i * sides, bytes);
+  gemm_minus(engine, count, cluster.spare, cluster.kept, kept, count, m, cluster.kept, spare, count);
+  for (int32_t i = 0; i < cluster.spare; ++i) memcpy(x + cluster.id(i) * sides, spare + i * sides, bytes);
 }
 
 } // namespace
@@ -219,17 +233,17 @@ c2d_status carry_down(const CompressedPlan& plan, Tapes& tapes, const Engine& en
   EliminationPlan border;
   if (!read_border(r, end, border)) return fault_of(r);
   while (end > sample_bytes(plan)) {
-    Record cell;
+    Record cluster;
     const uint64_t length = read_backwards(r, end);
-    if (length == 0 || !open_record(r, length, cell)) return fault_of(r);
-    substitute_sides(engine, cell, count, x, room);
+    if (length == 0 || !open_record(r, length, cluster)) return fault_of(r);
+    substitute_sides(engine, cluster, count, x, room);
   }
   return C2D_OK;
 }
 
 namespace {
 
-// The next record from `at` on comes into w.record; its length stands behind it. False: no record.
+// Reads the record at `at` into w.record. Its length behind it is skipped. Returns false if there is none.
 bool read_forwards(Records& r, uint64_t& at, Record& out) {
   int32_t counts[2];
   if (read_at(r.stream, at, counts, sizeof counts) != C2D_OK) return false;
@@ -239,14 +253,16 @@ bool read_forwards(Records& r, uint64_t& at, Record& out) {
   return open_record(r, length, out);
 }
 
-void carry_weights(const Records& r, const Record& cell, Real* f, Real* w) {
+// Transpose of substitute(): the weights of eliminated unknowns move to the right-hand sides (h) and to the kept unknowns (M).
+void carry_weights(const Records& r, const Record& cluster, Real* f, Real* w) {
   for (int32_t k = 0; k < r.plan.loads; ++k)
-    for (int32_t i = 0; i < cell.spare; ++i)
-      w[2 * border_contact(r.plan) + k] += number(cell.h, i + static_cast<int64_t>(k) * cell.spare) * f[cell.id(i)];
-  for (int32_t j = 0; j < cell.kept; ++j) {
+    for (int32_t i = 0; i < cluster.spare; ++i)
+      w[2 * border_contact(r.plan) + k] += number(cluster.h, i + static_cast<int64_t>(k) * cluster.spare) * f[cluster.id(i)];
+  for (int32_t j = 0; j < cluster.kept; ++j) {
     Real sum = 0;
-    for (int32_t i = 0; i < cell.spare; ++i) sum += number(cell.m, i + static_cast<int64_t>(j) * cell.spare) * f[cell.id(i)];
-    f[cell.id(cell.spare + j)] -= sum;
+    for (int32_t i = 0; i < cluster.spare; ++i)
+      sum += number(cluster.m, i + static_cast<int64_t>(j) * cluster.spare) * f[cluster.id(i)];
+    f[cluster.id(cluster.spare + j)] -= sum;
   }
 }
 
@@ -260,11 +276,11 @@ c2d_status compressed_functional(const CompressedPlan& plan, Tapes& tapes, Real*
   uint64_t end = r.end, last = sample_bytes(plan);
   EliminationPlan border;
   if (!read_border(r, end, border)) return fault_of(r);
-  const uint64_t cells = end;
-  while (last < cells) {
-    Record cell;
-    if (!read_forwards(r, last, cell)) return fault_of(r);
-    carry_weights(r, cell, f, w);
+  const uint64_t clusters = end;
+  while (last < clusters) {
+    Record cluster;
+    if (!read_forwards(r, last, cluster)) return fault_of(r);
+    carry_weights(r, cluster, f, w);
   }
   end = r.end;
   if (!read_border(r, end, border)) return fault_of(r);

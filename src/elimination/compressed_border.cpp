@@ -1,6 +1,17 @@
-// What the tree leaves, with what belongs to no cell: a small dense system. Its rows: those of the root, of the border's nodes,
-// the balances, the holes. Its columns: unknowns of the root, of the border's nodes, rho and omega, tr V of the holes; then the
-// contact and the right-hand sides.
+// The border of compressed elimination: what the tree leaves, together with what belongs to no cluster, as a small dense
+// system (METHOD 7.6).
+//
+// Rows: those of the root, of the nodes in contact, the balances METHOD (2.6), one for each hole.
+// Columns: unknowns of the root, of the nodes in contact, rho and omega, tr V of the holes; then the contact and the
+// right-hand sides.
+// Phases:
+// 1. find_root_products(): the root's skeleton columns act on the border's rows, q = A(border, C) V, and c goes to their
+//    right-hand sides.
+// 2. eliminate() requests the columns panel by panel (fill_border) and proceeds as for a small body, METHOD 7.1.
+// 3. Its rows of the contact go to the sink: the same reduced equations, METHOD (7.2), as without compression.
+// A hole gets an unknown tr V and an equation of its own here. This splits METHOD (4.1), in which n tr V couples all nodes of
+// a hole, into sparse parts that clusters can treat separately.
+// Literature: bordered systems, Golub and Van Loan, Matrix Computations, section 3.2 (Schur complement by block elimination).
 #include <string.h>
 
 #include "elimination/compressed_work.hpp"
@@ -12,7 +23,7 @@ namespace {
 
 struct Border {
   Compression& t;
-  const TreeCell& root;
+  const TreeCluster& root;
   ColumnSystem chosen; // the root's nodes and those of the border
   int32_t nodes;       // of the border
   int32_t elements;    // at nodes of the border, in w.elements
@@ -25,7 +36,7 @@ struct Border {
   int32_t first_right() const { return first_contact() + 2 * border_contact(t.plan); }
 };
 
-// The column of the body that the k-th outer unknown of the border is.
+// The column of the body for each outer unknown of the border.
 void list_outer(const Compression& t, int32_t* columns) {
   const Model& m = t.system.model;
   const int b = t.system.body;
@@ -37,21 +48,21 @@ void list_outer(const Compression& t, int32_t* columns) {
   for (int32_t k = 0; k < 3; ++k) columns[listed++] = m.body[b].columns + k;
 }
 
-// Rows of a chunk as they stand in w.block: of sources `first` ... and the balances and holes behind them.
+// Rows of a chunk in w.block: two for each source, then the balances and the holes.
 int64_t rows_of(const Compression& t, int32_t sources) { return 2 * static_cast<int64_t>(sources) + 3 + t.plan.holes; }
 
 // Sums over the boundary, below the rows of the sources.
 void fill_below(const Compression& t, const ChosenColumns& columns, int32_t sources) {
   const int64_t ld = rows_of(t, sources);
   Real* below = t.w.block + 2 * static_cast<int64_t>(sources);
-  fill_sums(t.system, columns, weight_of_motions(t.plan), below, ld);
+  fill_sums(t.system, columns, weight_of_modes(t.plan), below, ld);
   for (int32_t k = 0; k < t.plan.holes; ++k) fill_hole_row(t.system, t.w.hole[k], columns, below + 3 + k, ld);
 }
 
-// ---- what the root's columns do to the border -------------------------------------------------------------------------
+// ---- the root's columns in the border ---------------------------------------------------------------------------------
 
-// root_q += block times v, root_c likewise with c, for columns first ... of the root.
-void add_products(Compression& t, const TreeCell& root, int32_t first, int32_t count) {
+// root_q += A V and root_c -= A c for columns first ... of the root: the border feels the root through them only.
+void add_products(Compression& t, const TreeCluster& root, int32_t first, int32_t count) {
   CompressedWork& w = t.w;
   const int32_t n = root.unknowns, rows = border_rows(t.plan), loads = right_sides(t.plan);
   Real* v = w.e; // transposed and negative
@@ -65,7 +76,7 @@ void add_products(Compression& t, const TreeCell& root, int32_t first, int32_t c
             w.block[i + static_cast<int64_t>(j) * rows] * w.c[first + j + static_cast<int64_t>(k) * root.columns];
 }
 
-void find_root_products(Compression& t, const TreeCell& root) {
+void find_root_products(Compression& t, const TreeCluster& root) {
   CompressedWork& w = t.w;
   const int32_t rows = border_rows(t.plan), nodes = t.plan.nodes - t.plan.tree, n = root.unknowns, loads = right_sides(t.plan);
   for (int64_t i = 0; i < static_cast<int64_t>(rows) * n; ++i) w.root_q[i] = 0;
@@ -79,6 +90,7 @@ void find_root_products(Compression& t, const TreeCell& root) {
     for (int32_t i = 0; i < t.plan.holes; ++i) to[n + 2 * nodes + 3 + i] = 0;
   }
   const ColumnSystem chosen = choose_nodes(t.system, w.border, nodes, w.point, w.twin);
+  // Chunks, because the border's rows times all columns of the root need not fit into the block.
   const int64_t fit = block_numbers(t.plan) / rows;
   const int32_t most = fit < kChunk ? static_cast<int32_t>(fit) : kChunk;
   for (int32_t first = 0; first < root.columns; first += most) {
@@ -107,7 +119,7 @@ void fill_root_column(const Border& b, int32_t j, Real* to) {
   for (int32_t i = 0; i < rows; ++i) to[n + i] = w.root_q[i + static_cast<int64_t>(j) * rows];
 }
 
-// The normal of a hole at every node of it; its own row says what tr V is.
+// Column of tr V: the normal of the hole at each of its nodes. The hole's own row defines tr V, hence the -1 there.
 void fill_hole_column(const Border& b, int32_t hole, Real* to) {
   const Compression& t = b.t;
   const auto normal = [&](int32_t node, int c) {
@@ -125,7 +137,7 @@ void fill_right_column(const Border& b, int32_t k, Real* to) {
   memcpy(to, b.t.w.root_c + static_cast<int64_t>(k) * all, static_cast<size_t>(all) * sizeof(Real));
 }
 
-// Columns of the body, listed by w.list, which go to consecutive columns of the panel.
+// Columns of the body, listed in w.list, into consecutive columns of the panel.
 void fill_body_columns(const Border& b, int32_t count, Real* panel, int64_t ld) {
   const Compression& t = b.t;
   CompressedWork w = t.w;
@@ -145,7 +157,7 @@ void fill_body_columns(const Border& b, int32_t count, Real* panel, int64_t ld) 
   }
 }
 
-// As many columns from `first` on as are of one kind and fit.
+// Fills as many columns from `first` on as are of one kind and fit into the block. Returns their number.
 int32_t fill_some(const Border& b, int32_t first, int32_t count, Real* panel, int64_t ld) {
   const Compression& t = b.t;
   if (first < b.room()) return fill_root_column(b, first, panel), 1;
@@ -170,7 +182,7 @@ c2d_status fill_border(void* context, int32_t first, int32_t count, Real* panel,
   return C2D_OK;
 }
 
-// All but the noise.
+// Passes the reduced rows on, except those of the random right-hand side, which only back substitution uses.
 c2d_status take_rows(void* context, int32_t first, int32_t count, const Real* rows, int64_t ld) {
   const Border& b = *static_cast<const Border*>(context);
   const int32_t end = 2 * border_contact(b.t.plan) + b.t.plan.loads, some = first + count > end ? end - first : count;
@@ -178,7 +190,7 @@ c2d_status take_rows(void* context, int32_t first, int32_t count, const Real* ro
   return b.sink->take(b.sink->context, first, some, rows, ld);
 }
 
-// Which unknown of the body each of the border's is, -1: none.
+// The last record: which unknown of the body each unknown of the border is (-1: none, as tr V).
 c2d_status write_unknowns(Border& b) {
   Compression& t = b.t;
   const uint64_t start = t.upper.end;
@@ -194,7 +206,7 @@ c2d_status write_unknowns(Border& b) {
   return t.upper.status;
 }
 
-// Its matrix, for right-hand sides that come later.
+// With lazy columns, right-hand sides follow later: the border's matrix is factored and stored as a whole.
 c2d_status keep_whole(Border& b) {
   const int32_t size = b.rows();
   const c2d_status status = fill_border(&b, 0, size, b.t.w.whole, size);
@@ -203,7 +215,7 @@ c2d_status keep_whole(Border& b) {
 
 } // namespace
 
-c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch) {
+c2d_status eliminate_border(Compression& t, const TreeCluster& root, const RowSink& sink, Tapes& tapes, const Watch& watch) {
   CompressedWork& w = t.w;
   find_root_products(t, root);
   const int32_t nodes = t.plan.nodes - t.plan.tree;
@@ -215,6 +227,7 @@ c2d_status eliminate_border(Compression& t, const TreeCell& root, const RowSink&
   c2d_status status = write_unknowns(border);
   if (status == C2D_OK && t.plan.keeps != 0) status = keep_whole(border);
   if (status != C2D_OK) return status;
+  // The condition of METHOD 7.4 covers the border's pivots together with those of the clusters.
   PivotStats stats;
   status = eliminate(border_with(t.plan, root.unknowns), ColumnSource{&border, fill_border}, RowSink{&border, take_rows}, tapes,
                      w.dense, &stats, watch, t.engine);

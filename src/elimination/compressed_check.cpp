@@ -1,4 +1,13 @@
-// What a solution leaves of equations that are assembled anew: the dense ones, of a few nodes.
+// Residual of a compressed solution: some of the body's equations are assembled anew, without compression, and the solution is
+// inserted (METHOD 7.6, "how exact").
+//
+// Phases:
+// 1. Read the samples: some 32 nodes, their diagonal blocks and right-hand sides.
+// 2. For the columns of kNodesAtOnce nodes at a time: r += A x, term by term, and the largest term.
+// 3. Add tr V of the holes, METHOD (4.1), and subtract the right-hand sides: r = H u - G t + L n tr V - sum lambda_k r_k.
+// The residual is compared with its largest term, because r alone has the unit of the displacements and says nothing by
+// itself. 32 nodes are a sample: compression acts on whole clusters, so an error of it affects many equations.
+// Literature: Higham, Accuracy and Stability of Numerical Algorithms, chapter 7 (residuals and backward error).
 #include <string.h>
 
 #include "elimination/compressed_work.hpp"
@@ -21,7 +30,7 @@ struct CheckWork {
   Real* right;               // [2 samples * loads]
   int32_t *place, *stamp;    // of all columns, -1; of elements
   int32_t *elements, *node, *column;
-  int32_t* hole; // of the samples
+  int32_t* hole; // hole of each sample
   double* point;
   int32_t* twin;
   Hole* holes;
@@ -90,7 +99,7 @@ void list_column(Check& c, int32_t column, Real value) {
   c.w.value[c.listed++] = value;
 }
 
-// Columns of a node, and what the solution says of them.
+// Columns of a node and their values in the solution. Contact quantities stand on the right-hand side, hence the minus sign.
 void list_columns(Check& c, int32_t node) {
   const int32_t own = c.plan.columns;
   visit_columns(c.plan, c.system.model, c.system.body, node,
@@ -113,6 +122,7 @@ int32_t list_elements_at(Check& c, int32_t first, int32_t end) {
   return listed;
 }
 
+// One pass over the body in chunks of nodes: memory for a few columns of the sample rows is enough for any body.
 void add_chunk(Check& c, int32_t first, int32_t end) {
   const CheckWork& w = c.w;
   c.listed = 0;
@@ -135,7 +145,7 @@ void add_chunk(Check& c, int32_t first, int32_t end) {
   for (int32_t j = 0; j < c.listed; ++j) w.place[w.column[j]] = -1;
 }
 
-// What the rows of holes have beside (METHOD (4.1)), and the right-hand sides.
+// The part of METHOD (4.1) beside the integrals, and the right-hand sides.
 void add_rest(Check& c) {
   const CheckWork& w = c.w;
   for (int32_t i = 0; i < 2 * c.samples; ++i) {
@@ -161,6 +171,7 @@ c2d_status check_compressed(const CompressedPlan& plan, const ColumnSystem& whol
   lay_out_check(plan, static_cast<char*>(work), &w);
   const c2d_status status = read_samples(plan, tapes, w);
   if (status != C2D_OK) return status;
+  // A body whose only sources are the samples; columns and elements are those of the whole body.
   ColumnSystem system = whole;
   system.diagonal = w.diagonal;
   system.point = w.point;

@@ -1,4 +1,12 @@
-// The work area of compressed elimination, and what it costs.
+// Plan, work area and tape use of compressed elimination (METHOD 7.6).
+//
+// All sizes follow from the plan alone, before anything is assembled:
+// 1. A cluster keeps at most `rank` rows and columns, so its matrices have at most 2 rank unknowns.
+// 2. lay_out_work() computes the work area. Phases that never overlap share memory: sums over all elements, then the tree,
+//    then the dense border.
+// 3. numbers_of_clusters() adds the data of all clusters, n = min(leaf, rank) doubling upwards: this bounds both tapes.
+// Cost: O(n rank^2) operations and O(n rank) numbers for n nodes, as for any nested factorisation of this kind (Martinsson,
+// Fast Direct Solvers for Elliptic PDEs, SIAM 2019).
 #include "elimination/compressed_work.hpp"
 #include "elimination/cells.hpp"
 #include "memory/hostile.hpp"
@@ -11,22 +19,23 @@ C2D_USES(HolePart);
 
 namespace {
 
-constexpr uint64_t kStreamBytes = 131072; // of data in a block, if a column of the border is no longer
+constexpr uint64_t kStreamBytes = 131072; // data in a block, unless a column of the border is longer
 
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
-uint64_t cells_of(const CompressedPlan& plan) { return uint64_t{1} << tree_depth(plan.tree, plan.leaf); }
+uint64_t clusters_of(const CompressedPlan& plan) { return uint64_t{1} << tree_depth(plan.tree, plan.leaf); }
 
 } // namespace
 
 int64_t block_numbers(const CompressedPlan& plan) {
+  // The largest block assembled at once: a cluster with its proxies or a chunk, or a few columns of the border.
   constexpr int64_t kLeast = 2 * (kProxies > kChunk ? kProxies : kChunk);
   const int64_t n = most_dofs(plan);
-  const int64_t cell = 2 * (n > kLeast ? n : kLeast) * n, border = 4 * (2 * n + border_rows(plan));
-  return cell > border ? cell : border;
+  const int64_t cluster = 2 * (n > kLeast ? n : kLeast) * n, border = 4 * (2 * n + border_rows(plan));
+  return cluster > border ? cluster : border;
 }
 
-// Of a cell's result, and of what back substitution needs of it; identities and counts beside the numbers.
+// Size of a cluster's result, and of its record for back substitution. The last terms are identities and counts.
 int64_t result_numbers(const CompressedPlan& plan) {
   const int64_t k = plan.rank;
   return 2 * k * k + 2 * k * right_sides(plan) + k + 8;
@@ -41,7 +50,7 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   AreaCarver area{base};
   const uint64_t nodes = static_cast<uint64_t>(plan.nodes), tree = static_cast<uint64_t>(plan.tree);
   const uint64_t n = static_cast<uint64_t>(most_dofs(plan)), k = n / 2, loads = static_cast<uint64_t>(right_sides(plan));
-  const uint64_t cells = cells_of(plan), border = static_cast<uint64_t>(border_rows(plan));
+  const uint64_t clusters = clusters_of(plan), border = static_cast<uint64_t>(border_rows(plan));
   const uint64_t listed = 2 * nodes + 2 * static_cast<uint64_t>(kProxies);
   area.take(w.root_d, n * n);
   area.take(w.root_q, border * n);
@@ -61,8 +70,8 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
   for (int i = 0; i < 2; ++i) {
     area.take(w.rows[i], 2 * tree);
     area.take(w.columns[i], 2 * tree);
-    area.take(w.row_begin[i], cells + 1);
-    area.take(w.column_begin[i], cells + 1);
+    area.take(w.row_begin[i], clusters + 1);
+    area.take(w.column_begin[i], clusters + 1);
   }
   area.take(w.upper_buffer, kBlockHeaderBytes + plan.block_bytes);
   if (plan.keeps != 0) {
@@ -71,13 +80,13 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
     area.take(w.whole, (n + border) * (n + border));
     area.take(w.kept_buffer, kBlockHeaderBytes + plan.block_bytes);
   }
-  // From here on the work area of eliminate() may stand, when the tree is done.
+  // What follows belongs to the tree. When the tree is done, the work area of eliminate() for the border starts here.
   const uint64_t behind = area.carver.used;
   area.take(w.order, tree);
   area.take(w.room, tree);
-  area.take(w.circle, 3 * cells);
+  area.take(w.circle, 3 * clusters);
   area.take(w.reach, nodes);
-  // Before there are cells of the tree.
+  // The sums over all elements are computed before any cluster, so they use the memory of the clusters.
   AreaCarver far = area;
   char* room_of_sums = nullptr;
   far.take(room_of_sums, far_sums_bytes(plan.nodes, plan.loads));
@@ -115,6 +124,8 @@ uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* ou
 uint64_t compressed_bytes(const CompressedPlan& plan) { return lay_out_work(plan, nullptr, nullptr); }
 
 bool is_tree_node(const Model& m, int b, int32_t node) {
+  // A node outside the contact has two unknowns of its own. With lazy columns the contact nodes are in the tree as well: their
+  // tractions come as additional right-hand sides.
   const bool inside = m.body[b].on_demand != 0 || pair_of_node(m, b, node).pair < 0;
   C2D_ASSERT(!inside || m.node_column[b][node + 1] - m.node_column[b][node] == 2);
   return inside;
@@ -122,7 +133,7 @@ bool is_tree_node(const Model& m, int b, int32_t node) {
 
 namespace {
 
-// Nodes of the body that make pairs; every other one has two unknowns of its own.
+// Nodes of the body that belong to contact pairs. Every other node has two unknowns of its own.
 int32_t touching_nodes(const Model& m, int b) {
   int32_t count = 0;
   for (int32_t i = 0; i < m.head->zones; ++i)
@@ -138,9 +149,9 @@ int32_t count_holes(const Model& m, int b) {
   return holes;
 }
 
-// `tree`, `holes` and the body's numbers stand in the plan.
+// Completes a plan that has `tree`, `holes` and the body's counts.
 void complete_plan(int32_t rank, int32_t leaf, CompressedPlan& plan) {
-  plan.rank = smaller(rank, plan.tree + 1); // of half the nodes all equations
+  plan.rank = smaller(rank, plan.tree + 1); // the skeleton of half the nodes is at most all of them
   plan.leaf = smaller(leaf, plan.rank);
   const int32_t root = root_size(plan);
   plan.border = EliminationPlan{};
@@ -149,6 +160,7 @@ void complete_plan(int32_t rank, int32_t leaf, CompressedPlan& plan) {
   plan.border.trailing = 2 * border_contact(plan) + right_sides(plan);
   plan.border.panel_columns = plan.border.block_columns = 1;
   plan.border.rank = plan.rank;
+  // A block must store a column of the border at least, so that the border can be written in whole columns.
   const uint64_t column = round_up(static_cast<uint64_t>(plan.border.rows) * sizeof(Real));
   plan.block_bytes = column > kStreamBytes ? column : kStreamBytes;
 }
@@ -179,7 +191,7 @@ CompressedPlan plan_compressed(const Model& m, int b, int32_t rank, int32_t leaf
 
 CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int32_t leaf) {
   CompressedPlan plan{};
-  plan.nodes = limits.nodes + limits.touching; // as if those in contact were in the tree, too
+  plan.nodes = limits.nodes + limits.touching; // bounds the body whether or not contact nodes are in the tree
   plan.tree = limits.nodes;
   plan.columns = 2 * plan.nodes + 3;
   plan.contact = limits.contact;
@@ -190,13 +202,15 @@ CompressedPlan plan_compressed(const CompressedLimits& limits, int32_t rank, int
   return plan;
 }
 
+// A restored plan knows the border only. The number of holes follows from its rows.
 CompressedPlan plan_around(const Model& m, int b, const EliminationPlan& border) {
   CompressedPlan plan = plan_with_holes(m, b, 0, border.rank, kLeafNodes);
-  plan = plan_with_holes(m, b, border.rows - plan.border.rows, border.rank, kLeafNodes); // (none is looked for again)
+  plan = plan_with_holes(m, b, border.rows - plan.border.rows, border.rank, kLeafNodes); // known, so not counted again
   plan.border = border;
   return plan;
 }
 
+// A saved border is accepted only if it is the one that this body would get. Otherwise its numbers would address wrong memory.
 bool is_border(const Model& m, int b, const EliminationPlan& border) {
   if (border.rank < 1 || !may_compress(m, b)) return false;
   const EliminationPlan least = plan_compressed(m, b, border.rank, kLeafNodes).border;
@@ -211,27 +225,29 @@ c2d_status cut_border(uint64_t bytes, CompressedPlan& plan, uint64_t* needed) {
   const uint64_t least = compressed_bytes(plan);
   if (needed) *needed = least;
   if (least > bytes) return C2D_ERR_MEMORY;
+  // The border may use what the plan with one-column panels leaves of the work area.
   const uint64_t room = elimination_bytes(narrow) + (bytes - least);
   EliminationPlan& cut = plan.border;
   plan_elimination(room, narrow.rows, narrow.pivots, narrow.trailing, 0, cut, nullptr); // (one column fits)
   cut.rank = plan.rank;
-  // Blocks are no longer than those of the records, so that bounds of their number are none of much larger ones.
+  // Blocks of the border are no longer than those of the records; longer ones would make the bounds of the tape too large.
   const uint64_t column = static_cast<uint64_t>(narrow.rows) * sizeof(Real);
   cut.block_rows = 0;
   while (static_cast<uint64_t>(cut.block_columns) * column > plan.block_bytes || elimination_bytes(cut) > room)
-    --cut.block_columns; // (one is as long as it may be)
+    --cut.block_columns; // a block of one column always fits
   return C2D_OK;
 }
 
 namespace {
 
-// Numbers of all cells but the root, from the leaves up: of what is kept of them, or of their records. Leaves may be full.
-uint64_t numbers_of_cells(const CompressedPlan& plan, bool records) {
+// Numbers of all clusters but the root, from the leaves up: of their results, or of their records. Every cluster is taken to
+// be as large as it may become.
+uint64_t numbers_of_clusters(const CompressedPlan& plan, bool records) {
   const uint64_t loads = static_cast<uint64_t>(right_sides(plan)), rank = static_cast<uint64_t>(plan.rank);
   uint64_t n = 2 * static_cast<uint64_t>(plan.leaf), sum = 0;
-  for (uint64_t cells = cells_of(plan); cells > 1; cells /= 2) {
+  for (uint64_t clusters = clusters_of(plan); clusters > 1; clusters /= 2) {
     const uint64_t k = n < rank ? n : rank;
-    sum += cells * (records ? n * n / 4 + n * loads + n + 8 : 2 * k * k + 2 * k * loads + k + 8);
+    sum += clusters * (records ? n * n / 4 + n * loads + n + 8 : 2 * k * k + 2 * k * loads + k + 8);
     n = 2 * k;
   }
   return sum;
@@ -248,8 +264,8 @@ TapeUse with_stream(const CompressedPlan& plan, TapeUse use, uint64_t bytes, uin
 
 } // namespace
 
-// With r equations and columns that stand for it: (n - r) (n + r) of factors, 2 r (n - r) of combinations, n^2 / 2 of
-// couplings.
+// Data for additional right-hand sides of a cluster of n unknowns with r skeleton rows and columns: (n - r)(n + r) of factors,
+// 2 r (n - r) of combinations, n^2 / 2 of couplings.
 int64_t kept_numbers(int64_t n) { return 2 * n * n + 3 * n + 8; }
 int64_t kept_of_border(const CompressedPlan& plan) {
   const int64_t n = most_dofs(plan), rows = border_rows(plan);
@@ -261,17 +277,17 @@ namespace {
 uint64_t kept_bytes(const CompressedPlan& plan) {
   const int64_t rank = plan.rank;
   int64_t n = 2 * static_cast<int64_t>(plan.leaf), sum = kept_of_border(plan);
-  for (int64_t cells = static_cast<int64_t>(cells_of(plan)); cells > 1; cells /= 2) {
-    sum += cells * kept_numbers(n);
+  for (int64_t clusters = static_cast<int64_t>(clusters_of(plan)); clusters > 1; clusters /= 2) {
+    sum += clusters * kept_numbers(n);
     n = 2 * (n < rank ? n : rank);
   }
   return static_cast<uint64_t>(sum) * sizeof(double);
 }
 
-// Without what is kept.
+// Tape LOWER without the data for additional right-hand sides.
 TapeUse passing_use(const CompressedPlan& plan) {
   // Each depth begins a block.
-  return with_stream(plan, lower_use(plan.border), numbers_of_cells(plan, false) * sizeof(double),
+  return with_stream(plan, lower_use(plan.border), numbers_of_clusters(plan, false) * sizeof(double),
                      static_cast<uint64_t>(tree_depth(plan.tree, plan.leaf)));
 }
 
@@ -285,11 +301,11 @@ KeptPlace kept_place(const CompressedPlan& plan) {
   const uint64_t before = passing_use(plan).blocks;
   return {plan.border.lower_first_block + before, compressed_lower_use(plan).blocks - before};
 }
-// (The border's elimination may have fewer pivots than its plan.)
+// (The border may have fewer pivots than its plan, so the bound is that of any border with the same cut.)
 TapeUse compressed_upper_use(const CompressedPlan& plan) {
   const uint64_t border = static_cast<uint64_t>(plan.border.pivots) * sizeof(int32_t) + sizeof(uint64_t);
   return with_stream(plan, most_upper_use(plan.border),
-                     numbers_of_cells(plan, true) * sizeof(double) + border + sample_bytes(plan), 1);
+                     numbers_of_clusters(plan, true) * sizeof(double) + border + sample_bytes(plan), 1);
 }
 
 } // namespace c2d

@@ -1,3 +1,17 @@
+// Streamed LU elimination of one body with partial pivoting, and back substitution (METHOD 7.1).
+//
+// Equation, with A_o the columns of the outer unknowns and B all others, METHOD (7.1) to (7.2):
+//   P [ A_o | B ] = [ L_1 0; L_2 I ] [ U Y; 0 S ].
+// Phases, for one panel of columns after another (left-looking):
+// 1. Fill: the source assembles the columns. Their largest entries are noted for the pivot statistics.
+// 2. Update: the row exchanges and the blocks of L of all earlier panels are applied, in their order, from tape LOWER.
+// 3. Factor: LU with partial pivoting over all remaining rows.
+// 4. Write: L to tape LOWER if a later panel needs it, U and Y to tape UPPER. The rows of S go to the sink.
+// Back substitution reads UPPER backwards: x = U^-1 Y c. The adjoint reads it forwards: w = Y^T U^-T f.
+//
+// Left-looking, because each panel is then written once: the right-looking form would rewrite the whole matrix for each panel.
+// Literature: Golub and Van Loan, Matrix Computations, chapter 3 (block LU, partial pivoting); Higham, Accuracy and Stability
+// of Numerical Algorithms, chapter 9. Partial forward elimination with the contact last: figure 20 of the thesis.
 #include "elimination/eliminate.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
@@ -6,13 +20,14 @@
 namespace c2d {
 namespace {
 
-// The buffers for blocks, taken in turns, and what is on its way to and from them.
+// The block buffers, used in rotation, and the transfers in progress on them. With two buffers the next block is read while
+// the present one is used.
 struct Buffers {
   Tapes& tapes;
   unsigned char* base;
   uint64_t step; // bytes from one to the next
   int32_t made;  // how many there are
-  int32_t next;  // in turn
+  int32_t next;  // the one to use next
   BlockTransfer transfer[kMostBuffers];
 
   unsigned char* at(int32_t slot) const { return base + step * static_cast<uint64_t>(slot); }
@@ -20,14 +35,15 @@ struct Buffers {
   bool ahead() const { return count() > 1; }
 };
 
-// The buffer in turn, once what was under way there has ended.
+// The next buffer in rotation, after its last transfer has ended: its contents may not change while the port writes them.
 c2d_status take_buffer(Buffers& buffers, int32_t* slot) {
   *slot = buffers.next;
   buffers.next = (buffers.next + 1) % buffers.count();
   return finish_transfer(buffers.tapes, buffers.transfer[*slot]);
 }
 
-// Nothing is under way when this returns: the error there was already, or the first that turns up.
+// Ends all transfers. Returns the error that there was already, or the first one found now. After an error the buffers must
+// not be released before the port has stopped using them.
 c2d_status finish_all(Buffers& buffers, c2d_status status) {
   for (int32_t turn = 0; turn < buffers.count(); ++turn) {
     const int32_t slot = (buffers.next + turn) % buffers.count(); // the oldest first
@@ -44,15 +60,15 @@ c2d_status start_write(Buffers& buffers, int32_t slot, int32_t tape, uint64_t bl
                         buffers.ahead());
 }
 
-// The blocks of a tape in the order in which they are wanted: chunks before column `end`, forward, or for back
-// substitution those of the trailing columns and then backward through the eliminated ones.
+// The order in which the blocks of a tape are needed. Forward: chunks before column `end`. Back substitution: the trailing
+// columns, then the eliminated columns backwards, because U is upper triangular.
 struct Pass {
   const EliminationPlan& plan;
   Buffers& buffers;
   int32_t tape, end;
   bool back;
   int32_t under_way;
-  Chunk now, ahead; // the next to be worked on, and to be asked for
+  Chunk now, ahead; // the next to use, and the next to request
 
   bool wanted(const Chunk& chunk) const { return chunk.count > 0 && chunk.first < end; }
   Chunk after(const Chunk& chunk) const {
@@ -73,8 +89,8 @@ Pass backward(const EliminationPlan& plan, Buffers& buffers) {
   return {plan, buffers, C2D_TAPE_UPPER, plan.pivots + plan.trailing, true, 0, start, start};
 }
 
-// Ask for as many blocks as there are buffers, and wait for the first of them: the numbers of chunk.count columns.
-// chunk.count = 0: that was all. They stay until the next call.
+// Requests as many blocks as there are buffers, then waits for the first of them: data of chunk.count columns, valid until the
+// next call. chunk.count = 0: there are no more.
 c2d_status next_block(Pass& pass, Chunk& chunk, const Real** data) {
   Buffers& buffers = pass.buffers;
   const EliminationPlan& plan = pass.plan;
@@ -102,7 +118,7 @@ c2d_status next_block(Pass& pass, Chunk& chunk, const Real** data) {
   return status;
 }
 
-// The panel in memory and everything needed to work on it.
+// The panel in memory, and what its elimination needs.
 struct Panel {
   const EliminationPlan& plan;
   const Watch& watch;
@@ -119,7 +135,8 @@ struct Panel {
   Real* column(int32_t j) const { return columns + j * ld; }
 };
 
-c2d_status tell(const Watch& watch, int32_t first, int32_t count) {
+// Reports columns to the caller's watch, which may stop the elimination.
+c2d_status notify(const Watch& watch, int32_t first, int32_t count) {
   for (int32_t j = first; watch.step && j < first + count; ++j) {
     const c2d_status status = watch.step(watch.context, j);
     if (status != C2D_OK) return status;
@@ -127,6 +144,8 @@ c2d_status tell(const Watch& watch, int32_t first, int32_t count) {
   return C2D_OK;
 }
 
+// The pivot ratios of METHOD 7.4 compare a pivot with its column before elimination, so the norms are taken now. A number that
+// is not finite would spread to all later columns.
 c2d_status find_norms(const Panel& panel) {
   const int32_t rows = panel.plan.rows;
   for (int32_t j = 0; j < panel.count; ++j) {
@@ -139,11 +158,12 @@ c2d_status find_norms(const Panel& panel) {
 c2d_status fill(const Panel& panel, const ColumnSource& source) {
   c2d_status status = source.fill(source.context, panel.first, panel.count, panel.columns, panel.ld);
   if (status == C2D_OK) status = find_norms(panel);
-  return status == C2D_OK ? tell(panel.watch, panel.first, panel.count) : status;
+  return status == C2D_OK ? notify(panel.watch, panel.first, panel.count) : status;
 }
 
-// The panel is updated by a strip of w columns of L, which start in column f of the matrix, or, if it is not the chunk's
-// first, once that one has made the rows f ... f+w-1 final. Its rows have been exchanged already.
+// Updates the panel with one strip of L: w columns from column f of the matrix on. The first strip of a chunk contains the
+// unit triangle L_1 and makes rows f ... f+w-1 of the panel final (U = L_1^-1 A). The other strips subtract L_2 times these
+// rows.
 void update(const Panel& panel, const Chunk& strip, const Real* l) {
   const int32_t f = strip.first, w = strip.count, rows = rows_of_strip(panel.plan, strip);
   Real* top = panel.columns + f;
@@ -153,8 +173,8 @@ void update(const Panel& panel, const Chunk& strip, const Real* l) {
     gemm_minus(panel.engine, rows, panel.count, w, l, rows, top, panel.ld, panel.columns + strip.row, panel.ld);
 }
 
-// Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was factored: the row
-// exchanges of later panels never reached them, so exchanges and blocks are applied panel after panel.
+// Brings a panel up to date with all panels before it. A block of L keeps the row order that it had when it was factored. So
+// the exchanges of panel k are applied just before the blocks of panel k.
 c2d_status apply_earlier(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   int32_t exchanged = 0;
@@ -164,6 +184,7 @@ c2d_status apply_earlier(const Panel& panel) {
     const Real* l = nullptr;
     c2d_status status = next_block(pass, chunk, &l);
     if (status != C2D_OK || chunk.count == 0) return status;
+    // First chunk of a panel: its row exchanges come before all its blocks.
     if (chunk.first == exchanged) {
       const int32_t left = plan.pivots - exchanged;
       const int32_t count = left < plan.panel_columns ? left : plan.panel_columns;
@@ -171,13 +192,13 @@ c2d_status apply_earlier(const Panel& panel) {
       exchanged += count;
     }
     update(panel, chunk, l);
-    status = tell(panel.watch, panel.first, 1);
+    status = notify(panel.watch, panel.first, 1);
     if (status != C2D_OK) return status;
   }
 }
 
-// Factor the panel's own columns, and update trailing columns that are in the same panel. (Not inlined, like what writes
-// columns: they are assembled below the frame of eliminate, and that goes deep.)
+// Factors the panel's own columns, and updates the trailing columns of the same panel. (Not inlined, as the functions that
+// write: columns are assembled below the frame of eliminate(), and that call chain is deep.)
 [[gnu::noinline]] c2d_status factor(const Panel& panel, PivotStats* stats) {
   const int32_t rows = panel.plan.rows - panel.first, width = lu_width(rows);
   Real* corner = panel.columns + panel.first;
@@ -186,18 +207,21 @@ c2d_status apply_earlier(const Panel& panel) {
   const Lu lu = {panel.engine, rows, panel.own, panel.count, corner, panel.ld, pivots, panel.norms, stats};
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < panel.own && status == C2D_OK; j += width) {
+    // A column without a usable pivot: the body moves freely, or two equations are equal.
     if (lu_step(lu, j) > 0) return C2D_ERR_SINGULAR;
-    status = tell(panel.watch, panel.first + j, panel.own - j < width ? panel.own - j : width);
+    status = notify(panel.watch, panel.first + j, panel.own - j < width ? panel.own - j : width);
   }
-  if (status == C2D_OK) status = tell(panel.watch, panel.first + panel.own, panel.count - panel.own);
+  if (status == C2D_OK) status = notify(panel.watch, panel.first + panel.own, panel.count - panel.own);
   if (status != C2D_OK) return status;
-  // Whoever reads L again exchanges all of a panel's rows first, then updates.
+  // A later reader applies all exchanges of a panel first and updates afterwards, so L is stored in the
+  // panel's final row order.
   if (!panel.last || panel.plan.keep_lower != 0) lu_settle(rows, panel.own, corner, panel.ld, pivots);
+  // From now on pivots are absolute rows, for panels that start elsewhere.
   for (int32_t j = 0; j < panel.own; ++j) pivots[j] += panel.first;
   return C2D_OK;
 }
 
-// Put `rows` rows from `from` on of a chunk into a buffer, without gaps, and begin to write them.
+// Packs rows `from` ... of a chunk into a buffer, without the gaps of the leading dimension, and starts to write them.
 c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from, int32_t rows) {
   const size_t column_bytes = static_cast<size_t>(rows) * sizeof(Real);
   int32_t slot;
@@ -211,11 +235,12 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
   return start_write(panel.buffers, slot, tape, block, static_cast<uint64_t>(chunk.count) * column_bytes);
 }
 
-// `lower` and `upper` are the panel's first chunks, and then the next panel's.
+// Writes L and U of a panel. `lower` and `upper` are its first chunks on entry, those of the next panel on return.
 [[gnu::noinline]] c2d_status write_panel(const Panel& panel, Chunk& lower, Chunk& upper) {
   const EliminationPlan& plan = panel.plan;
   const EliminationPlan cut = upper_cut(plan);
   c2d_status status = C2D_OK;
+  // No panel follows the last one, so its L is written only if new right-hand sides may follow (eliminate_again).
   const bool wanted = panel.own > 0 && (!panel.last || plan.keep_lower != 0);
   const int32_t own_end = wanted ? panel.first + panel.own : 0;
   for (; lower.first < own_end && status == C2D_OK; lower = next_strip(plan, lower))
@@ -229,12 +254,14 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
 }
 
 c2d_status hand_over(const Panel& panel, const RowSink& sink) {
+  // The last rows of the trailing columns are S: the equations that the contact system is made of.
   const int32_t trailing = panel.count - panel.own;
   if (trailing == 0) return C2D_OK;
   const int32_t first = panel.first + panel.own - panel.plan.pivots;
   return sink.take(sink.context, first, trailing, panel.column(panel.own) + panel.plan.pivots, panel.ld);
 }
 
+// The phases of one panel.
 c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, Chunk& lower, Chunk& upper,
                     PivotStats* stats) {
   c2d_status status = fill(panel, source);
@@ -268,7 +295,7 @@ Panel make_panel(const EliminationPlan& plan, const WorkLayout& at, Buffers& buf
                engine};
 }
 
-// Panel p of the elimination.
+// Columns of panel p, and how many of them are eliminated: one panel may contain both kinds.
 void place_panel(Panel& panel, int32_t p) {
   const EliminationPlan& plan = panel.plan;
   panel.first = p * plan.panel_columns;
@@ -282,6 +309,7 @@ void place_panel(Panel& panel, int32_t p) {
 
 uint64_t exchanges_bytes(const EliminationPlan& plan) { return static_cast<uint64_t>(plan.pivots) * sizeof(int32_t); }
 
+// New right-hand sides need P as well as L. The exchanges are one block behind the blocks of L.
 c2d_status keep_exchanges(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   if (plan.keep_lower == 0 || plan.pivots == 0) return C2D_OK;
@@ -300,13 +328,14 @@ c2d_status load_exchanges(const Panel& panel) {
   c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan), block,
                                  exchanges_bytes(plan));
   if (status == C2D_OK) memcpy(panel.pivots, block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
-  // Checksums can be made to be right: what leads to a place in memory is one that can be.
+  // A correct checksum does not prove that this library wrote the block. Every index is checked before it addresses memory.
   for (int32_t j = 0; j < plan.pivots && status == C2D_OK; ++j)
     if (panel.pivots[j] < j || panel.pivots[j] >= plan.rows) status = C2D_ERR_STORE_FORMAT;
   return status;
 }
 
-// The panel's columns, all trailing ones, take their places in the chunks of Y.
+// Puts the new trailing columns of the panel in place of the old ones in the chunks of Y. A chunk at a border of the range
+// also contains columns that stay, so it is read, changed and written again.
 [[gnu::noinline]] c2d_status rewrite_trailing(const Panel& panel) {
   const EliminationPlan plan = upper_cut(panel.plan);
   if (plan.pivots == 0) return C2D_OK;
@@ -334,6 +363,7 @@ c2d_status load_exchanges(const Panel& panel) {
 
 } // namespace
 
+// Only the trailing columns pass through L again; A_o is neither assembled nor factored, METHOD 7.5.
 c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source, const RowSink& sink,
                            Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
   const WorkLayout at = work_layout(plan);
@@ -347,7 +377,7 @@ c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, 
     if (status == C2D_OK) status = apply_earlier(panel);
     if (status == C2D_OK) status = rewrite_trailing(panel);
     if (status == C2D_OK) status = hand_over(panel, sink);
-    if (status == C2D_OK) status = tell(watch, panel.first, panel.count);
+    if (status == C2D_OK) status = notify(watch, panel.first, panel.count);
   }
   return finish_all(buffers, status);
 }
@@ -370,6 +400,8 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
   return finish_all(buffers, status);
 }
 
+// The same elimination in three steps for a body that fits into one panel. The first two steps do not use the tapes, so
+// several bodies can run them at the same time, one per thread.
 Real* only_panel(const EliminationPlan& plan, void* work, int64_t* ld) {
   const WorkLayout at = work_layout(plan);
   *ld = at.leading;
@@ -393,7 +425,7 @@ c2d_status write_only_panel(const EliminationPlan& plan, const RowSink& sink, Ta
   Panel panel = make_panel(plan, at, buffers, work, watch, kPlainEngine);
   place_panel(panel, 0);
   Chunk lower = first_chunk(plan), upper = first_chunk(upper_cut(plan));
-  c2d_status status = tell(watch, 0, panel.count);
+  c2d_status status = notify(watch, 0, panel.count);
   if (status == C2D_OK) status = write_panel(panel, lower, upper);
   if (status == C2D_OK) status = hand_over(panel, sink);
   if (status == C2D_OK) status = keep_exchanges(panel);
@@ -402,15 +434,16 @@ c2d_status write_only_panel(const EliminationPlan& plan, const RowSink& sink, Ta
 
 namespace {
 
-// From one buffer of back substitution to the next. Of strips no less than a block of as many numbers as they have, which
-// upper_cut makes of them for some number of rows: so a body of fewer rows that is cut alike takes no more.
+// Distance between the buffers of back substitution. For strips it is at least the block that upper_cut() makes of them for
+// some number of rows, so a body with fewer rows and the same cut needs no more.
 uint64_t back_step(const EliminationPlan& plan) {
   const int32_t rows = plan.block_rows > 0 && plan.block_rows < plan.pivots ? plan.block_rows : plan.pivots;
   const uint64_t data = static_cast<uint64_t>(rows) * static_cast<uint64_t>(plan.block_columns);
   return (kBlockHeaderBytes + data * sizeof(Real) + 63) / 64 * 64;
 }
 
-// x += columns of Y for a trailing chunk; a step of U^-1 x for a chunk of eliminated columns.
+// One chunk of back substitution. Trailing columns: x += Y c. Eliminated columns, from the last: solve with the diagonal
+// triangle of U, then subtract its columns from the rows above.
 void substitute(const EliminationPlan& plan, const Chunk& chunk, const Real* data, const Real* coefficient, Real* x) {
   const int32_t f = chunk.first, w = chunk.count;
   if (f < plan.pivots) {
@@ -434,7 +467,8 @@ c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Rea
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) return C2D_OK;
   for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;
-  // x = Y c: chunks of the trailing columns; then x := U^-1 x, by block columns from the last to the first.
+  // First x = Y c from the trailing chunks, then x := U^-1 x by block columns from the last to the first. One pass over the
+  // tape serves both.
   Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
   Pass pass = backward(plan, buffers);
   for (;;) {
@@ -456,6 +490,8 @@ Real dot(int32_t n, const Real* a, const Real* b) {
 
 } // namespace
 
+// f . x = f . (U^-1 Y c) = w . c with w = Y^T U^-T f. The chunks of U come first and turn f into U^-T f by forward
+// substitution (U^T is lower triangular). The chunks of Y that follow give w.
 c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Real* f, Real* w, void* work) {
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
@@ -477,7 +513,7 @@ c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Rea
         w[chunk.first - plan.pivots + j] = dot(rows, column, f);
         continue;
       }
-      const int32_t i = chunk.first + j; // forward substitution: U^T is lower triangular
+      const int32_t i = chunk.first + j; // column i of U is row i of U^T
       const Real diagonal = column[i];
       f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
     }

@@ -1,3 +1,10 @@
+// Binary tree of clusters of elements with multipole series (METHOD 16.7): circles, series and chains of a leaf and of a
+// parent.
+//
+// A parent takes the series of its halves over by translation (bie/far_field.cpp), so the elements are integrated once, at the
+// leaves. A chain is a run of elements of which only the two ends matter: a uniform displacement on it has a closed form
+// between its ends, METHOD (2.4). A closed chain contributes nothing, and chains that touch merge.
+// Literature: Greengard and Rokhlin, J. Comput. Phys. 73 (1987).
 #include "elimination/far_cells.hpp"
 
 #include "memory/math.hpp"
@@ -10,7 +17,8 @@ namespace {
 
 bool are_same(Complex a, Complex b) { return a.re == b.re && a.im == b.im; }
 
-// Behind those of the cell so far. One that comes back to where it began is none.
+// Adds a chain behind those of the cluster. A chain that returns to its start vanishes. Three chains mean "too many": such a
+// cluster counts as near to every point.
 void append(FarCell& cell, const Chain& next) {
   Chain* const last = cell.chains > 0 && cell.chains < 3 ? &cell.chain[cell.chains - 1] : nullptr;
   if (last && are_same(last->to, next.from)) {
@@ -38,6 +46,7 @@ void clear(FarCell& cell, Complex middle) {
 
 void take_element(const Integrator& in, FarCell& cell) {
   const Element& e = in.element;
+  // The circle must contain the whole element: the series converges only outside of it.
   cell.field.radius = fmax(cell.field.radius, length_of(middle_of(e) - cell.field.middle) + in.radius);
   append(cell, Chain{{e.x[0], e.y[0]}, {e.x[e.nodes - 1], e.y[e.nodes - 1]}});
 }

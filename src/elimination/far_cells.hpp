@@ -1,7 +1,7 @@
 #pragma once
-// A binary tree over the elements of a body, as they follow each other along its contour: what a cell of it does far away is a
-// few numbers (bie/far_field.hpp). For right-hand sides and diagonals of large bodies (elimination/far_sums.hpp) and for points
-// inside (results/interior/interior_cells.hpp).
+// Binary tree of clusters over the elements of a body in the order of its contour. Far away a cluster acts through a short
+// series (bie/far_field.hpp). Used for right-hand sides and diagonals of large bodies (elimination/far_sums.hpp) and for
+// interior points (results/interior/interior_cells.hpp).
 #include "bie/far_field.hpp"
 #include "bie/measure.hpp"
 #include "elimination/cells.hpp"
@@ -12,17 +12,17 @@ namespace c2d {
 
 constexpr int32_t kCellElements = kHostile ? 3 : 40, kLeastElements = kHostile ? 12 : 400; // of a leaf; of a body with a tree
 
-// Elements that follow each other. What a uniform displacement of theirs does depends on the ends alone; whole regions of the
-// contour have none, so that there are two chains at most, but where lines of symmetry cut off many.
+// A cluster of consecutive elements. A uniform displacement on it depends on its ends alone. A whole closed region has no
+// ends, so a cluster has two chains at most, except where lines of symmetry cut off many.
 struct FarCell {
   FarField field;
   Chain chain[2];
-  int64_t chains; // 3: more than have room; such a cell is near to all points
+  int64_t chains; // 3: more than are stored; such a cluster counts as near to all points
 };
 
-// All of them from the root on, depth by depth.
+// All clusters, from the root on, depth by depth.
 struct FarCells {
-  Complex* rest; // a displacement that is taken off all others
+  Complex* rest; // a displacement that is subtracted from all others
   FarCell* cell;
   int32_t elements, depth;
   FarCell& at(int32_t d, int32_t i) const { return cell[(int64_t{1} << d) - 1 + i]; }
@@ -39,7 +39,7 @@ inline FarCells far_cells_in(void* memory, int32_t elements) {
                   tree_depth(elements, kCellElements)};
 }
 
-// Circle and chains of a cell of two halves, whose fields it takes over. Material: kappa = 3 - 4 nu.
+// Circle, chains and series of a cluster from its two halves. Material: kappa = 3 - 4 nu.
 void make_parent(const FarCell* child, double kappa, FarCell& cell);
 
 // ---- circles of leaves ----------------------------------------------------------------------------------------------------
@@ -47,19 +47,19 @@ void make_parent(const FarCell* child, double kappa, FarCell& cell);
 double length_of(Complex v);
 inline Complex middle_of(const Element& e) { return {e.c[0][0], e.c[0][1]}; }
 
-// The smallest box of circles, and the circle about its middle that holds them all.
+// The bounding box of circles; its centre is that of the enclosing circle.
 struct Hull {
   Complex low = {1e300, 1e300}, high = {-1e300, -1e300};
   void take(Complex middle, double radius);
   bool is_empty() const { return low.re > high.re; }
   Complex middle() const { return 0.5 * (low + high); }
 };
-// A cell without a field and chains.
+// A cluster without series and chains.
 void clear(FarCell& cell, Complex middle);
-// One more element of a leaf, behind those before: its circle, and its chain.
+// Adds one element of a leaf, behind those before it: its circle and its chain.
 void take_element(const Integrator& in, FarCell& cell);
 
-// Circle and chains of a leaf, of the elements first ... last-1 that count; a radius of 0: there are none.
+// Circle and chains of a leaf from those of the elements first ... last-1 that count. A radius of 0: there are none.
 template <class Counts> void bound_leaf(const Model& m, int b, int32_t first, int32_t last, Counts counts, FarCell& cell) {
   Integrator in;
   Hull hull;
@@ -76,13 +76,13 @@ template <class Counts> void bound_leaf(const Model& m, int b, int32_t first, in
   }
 }
 
-// ---- walking --------------------------------------------------------------------------------------------------------------
+// ---- traversal ------------------------------------------------------------------------------------------------------------
 
 constexpr int32_t kDeepest = 31;
-constexpr int32_t kBlockOfPoints = 1024; // that stay in the cache
+constexpr int32_t kBlockOfPoints = 1024; // so many stay in the cache
 
-// Points of a block, the first `count` rows of `order`, meet the cells from the root down. Those to which a cell is near come
-// to the front and meet both of its halves, or at a leaf the elements.
+// Points of a block, the first `count` rows of `order`, descend from the root. Those that are near a cluster move to the front
+// and meet both of its halves, or at a leaf the elements themselves.
 template <class Visitor> void walk(const FarCells& cells, uint16_t* order, int32_t count, const Visitor& visitor) {
   int32_t left[kDeepest + 1];
   left[0] = count;

@@ -1,3 +1,14 @@
+// Sums of all elements at all nodes of a large body, in n log n time (METHOD 7.6): right-hand sides and diagonal blocks.
+//
+// Phases, for each load case or for the diagonal:
+// 1. Leaves: prescribed tractions and displacements of their elements as multipole series, METHOD (16.10); for the diagonal
+//    the ends of the chains, METHOD (2.4).
+// 2. Parents, upwards: series are translated and added.
+// 3. Nodes, in blocks of kBlockOfPoints: each walks down from the root. Where a cluster is farther than kFarDistance of its
+//    radii, its series is evaluated and its branch ends. At near leaves the elements are integrated one by one.
+// So a node meets O(log n) clusters and a constant number of elements: a tree code in the sense of Barnes and Hut, Nature 324
+// (1986), with the expansions of Greengard and Rokhlin, J. Comput. Phys. 73 (1987). With symmetry, a cluster acts on the
+// images of a node instead of the images of the cluster acting on the node, METHOD (5.1).
 #include "elimination/far_sums.hpp"
 
 #include "bie/body_force.hpp"
@@ -11,8 +22,8 @@ namespace c2d {
 
 namespace {
 
-// Nodes of a block to which the same elements are near, and what these do there: [2 sources] of each load case, or the [4
-// sources] of a diagonal.
+// Nodes of a block that are near the same elements, and what these elements contribute there: [2 sources] for each load case,
+// or the [4 sources] of a diagonal.
 struct NearArea {
   double* point;
   int32_t *node, *twin;
@@ -36,7 +47,7 @@ uint64_t lay_out_sums(int32_t elements, int32_t loads, char* base, char** cells,
   return area.total();
 }
 
-// A walk of a body's nodes through the cells of its elements.
+// A body's nodes, the clusters of its elements, and the work area for near elements.
 struct NodeWalk {
   const ColumnSystem& system;
   FarCells cells;
@@ -55,7 +66,7 @@ NodeWalk walk_in(const ColumnSystem& system, void* work) {
   return w;
 }
 
-// leaf(first, last, cell) for all leaves, and the cells above them.
+// leaf(first, last, cell) for all leaves, then the clusters above them.
 template <class Leaf> void make_cells(const NodeWalk& w, Leaf leaf) {
   const FarCells& cells = w.cells;
   for (int32_t i = 0; i < int32_t{1} << cells.depth; ++i)
@@ -64,13 +75,13 @@ template <class Leaf> void make_cells(const NodeWalk& w, Leaf leaf) {
     for (int32_t i = 0; i < int32_t{1} << d; ++i) make_parent(&cells.at(d + 1, 2 * i), w.kappa, cells.at(d, i));
 }
 
-// What visitors of both kinds know: the nodes from `first` on.
+// Common to both kinds of visitors: nodes from `first` on.
 struct NodeVisit {
   const NodeWalk& w;
   int32_t first;
 
   const double* at(uint16_t row) const { return w.system.point + 2 * (static_cast<int64_t>(first) + row); }
-  // visit(image, place) of a node as all images see it.
+  // visit(image, place) for a node and its mirror images, as an element of the body sees them.
   template <class Visit> void for_images(uint16_t row, Visit visit) const {
     const int32_t lines = images_of(w.system);
     for (int image = 0; image <= lines; ++image) {
@@ -95,7 +106,7 @@ struct NodeVisit {
   }
 };
 
-// visitor(first) for blocks of nodes that have equations of their own.
+// visitor(first) for blocks of nodes with equations of their own. A block stays in the cache while it passes through the tree.
 template <class Visitor> void walk_nodes(const NodeWalk& w, Visitor visitor) {
   const int32_t nodes = w.system.model.body[w.system.body].nodes;
   uint16_t order[kBlockOfPoints];
@@ -109,7 +120,8 @@ template <class Visitor> void walk_nodes(const NodeWalk& w, Visitor visitor) {
 
 // ---- right-hand sides -----------------------------------------------------------------------------------------------------
 
-// All right-hand sides; of them one is walked for, with the first of which the elements nearby act for all.
+// All right-hand sides, and the load case of the present walk. Near elements act for all load cases in the first walk, because
+// their integrals are the same.
 struct Sides {
   Range range;
   int32_t load;
@@ -122,7 +134,7 @@ bool has_force(const ColumnSystem& system, int32_t load) {
   return has_body_force(m, system.body) && is_loaded(body_force(m, system.body, load));
 }
 
-// Is anything prescribed on the element in any load case, particular solutions among it? Fills the targets.
+// Is anything prescribed on the element in any load case? A particular solution counts as prescribed. Fills the targets.
 bool is_prescribed(const ColumnSystem& system, const Range& range, int32_t element) {
   if (!is_integrated(system.model, system.body, element)) return false;
   ElementTargets& t = system.scratch->targets;
@@ -130,7 +142,7 @@ bool is_prescribed(const ColumnSystem& system, const Range& range, int32_t eleme
   return t.want_h || t.want_g || has_body_force(system.model, system.body);
 }
 
-// The equations hold for u - u_p and t - t_p.
+// The equations are those of u - u_p and t - t_p, METHOD (6.1).
 void take_particular_off(const ColumnSystem& system, int32_t element, int l, int32_t load, double t[2], double u[2]) {
   const Model& m = system.model;
   const int b = system.body;
@@ -144,7 +156,7 @@ void take_particular_off(const ColumnSystem& system, int32_t element, int l, int
   }
 }
 
-// What is prescribed in a load case, behind is_prescribed(), as a field.
+// Adds the prescribed values of one element in one load case to a series. is_prescribed() has been called for it.
 void add_prescribed(const ColumnSystem& system, int32_t element, int32_t load, FarField& out) {
   const Model& m = system.model;
   const ElementTargets& at = system.scratch->targets;
@@ -184,6 +196,7 @@ struct RightVisit : NodeVisit {
     });
   }
   void meet_elements(int32_t from, int32_t to, const uint16_t* order, int32_t count) const {
+    // Near elements contributed to all load cases in the first walk.
     if (sides.load > 0) return;
     const ColumnSystem system = chosen(order, count);
     const int32_t rows = 2 * count, loads = system.model.head->load_cases;
@@ -211,11 +224,13 @@ void fill_right_by_cells(const ColumnSystem& system, Real* right, int64_t ld, vo
   const Model& m = system.model;
   const int b = system.body;
   const int32_t begin = outer_columns(m, b) + 2 * m.body[b].contact, loads = m.head->load_cases;
+  // First everything that is not a sum over elements: free terms of particular solutions, point loads.
   ColumnSystem rest = system;
   rest.rest = true;
   fill_columns(rest, begin, loads, right, ld);
   const NodeWalk w = walk_in(system, work);
   Sides sides{{begin, begin + loads, begin}, 0, right, ld};
+  // The series depend on the prescribed values, so the tree is built once for each load case.
   for (; sides.load < loads; ++sides.load) {
     const auto counts = [&](int32_t element) { return is_prescribed(system, sides.range, element); };
     make_cells(w, [&](int32_t first, int32_t last, FarCell& cell) {
@@ -237,6 +252,7 @@ struct DiagonalVisit : NodeVisit {
   void meet(const FarCell& cell, uint16_t row) const {
     double* const block = diagonal(first + row);
     for_images(row, [&](int image, Complex p) {
+      // A unit translation in x and one in y: the two columns of the diagonal block.
       for (int64_t i = 0; i < cell.chains; ++i)
         for (int c = 0; c < 2; ++c) {
           PointField sum = {};

@@ -1,6 +1,6 @@
 #pragma once
-// Right-hand sides that come after a compressed elimination: tractions of the contact, for the columns of a contact system that
-// are asked for (METHOD 10.12). They go through what the tree has kept, from the leaves to the root and back, many side by
+// Additional right-hand sides for a compressed elimination: contact tractions, for the columns of a contact system with lazy
+// columns (METHOD 10.12). They pass through the stored factors of the tree, from the leaves to the root and back, many side by
 // side.
 #include "elimination/compressed_work.hpp"
 
@@ -8,14 +8,14 @@ namespace c2d {
 
 constexpr int32_t kMostSides = 48; // side by side: two tiles of the widest kernel
 
-// What stands before the numbers of a cell, elimination/compressed_kept.cpp. Of the border: rows of its matrix; equations and
+// Counts before the numbers of a cluster, elimination/compressed_kept.cpp. For the border: rows of its matrix; rows and
 // columns of the root; sums over the boundary.
-struct KeptCell {
-  int32_t spare, rows, columns, rest; // equations of its own, those that stand for it; columns that stand for it, others
+struct KeptCluster {
+  int32_t spare, rows, columns, rest; // own equations, skeleton rows; skeleton columns, other columns
   int32_t half_rows, half_columns;    // of its first half; -1: it is a leaf
 };
 
-// Of a plan that keeps what they go through. Upper bound, for so many of them side by side.
+// Upper bound for kMostSides of them side by side, for a plan with `keeps`.
 uint64_t later_sides_bytes(const CompressedPlan& plan);
 
 // Where tractions act: contact unknowns of the body, and how large they are.
@@ -26,19 +26,19 @@ struct LaterSides {
   void* work; // later_sides_bytes
   Engine engine;
 };
-// Unknowns outside the contact, numbered as ever, that a traction of 1 brings at each of `count` contact unknowns of the body,
-// at most kMostSides: (*x)[column * count + k], in the work area. Errors: those of the tapes; C2D_ERR_INTERNAL: they hold
-// nothing of the kind.
+// Unknowns outside the contact, in their usual numbering, under a unit traction at each of `count` contact unknowns of the
+// body, at most kMostSides: (*x)[column * count + k], in the work area. Errors: those of the tapes; C2D_ERR_INTERNAL: the
+// tapes do not contain such data.
 c2d_status solve_unit_tractions(const LaterSides& s, const int32_t* unknown, int32_t count, Real** x);
-// Unknowns outside the contact under each motion of the body that nothing in its equations holds (motions_held), to which no
-// traction belongs, side by side as above.
+// Unknowns outside the contact under each rigid-body mode that nothing in the body's equations constrains (motions_held),
+// without tractions, side by side as above.
 c2d_status solve_motions(const LaterSides& s, Real** x);
-// What all contact tractions together bring, `traction` by contact unknown of the body: x += that.
+// x += the effect of all contact tractions together, `traction` by contact unknown of the body.
 c2d_status add_tractions(const LaterSides& s, const Real* traction, Real* x);
 
-// Unknowns of a cell from those it kept, cell by cell from the root to the leaves: x[column * count + k] holds what the others
-// bring to each, and those of the border. room: later_room() numbers; work: compressed_back_bytes (compressed_back.cpp).
-int64_t later_room(const CompressedPlan& plan);
+// Unknowns of the clusters, from the root to the leaves. On entry x[column * count + k] contains h of each cluster and the
+// unknowns of the border. room: sides_room() numbers; work: compressed_back_bytes (compressed_back.cpp).
+int64_t sides_room(const CompressedPlan& plan);
 c2d_status carry_down(const CompressedPlan& plan, Tapes& tapes, const Engine& engine, int32_t count, Real* x, Real* room,
                       void* work);
 

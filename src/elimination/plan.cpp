@@ -1,3 +1,14 @@
+// Plan of a streamed elimination (METHOD 7.1): widths of panels, blocks and strips for a given work area, and the blocks on
+// the tapes.
+//
+// Three cases, from fast to slow:
+// 1. Everything fits: one panel, nothing is read back.
+// 2. Panels of as many columns as fit, and blocks of L cut into strips of rows in an eighth of the memory. Two buffers, so
+//    that one strip is read while the other is used.
+// 3. Too little memory for strips: whole blocks of at most a quarter of the panel's width.
+// Each panel reads all blocks of L before it. With w columns per panel that is n^3 / (3 w) numbers, so a wide panel saves
+// transfers. A wide block saves arithmetic time, since products with few inner steps run below full speed.
+// Literature: Golub and Van Loan, Matrix Computations, section 3.2 and chapter 1 (blocking, memory traffic).
 #include "elimination/plan.hpp"
 #include "memory/hostile.hpp"
 #include "store/block.hpp"
@@ -5,19 +16,19 @@
 namespace c2d {
 namespace {
 
-constexpr int32_t kWidestBlock = 64;                 // whole blocks; wider ones take too much from the panel
-constexpr int32_t kWidestStrip = 256;                // inner steps for which the kernels run at full speed
-constexpr int32_t kNarrowestStrip = 32;              // below, whole blocks do
-constexpr int32_t kTileRows = 24, kTileColumns = 8;  // of the kernels, or a multiple: edges cost more
-constexpr int32_t kLongestStrip = 1024;              // rows that pay for packing the right factor anew
-constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
+constexpr int32_t kWidestBlock = 64;                 // whole blocks: a wider one takes too much from the panel
+constexpr int32_t kWidestStrip = 256;                // inner steps with which the kernels run at full speed
+constexpr int32_t kNarrowestStrip = 32;              // below that, whole blocks are as good
+constexpr int32_t kTileRows = 24, kTileColumns = 8;  // a multiple of each kernel's tile: incomplete tiles cost more
+constexpr int32_t kLongestStrip = 1024;              // rows that justify packing the right factor again
+constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // numbers in a work area: far more than any machine has
 
 uint64_t aligned(uint64_t bytes) { return (bytes + 63) / 64 * 64; }
 
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
-// Columns start on cache lines, but not at a distance of a multiple of 4 KiB, which would map them all to the
-// same few cache sets.
+// Columns start on cache lines. Distances that are a multiple of 4 KiB are avoided: they would map all columns to the same few
+// cache sets.
 int64_t leading_dimension(int32_t rows) {
   const int64_t line = 64 / sizeof(Real);
   const int64_t leading = (rows + line - 1) / line * line;
@@ -29,7 +40,8 @@ int32_t strip_rows(const EliminationPlan& plan) { return plan.block_rows > 0 ? p
 
 int32_t all_columns(const EliminationPlan& plan) { return plan.pivots + plan.trailing; }
 
-// The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width.
+// The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width, so bisection finds
+// it.
 int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns) {
   plan.block_columns = block_columns;
   int32_t fits = 0, too_wide = all_columns(plan) + 1;
@@ -44,7 +56,7 @@ int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns
   return fits;
 }
 
-// Wide blocks are good for the kernels, wide panels save transfers: blocks of a quarter of the panel or less.
+// Blocks of a quarter of the panel's width or less: wide blocks serve the arithmetic, wide panels save transfers.
 void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
   for (int32_t block = kWidestBlock;; block /= 2) {
     const int32_t panel = widest_panel(bytes, plan, block);
@@ -55,12 +67,12 @@ void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
   }
 }
 
-// Two buffers for strips: an eighth of the memory, or what a panel of forced width leaves. False if that is too little for
-// strips that are longer than wide, and longer than the narrowest are.
+// Two buffers for strips: an eighth of the memory, or what a panel of prescribed width leaves. Returns false if strips would
+// not be longer than wide, or shorter than the smallest useful ones.
 bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
   EliminationPlan strips = plan;
   const uint64_t beside = forced > 0 ? elimination_bytes(plan.rows, plan.pivots, forced, 0) : bytes / 8 * 7;
-  // (headers, and what else rounds up, are small beside that)
+  // (1024 bytes for headers and rounding)
   const uint64_t numbers = (bytes < beside + 1024 ? 0 : (bytes - beside - 1024) / 2) / sizeof(Real);
   for (int32_t width = kWidestStrip; width >= kNarrowestStrip; width /= 2) {
     const uint64_t most = static_cast<uint64_t>(kLongestStrip) * static_cast<uint64_t>(width);
@@ -69,11 +81,12 @@ bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
     strips.block_columns = width;
     if (strips.block_rows < plan.rows) strips.block_rows -= strips.block_rows % kTileRows;
     if (strips.block_rows < smaller(plan.rows, 3 * width)) continue;
-    if (static_cast<int64_t>(strips.block_rows) * width < plan.rows) continue; // room for a column, and for the exchanges
+    if (static_cast<int64_t>(strips.block_rows) * width < plan.rows)
+      continue; // a buffer must store a column, and the exchanges
     const int32_t widest = forced > 0 ? forced : widest_panel(bytes, strips, width);
     strips.panel_columns = forced > 0 ? forced : widest - widest % kTileColumns;
     if (strips.panel_columns < width) continue;
-    if (C2D_NEVER(elimination_bytes(strips) > bytes)) continue; // (they are cut to what is left)
+    if (C2D_NEVER(elimination_bytes(strips) > bytes)) continue; // strips are cut to the memory that is left
     plan = strips;
     return true;
   }
@@ -90,6 +103,7 @@ bool choose_blocks(uint64_t bytes, int32_t panel, EliminationPlan& plan) {
   return false;
 }
 
+// A chunk ends where its panel ends and where the eliminated columns end, so a block contains columns of one kind.
 Chunk chunk_at(const EliminationPlan& plan, int32_t first, uint64_t index) {
   const int32_t kind_end = first < plan.pivots ? plan.pivots : all_columns(plan);
   const int32_t panel = first / plan.panel_columns;
@@ -102,6 +116,8 @@ Chunk chunk_at(const EliminationPlan& plan, int32_t first, uint64_t index) {
 
 int32_t block_buffers(const EliminationPlan& plan) { return plan.block_rows > 0 ? kMostBuffers : 1; }
 
+// Tape UPPER is read by whole columns, downwards from row 0. A buffer that stores a strip of many columns stores fewer columns
+// of full length.
 EliminationPlan upper_cut(const EliminationPlan& plan) {
   EliminationPlan cut = plan;
   cut.block_rows = 0;
@@ -213,6 +229,7 @@ TapeUse lower_use(const EliminationPlan& plan) {
     use.blocks += 1;
     if (data > use.max_data_bytes) use.max_data_bytes = data;
     use.bytes_written += data + kBlockHeaderBytes;
+    // Each panel behind this one reads the block once.
     use.bytes_read += (data + kBlockHeaderBytes) * static_cast<uint64_t>(last - chunk.panel);
   }
   if (plan.keep_lower != 0 && plan.pivots > 0) {
@@ -242,13 +259,13 @@ TapeUse most_upper_use(const EliminationPlan& plan) {
   TapeUse use = {upper_use(plan).blocks, 0, 0, 0};
   const EliminationPlan cut = upper_cut(plan);
   const int32_t columns = all_columns(plan), each = (cut.panel_columns - 1) / cut.block_columns + 1;
-  // Where the eliminated columns end inside a panel, a chunk is cut in two.
+  // A chunk is cut in two where the eliminated columns end inside a panel: one more block at most.
   const uint64_t panels = static_cast<uint64_t>(columns / cut.panel_columns),
                  rest = static_cast<uint64_t>(columns % cut.panel_columns);
   const uint64_t width = static_cast<uint64_t>(cut.block_columns);
   const uint64_t blocks = panels * static_cast<uint64_t>(each) + (rest + width - 1) / width + 1;
   if (blocks > use.blocks && width > 1 && columns > cut.panel_columns) use.blocks = blocks;
-  // Where rows are fewer than in the plan, strips of the same length make wider chunks.
+  // A body with fewer rows than the plan gets wider chunks from strips of the same length.
   const bool strips = plan.block_rows > 0 && plan.block_rows < plan.rows;
   const uint64_t most = static_cast<uint64_t>(smaller(cut.block_columns, columns)) * static_cast<uint64_t>(plan.pivots);
   use.max_data_bytes =

@@ -1,13 +1,13 @@
 #pragma once
-// How an elimination is cut into panels and blocks, and what that costs in memory and in transfers.
+// Division of an elimination into panels and blocks, and its cost in memory and transfers.
 //
 // The matrix has `rows` rows and the columns 0 ... pivots-1, which are eliminated, and pivots ... pivots+trailing-1, which are
-// only updated. A panel of panel_columns columns is in memory at a time (the last one may be narrower, one may hold columns of
-// both kinds). On the tapes a panel is cut into chunks of columns, which do not reach over the end of a panel or from the
-// eliminated to the trailing columns. Chunk k of block_columns columns is block lower_first_block + k of tape LOWER, if a later
-// panel needs it. A column of L is worked on as a whole, so wide chunks are good for the arithmetic; where they would take too
-// much of the memory, a chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns
-// as a buffer takes (upper_cut): block upper_first_block + k.
+// only updated. One panel of panel_columns columns is in memory at a time (the last one may be narrower, and one panel may
+// contain columns of both kinds). On the tapes a panel is cut into chunks of columns. A chunk never crosses the end of a panel
+// or the border between eliminated and trailing columns. Chunk k of block_columns columns is block lower_first_block + k of
+// tape LOWER, if a later panel needs it. Wide chunks make the arithmetic fast. Where whole columns of that width would take too
+// much memory, a chunk is cut into strips of block_rows rows, each a block. Tape UPPER stores chunks of as many columns as fit
+// into a buffer (upper_cut): block upper_first_block + k.
 #include "contact2d.h"
 #include "contact2d_memory.h"
 #include "linalg/kernel.hpp"
@@ -19,16 +19,16 @@ struct EliminationPlan {
   int32_t panel_columns, block_columns;          // both >= 1, block_columns <= panel_columns
   int32_t rank;                                  // of compressed elimination, whose border this plan is of; 0: all is dense
   uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
-  int32_t keep_lower;                            // set by the caller: 1: tape LOWER shall hold all of L, and one block
-                                                 // more the row exchanges, so that eliminate_again is possible
+  int32_t keep_lower;                            // set by the caller: 1: tape LOWER stores all of L, and the row exchanges
+                                                 // in one block more, so that eliminate_again is possible
   int32_t block_rows;                            // of a block of LOWER; 0: all
 };
 inline bool is_compressed(const EliminationPlan& plan) { return !kSmallCode && plan.rank > 0; }
 // The plan with the chunks of tape UPPER.
 EliminationPlan upper_cut(const EliminationPlan& plan);
 
-// Buffers for blocks: two where a chunk is cut into strips, so that while one is worked on another may be on its way.
-// Small code does one thing at a time: its stack is short.
+// Buffers for blocks: two where a chunk is cut into strips, so that one is used while the other is transferred. Small code
+// does one thing at a time, to keep the stack short.
 constexpr int32_t kMostBuffers = kSmallCode ? 1 : 2;
 int32_t block_buffers(const EliminationPlan& plan);
 
@@ -37,18 +37,18 @@ int32_t block_buffers(const EliminationPlan& plan);
 uint64_t elimination_bytes(const EliminationPlan& plan);
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
 
-// The same for the widest panel that is of any use: every column at once, nothing on tape LOWER.
+// The same for the widest panel that is useful: all columns at once, nothing on tape LOWER.
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing);
 
 // Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels and strips in an
 // eighth of the memory, or, where that is too little to read ahead, whole blocks of at most a quarter of the panels' width.
 // forced_columns > 0 is the width of the panels. The first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed =
-// the bytes that would do (at least panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range.
+// the bytes that are enough (for panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range.
 // `needed` may be null.
 c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing, int32_t forced_columns,
                             EliminationPlan& out, uint64_t* needed);
 
-// What one elimination asks of a tape. Bytes count headers.
+// What one elimination needs of a tape. Bytes include headers.
 struct TapeUse {
   uint64_t blocks;         // numbered from the plan's first block of that tape
   uint64_t max_data_bytes; // of the largest block, without its header
@@ -57,8 +57,8 @@ struct TapeUse {
 };
 TapeUse lower_use(const EliminationPlan& plan);
 TapeUse upper_use(const EliminationPlan& plan);
-// The same of any elimination that is cut like this one and has no more rows and columns of either kind: bytes are not told.
-// (For LOWER lower_use is that.)
+// Bounds for any elimination with the same cut and no more rows and columns of either kind; bytes are not given. (For LOWER,
+// lower_use is such a bound.)
 TapeUse most_upper_use(const EliminationPlan& plan);
 
 // A chunk of columns, all in one panel and of one kind.
@@ -68,7 +68,7 @@ struct Chunk {
   int32_t row;          // on LOWER: the first row of the strip
   uint64_t index;       // from 0, of blocks; the eliminated columns' chunks come first
 };
-// For an elimination of no more rows and columns: its own numbers, cut like this one.
+// Cuts an elimination with no more rows and columns like this one.
 void cut_alike(const EliminationPlan& cut, EliminationPlan& plan);
 // Place on tape LOWER, from the plan's first block, of the row exchanges.
 uint64_t exchanges_block(const EliminationPlan& plan);
@@ -82,13 +82,13 @@ int32_t rows_of_strip(const EliminationPlan& plan, const Chunk& chunk);
 Chunk chunk_before(const EliminationPlan& plan, int32_t end);
 
 int32_t panel_count(const EliminationPlan& plan);
-// Bytes of data of a chunk's blocks: LOWER holds the rows of a strip, the first of which begins in the row of the
+// Bytes of data of a chunk's blocks: LOWER stores the rows of a strip, the first of which begins in the row of the
 // chunk's first column (for eliminated columns only), UPPER (chunks of upper_cut) the rows down to its last column, or
 // the first `pivots` rows of trailing columns.
 uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk);
 uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk);
 
-// Where things are in the work area, in bytes from its start, which is aligned to 64 bytes.
+// Places in the work area, in bytes from its start, which is aligned to 64 bytes.
 struct WorkLayout {
   uint64_t panel, block, norms, pivots, total;
   uint64_t block_step; // from one buffer for blocks to the next

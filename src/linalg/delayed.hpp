@@ -1,8 +1,8 @@
 #pragma once
-// A tableau whose exchanges (exchange.hpp) are kept back. It stands for T - U M V^T: T, U and V are columns and rows of what it
-// was when the list was last applied, and M, a number for each two of the exchanges since then, is all that changes with them.
-// An exchange then needs the column and the row of its pivot alone, one that reverses another takes it off the list, and all
-// that the list holds are applied as one product. METHOD (11.4).
+// Tableau with delayed exchanges (exchange.hpp). It represents T - U M V^T: T is the tableau when the list of exchanges was
+// last applied, U and V contain the columns and rows of the exchanges since then, and only the small matrix M changes with
+// them. An exchange then needs only the column and the row of its pivot. One that reverses another removes it from the list.
+// All listed exchanges are applied as one product. METHOD (11.4).
 #include "contact2d_memory.h"
 #include "linalg/engine.hpp"
 
@@ -11,13 +11,13 @@ namespace c2d {
 struct DelayedExchanges {
   int32_t rows, cols; // at least as many rows as columns
   Real* t;            // T, rows x cols without gaps
-  int32_t most;       // the list's length; 0: there is none, and T alone is the tableau
+  int32_t most;       // the list's length; 0: no list, T alone is the tableau
   Real* numbers;      // of the list, list_numbers() of them
   int32_t count;      // exchanges in the list
 };
 constexpr int32_t kMostDelayed = 64;
-// The list's length, a function of the number of rows alone, so that nothing else decides when it is applied; 0 in small
-// tableaux. All of the list has room in two times C2D_DELAYED_ columns.
+// The list's length. It depends on the number of rows alone, so that nothing else decides when the list is applied; 0 for
+// small tableaux. The list fits into two times C2D_DELAYED_ columns.
 constexpr int32_t delayed_exchanges(int64_t m) {
   const int64_t columns = C2D_DELAYED_(m);
   return columns == 0 ? 0 : static_cast<int32_t>(columns - 1 - (columns * columns + m - 1) / m);
@@ -30,26 +30,26 @@ void read_row(const DelayedExchanges& d, const Engine& engine, int32_t row, Real
 Real read_entry(const DelayedExchanges& d, int32_t row, int32_t column);
 // y (rows) += factor times a column.
 void add_column_to(const DelayedExchanges& d, const Engine& engine, int32_t column, Real factor, Real* y);
-// The same of many columns: first of each what T has, with what the list takes off gathered in `by` (kMostDelayed numbers, from
-// zero), then that.
+// The same for many columns: first the part of T for each, with the coefficients of the list summed in `by` (kMostDelayed
+// numbers, from zero), then the list once.
 void add_before_list(const DelayedExchanges& d, int32_t column, Real factor, Real* y, Real* by);
 void subtract_list(const DelayedExchanges& d, const Engine& engine, const Real* by, Real* y);
 
-// y_r and z_c change places. A full list is applied first, and one that most of the pivot cancels with. False, and nothing else
-// has changed, if the pivot is below the smallest normal number. Else what was done to an entry outside row r and column c is
-// T_ij - u_i v_j, with u_r = 1 / pivot and v_c = -1; `u` and `v` stay until the next exchange, or until the list is
-// applied.
+// Exchanges y_r and z_c. A full list is applied first, and so is one that cancels most of the pivot. Returns false, with
+// nothing else changed, if the pivot is below the smallest normal number. Otherwise an entry outside row r and column c has
+// become T_ij - u_i v_j, with u_r = 1 / pivot and v_c = -1; `u` and `v` are valid until the next exchange, or until the list
+// is applied.
 bool delay_exchange(DelayedExchanges& d, const Engine& engine, int32_t r, int32_t c, const Real** u, const Real** v);
 // As row_add and column_add.
 void delayed_row_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);
 void delayed_column_add(DelayedExchanges& d, int32_t target, int32_t source, Real factor);
 
-// Which of the list's exchanges that of row r and column c would take off it; -1: none.
+// The listed exchange that an exchange of row r and column c would undo; -1: none.
 int32_t place_in_list(const DelayedExchanges& d, int32_t r, int32_t c);
-// T is the tableau, the list is empty.
+// Applies the list: T is the tableau, the list is empty.
 void apply_delayed(DelayedExchanges& d, const Engine& engine);
-// All but those that `kept` says of their places in the list: T is what the tableau would be without them. Some may be applied
-// nevertheless.
+// Applies all exchanges except those marked in `kept` by their places in the list: T is what the tableau would be without the
+// latter. Some of them may be applied nevertheless.
 void apply_all_but(DelayedExchanges& d, const Engine& engine, const bool* kept);
 
 } // namespace c2d

@@ -1,3 +1,14 @@
+// Dense products and triangular solves (METHOD 7.1): C -= A B, C -= A B^T, X := L^-1 X, B := U^-1 B.
+//
+// Three forms of each, of one result up to rounding:
+// 1. Plain: portable loops over 4 x 4 tiles, for boards and as the reference.
+// 2. Thin: one right-hand side, bound by memory. The kernel of the instruction set runs over whole columns of A.
+// 3. Packed: many columns. Both factors are copied into slices without gaps (packed.cpp), and columns of C are shared by the
+//    threads.
+// All triangular solves are blocked: triangles of kTriangle, and everything beside them is a product. So nearly all operations
+// run at the speed of the product.
+// Literature: Golub and Van Loan, Matrix Computations, section 1.5 and 3.1; Goto and van de Geijn, ACM Trans. Math. Software
+// 34 (2008) (tiles, packing, caches).
 #include "linalg/dense.hpp"
 #include "linalg/packed.hpp"
 #include "memory/math.hpp"
@@ -5,17 +16,18 @@
 namespace c2d {
 namespace {
 
-// A tile of C is kept in registers while the inner index runs: 4 x 4 numbers are 16 registers at worst and 8 with the shortest
-// vectors in use. Loops over a tile have constant length so that compilers turn them into vectors.
+// A tile of C stays in registers during the inner loop: 4 x 4 numbers are 16 registers at worst and 8 with the shortest
+// vectors in use. Loops over a tile have constant length, so that compilers turn them into vector instructions.
 constexpr int32_t kTile = 4;
-// A piece of A of kInner columns and kRows rows (128 KiB) stays in the second-level cache while B passes by.
+// A piece of A with kInner columns and kRows rows (128 KiB) stays in the second-level cache while B passes.
 constexpr int32_t kInner = 64;
 constexpr int32_t kRows = 256;
-// Width of the diagonal blocks of the triangular solves, whose own work is not done by tiles.
+// Width of the diagonal blocks of the triangular solves, whose own operations do not use tiles.
 constexpr int32_t kTriangle = 32;
 
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
+// One tile: each number of A and B that is loaded serves four products.
 void tile_4x4(int32_t k, const Real* __restrict a, int64_t lda, const Real* __restrict b, int64_t ldb, Real* __restrict c,
               int64_t ldc) {
   Real s0[kTile] = {}, s1[kTile] = {}, s2[kTile] = {}, s3[kTile] = {};
@@ -54,6 +66,7 @@ void single(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c) {
 
 // The product for one cached piece of A: m <= kRows, k <= kInner.
 void gemm_piece(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb, Real* c, int64_t ldc) {
+  // Whole tiles first; the edges with narrower loops.
   const int32_t m4 = m - m % kTile, n4 = n - n % kTile;
   for (int32_t j = 0; j < n4; j += kTile) {
     for (int32_t i = 0; i < m4; i += kTile) tile_4x4(k, a + i, lda, b + j * ldb, ldb, c + i + j * ldc, ldc);
@@ -75,6 +88,8 @@ void plain_product(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, 
   }
 }
 
+// X := (L_1^-1 X_1, X_2 - L_2 L_1^-1 X_1): forward substitution in the triangle, then its columns are subtracted from all rows
+// below.
 void plain_update(int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
   for (int32_t d = 0; d < w; d += kTriangle) {
     const int32_t end = smaller(d + kTriangle, w);
@@ -90,6 +105,8 @@ void plain_update(int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, R
   }
 }
 
+// Backward substitution, from the last triangle upwards. A zero diagonal gives a zero, not a trap: the caller knows from the
+// pivot statistics that the column is not usable.
 void plain_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb) {
   for (int32_t end = n; end > 0;) {
     const int32_t d = (end - 1) / kTriangle * kTriangle;
@@ -107,10 +124,10 @@ void plain_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, i
   }
 }
 
-// Packing pays when enough columns share it.
+// Packing costs one copy of each factor, so it pays only if several columns share it.
 bool packs(const Engine& engine, int32_t n, int32_t k) { return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine); }
 
-// One column and a kernel: a few columns of A at a time.
+// One column: a few columns of A at a time, so that x is loaded and stored once for all of them.
 void thin_product(const Kernel& kernel, int32_t m, int32_t k, const Real* a, int64_t lda, const Real* b, Real* c) {
   for (int32_t p = 0; p < k; p += kTriangle) kernel.column(m, smaller(kTriangle, k - p), a + p * lda, lda, b + p, c);
 }
@@ -140,8 +157,7 @@ void thin_upper(const Kernel& kernel, int32_t n, const Real* u, int64_t ldu, Rea
   }
 }
 
-// A routine of packed.hpp on the columns of X or C, cut between the workers: whole slices of any kernel, wide enough to
-// be worth the packing of A.
+// Columns of X or C are cut between the workers: whole slices for any kernel, wide enough to justify packing A again in each.
 constexpr int32_t kLeastCut = 32;
 
 struct Columns {
@@ -166,8 +182,8 @@ void cut_columns(const Engine& engine, Columns all) {
 
 } // namespace
 
-// How many of the columns that are left the next piece takes: as many parts take two thirds of them. What is left then is not
-// too narrow for another.
+// Width of the next piece: `parts` pieces take two thirds of the columns that are left. So pieces shrink geometrically, and
+// all workers finish at about the same time.
 static int32_t piece_width(int32_t left, int32_t parts) {
   if (parts <= 1) return left;
   const int32_t even = (left / 3 * 2 / parts + 7) / 8 * 8, most = even > kWidth ? kWidth : even;
@@ -182,8 +198,9 @@ int32_t pieces_of(int32_t columns, int32_t parts) {
 }
 
 Piece piece_of(int32_t columns, int32_t parts, int32_t item) {
+  // Pieces are numbered from both ends, because run_items() hands them out from both ends.
   const int32_t pieces = pieces_of(columns, parts), last = pieces - 1 - item;
-  const int32_t turn = item <= last ? 2 * item : 2 * last + 1; // from either end in turns
+  const int32_t turn = item <= last ? 2 * item : 2 * last + 1; // from either end alternately
   int32_t first = 0, end = columns;
   for (int32_t i = 0; i < turn; ++i) {
     const int32_t width = piece_width(end - first, parts);
@@ -210,6 +227,7 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
 void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
                  Real* c, int64_t ldc) {
   if (!packs(engine, n, k)) {
+    // B^T has its columns as rows: the factors are copied, since the kernels expect them one behind the other.
     Real factor[kTriangle];
     for (int32_t j = 0; j < n; ++j)
       for (int32_t d = 0; d < k; d += kTriangle) {
@@ -263,6 +281,7 @@ Real largest(const Engine& engine, int32_t n, const Real* x) {
 }
 
 bool all_finite(int32_t n, const Real* x) {
+  // No early exit: without a branch the loop becomes a vector loop, and the answer is nearly always yes.
   bool finite = true;
   for (int32_t i = 0; i < n; ++i) finite &= isfinite(x[i]) != 0;
   return finite;

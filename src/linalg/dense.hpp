@@ -1,8 +1,8 @@
 #pragma once
-// Dense kernels: product, triangular solves, LU with partial pivoting. Matrices are column-major: entry (i,
-// j) of A is a[i + j * lda], lda >= max(1, rows). Sizes may be 0. Arguments that are written must not overlap
-// others. Nothing here traps: no division by zero, no operation on anything but the numbers given. Where an
-// engine is asked for, kPlainEngine does; another one is faster and rounds differently.
+// Dense kernels: product, triangular solves, and what LU with partial pivoting needs. Matrices are column-major: entry (i, j)
+// of A is a[i + j * lda], lda >= max(1, rows). Sizes may be 0. Arguments that are written must not overlap others. Nothing
+// here traps: there is no division by zero, and no operation on anything but the given numbers. kPlainEngine is always allowed
+// as the engine; another engine is faster and rounds differently.
 #include "linalg/engine.hpp"
 #include <stdint.h>
 
@@ -15,16 +15,16 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
 void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
                  Real* c, int64_t ldc);
 
-// What an elimination needs: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2
-// L1^-1 X1) with L = (L1, L2) unit lower trapezoidal, (w + m) x w.
+// The update of an elimination: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2 L1^-1 X1) with L = (L1, L2)
+// unit lower trapezoidal, (w + m) x w.
 void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx);
 
-// B (n x nrhs) := U^-1 B; U upper triangular: what stands below its diagonal is not read. Where a diagonal
-// entry is zero the solution's entry is set to zero; the result is then no solution.
+// B (n x nrhs) := U^-1 B; U upper triangular: entries below its diagonal are not read. Where a diagonal entry is zero, the
+// solution's entry is set to zero; the result is then no solution.
 void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb);
 
-// Columns that so many parts share are cut into pieces, which run_items hands out from both ends: wide ones there and ever
-// narrower ones towards the middle, so that all parts end at about the same time, but none too narrow to be worth packing.
+// Columns shared by several parts are cut into pieces, which run_items hands out from both ends: wide at the ends, narrower
+// towards the middle, so that all parts finish at about the same time, but never too narrow to justify packing.
 struct Piece {
   int32_t first, count;
 };

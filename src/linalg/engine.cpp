@@ -1,3 +1,5 @@
+// Sharing of work items between threads. Items own the numbers that they write and are summed in a fixed order, so the number
+// of threads changes no bit; only who computes an item depends on timing.
 #include "linalg/engine.hpp"
 
 namespace c2d {
@@ -6,7 +8,7 @@ namespace {
 // The narrowest right factor that is worth packing for.
 constexpr int64_t kLeastWidth = 32;
 
-// Items are taken by whichever task is free. Without a counter that tasks can share there is one task.
+// Any free task takes the next item. Without a counter that tasks can share there is one task.
 #if defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
 constexpr bool kShared = !kSmallCode;
 int32_t take(int32_t* next) { return __atomic_fetch_add(next, 1, __ATOMIC_RELAXED); }
@@ -25,8 +27,8 @@ struct Items {
   int32_t taken, front, back;
 };
 
-// Every other part takes items from the back: where columns are shared again and again, each is mostly met by the processor
-// in whose cache it is.
+// Odd parts take items from the back, even ones from the front: columns that are used again and again are then mostly
+// processed by the worker whose cache contains them.
 int32_t next_item(Items& items, int32_t part) {
   if (take(&items.taken) >= items.count) return items.count;
   return part % 2 == 0 ? take(&items.front) : items.count - 1 - take(&items.back);
@@ -34,6 +36,7 @@ int32_t next_item(Items& items, int32_t part) {
 
 void take_items(void* argument, int32_t part) {
   Items& items = *static_cast<Items*>(argument);
+  // Each part gets its own share of the scratch memory, so no part waits for another.
   const int64_t numbers = items.engine.numbers / items.parts / 8 * 8;
   const Engine own = {items.engine.kernel, items.engine.scratch + part * numbers, numbers, nullptr, kAlone};
   for (int32_t i = next_item(items, part); i < items.count; i = next_item(items, part)) items.work(items.argument, own, i);
@@ -43,6 +46,7 @@ void take_items(void* argument, int32_t part) {
 
 int32_t parts_of(const Engine& engine) {
   if (!kShared || !engine.kernel || engine.workers.count <= 1) return 1;
+  // A part with less scratch than full depth would sum in another order, hence give other bits: rather fewer parts.
   const int64_t each = kDepth * (engine.kernel->rows + kLeastWidth) + 8;
   const int64_t most = engine.numbers / each;
   return most < 1 ? 1 : (most < engine.workers.count ? static_cast<int32_t>(most) : engine.workers.count);

@@ -1,3 +1,8 @@
+// Gauss-Jordan exchange of a tableau y = T z (METHOD 11, equation METHOD (11.3)): with the pivot p = T_rc
+//   T_rc' = 1/p,  T_rj' = -T_rj/p,  T_ic' = T_ic/p,  T_ij' = T_ij - T_ic T_rj/p.
+// It solves row r for z_c and inserts the result into all other rows: the principal pivot of complementarity problems. The
+// work goes column by column, since T is stored by columns. A column with a zero in row r does not change at all.
+// Literature: Cottle, Pang and Stone, The Linear Complementarity Problem (1992) (principal pivoting).
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
 
@@ -12,9 +17,10 @@ void plain_add_two(int32_t n, Real f, const Real* __restrict x, Real g, const Re
   for (int32_t i = 0; i < n; ++i) y[i] = y[i] + f * x[i] + g * z[i];
 }
 
+// Below the smallest normal number a quotient would overflow or lose its digits.
 bool usable(Real pivot) { return (pivot < 0 ? -pivot : pivot) >= kSmallestReal; }
 
-// The pivot's own column, when the others have been dealt with.
+// The pivot's own column comes last, because all other columns need it unchanged.
 void finish(int32_t rows, int32_t r, Real* column) {
   const Real pivot = column[r];
   for (int32_t i = 0; i < rows; ++i) column[i] /= pivot;
@@ -40,13 +46,16 @@ bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_
   return true;
 }
 
-// Every other column is met once: what the first exchange leaves of its entry in row b is known before.
+// Both pivots of a pair in one pass: every other column is read and written once. This works because the entry of row b after
+// the first exchange is known beforehand: T_bj + f T_ba, with f = -T_aj / T_aa.
 bool exchange_two(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t a, int32_t b, const Kernel* kernel) {
   if (kSmallCode) return exchange(rows, cols, t, ld, a, a) && exchange(rows, cols, t, ld, b, b);
   Real *first = t + a * ld, *second = t + b * ld;
+  // The second pivot is that after the first exchange, a Schur complement. Both are checked before anything changes.
   if (!usable(first[a]) || !usable(second[b] - first[b] * second[a] / first[a])) return false;
   const auto add = kernel ? kernel->add : plain_add;
   const auto add_two = kernel ? kernel->add_two : plain_add_two;
+  // The second pivot column after the first exchange; all other columns use it.
   const Real corner = -second[a] / first[a];
   add(rows, corner, first, second);
   second[a] = corner;
@@ -58,6 +67,7 @@ bool exchange_two(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t a, in
     column[a] = f + g * second[a];
     column[b] = g;
   }
+  // The first pivot column passes through the second exchange, like any other column.
   finish(rows, a, first);
   const Real entry = -first[b] / second[b];
   add(rows, entry, second, first);

@@ -1,3 +1,6 @@
+// Choice of the instruction set: what this build contains and this processor can run. The processor reports its instructions
+// (cpuid). The operating system reports which registers it saves when it switches threads (xgetbv). Both are needed: a
+// register that is not saved loses its contents.
 #include "linalg/kernel.hpp"
 #include "linalg/kernel_sets.hpp"
 #include "memory/hostile.hpp"
@@ -13,7 +16,7 @@ constexpr uint32_t kFma = 1u << 12, kAsksSystem = 1u << 27, kAvx2 = 1u << 5, kAv
 
 #if defined(__x86_64__) && C2D_EXTENSIONS
 
-// Which registers the operating system keeps when it switches between threads.
+// Registers that the operating system saves when it switches between threads.
 uint32_t kept_registers() {
   uint32_t low, high;
   __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
@@ -60,6 +63,7 @@ Instructions instructions_of(const ProcessorSays& processor) {
 
 Instructions best_there(Instructions most, const Kernel* (*find)(Instructions)) {
   int32_t set = static_cast<int32_t>(most);
+  // A build may lack a set that the processor has: take the next lower one.
   while (set > 0 && find(static_cast<Instructions>(set)) == nullptr) --set;
   return static_cast<Instructions>(set);
 }

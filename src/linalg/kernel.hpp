@@ -1,7 +1,7 @@
 #pragma once
-// The inner loops of the elimination, once per instruction set. A product C -= A B goes over tiles of C of
-// `rows` x `cols` numbers that stay in registers: A comes in slices of `rows` rows, B packed, row by row in
-// slices of `cols` columns. Everything around them (blocking, packing, edges) is common: packed.cpp, lu.cpp.
+// The inner loops of the elimination, once per instruction set. A product C -= A B is formed in tiles of C of `rows` x `cols`
+// numbers that stay in registers: A comes in slices of `rows` rows, B packed row by row in slices of `cols` columns.
+// Everything around them (blocking, packing, edges) is common: packed.cpp, lu.cpp.
 #include "memory/config.hpp"
 #include <stdint.h>
 
@@ -35,17 +35,17 @@ constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double
 
 // Instruction sets, ascending. `plain` is a scalar form that needs no scratch memory and little code.
 enum class Instructions : int16_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 3 };
-// Null for plain, and for a set that this build does not have.
+// Null for plain, and for a set that this build does not contain.
 const Kernel* kernel_for(Instructions set);
-// What a processor and its operating system say of themselves: cpuid 1 (ecx), cpuid 7 (ebx), xgetbv (registers kept). Not said:
-// 0.
+// Features that a processor and its operating system report: cpuid 1 (ecx), cpuid 7 (ebx), xgetbv (registers saved). Not
+// reported: 0.
 struct ProcessorSays {
   uint32_t features, more_features, kept;
 };
 Instructions instructions_of(const ProcessorSays& processor);
-// The best up to `most` that `find` has.
+// The best set up to `most` that `find` returns a kernel for.
 Instructions best_there(Instructions most, const Kernel* (*find)(Instructions));
-// The best that this build has and this machine runs. Asks the processor each time: keep the answer.
+// The best set that this build contains and this machine runs. Queries the processor each time: store the answer.
 Instructions best_instructions();
 
 } // namespace c2d

@@ -1,9 +1,9 @@
-// The loops of one instruction set: included by one source file per set, which defines C2D_VECTOR_BYTES,
-// C2D_TILE_VECTORS and C2D_TILE_COLUMNS and is compiled with that set's flags. Nothing in here may be seen by
-// another file: a function shared by the linker would carry instructions into machines that lack them.
+// The loops of one instruction set. One source file per set includes this one; it defines C2D_VECTOR_BYTES, C2D_TILE_VECTORS
+// and C2D_TILE_COLUMNS and is compiled with that set's flags. Nothing in here may be visible to another file: a function merged
+// by the linker would bring instructions to machines that lack them.
 //
-// A tile of C is C2D_TILE_VECTORS vectors high and C2D_TILE_COLUMNS wide and fills most registers: with k steps it costs k
-// (vectors + columns) loads for k vectors columns multiplications and additions. Additions are fused where the set can.
+// A tile of C is C2D_TILE_VECTORS vectors high and C2D_TILE_COLUMNS wide and fills most registers. k steps cost k (vectors +
+// columns) loads for k vectors columns multiplications and additions, fused where the set allows it.
 #include "linalg/kernel.hpp"
 
 namespace c2d {
@@ -17,8 +17,8 @@ static_assert(kLanes * kVectors * kCols <= kMostTileNumbers, "a tile fits into t
 typedef Real Vector __attribute__((vector_size(C2D_VECTOR_BYTES)));
 typedef Real Row __attribute__((vector_size(kCols * sizeof(Real)))); // one row of a packed right factor
 
-// In memory they may lie anywhere a number may. Members of packed structs, because a reference to a type of lower
-// alignment is taken by clang for one to the aligned type.
+// Vectors at any address of a number. Members of packed structs, because clang takes a reference to a type of lower alignment
+// for one to the aligned type.
 struct __attribute__((packed, may_alias)) LooseVector {
   Vector v;
 };
@@ -30,8 +30,8 @@ inline LooseVector* vector_at(Real* x) { return reinterpret_cast<LooseVector*>(x
 inline const LooseRow* row_at(const Real* x) { return reinterpret_cast<const LooseRow*>(x); }
 inline LooseRow* row_at(Real* x) { return reinterpret_cast<LooseRow*>(x); }
 
-// What a tile is taken from at last comes nearer while its products are summed. Always inline: of a function that does nothing
-// but that gcc finds that it has no effect, and drops its calls.
+// Prefetches the tile of C while its products are summed. Always inline: gcc finds that a function with nothing but prefetches
+// has no effect, and drops its calls.
 __attribute__((always_inline)) inline void ask_for(Real* c, int64_t ldc) {
   for (int32_t j = 0; j < kCols; ++j) {
 #pragma GCC unroll 8
@@ -47,7 +47,7 @@ __attribute__((always_inline)) inline void ask_for(Real* c, int64_t ldc) {
 #if defined(C2D_SHUFFLES) && C2D_VECTOR_BYTES == 16 && C2D_TWO_IN_16_BYTES
 static_assert(kLanes == 2, "C2D_REAL=float needs C2D_REAL_BYTES=4");
 // Two numbers to a vector: a column times two numbers of a row at once gives the sums of entries (0, 0) and (1, 1) of a
-// square, the column turned round those of (1, 0) and (0, 1). One exchange for each vector of A costs less than one
+// square, the reversed column those of (1, 0) and (0, 1). One exchange for each vector of A costs less than one
 // broadcast for each number of B: 0.80 of the peak in place of 0.67. The sums are the same.
 void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
   Vector along[kCols / 2][kVectors] = {}, across[kCols / 2][kVectors] = {};
@@ -99,7 +99,7 @@ void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t
 }
 #endif
 
-// kSolved rows stay in registers while the rows above them pass by, are freed from one another, and are stored once.
+// kSolved rows stay in registers: first all rows above are subtracted, then they are solved among themselves and stored once.
 constexpr int32_t kSolved = C2D_VECTOR_BYTES == 16 ? 4 : 8;
 
 void solve(int32_t n, const Real* l, int64_t ldl, Real* b) {
@@ -156,7 +156,7 @@ inline Real most_of(const Vector& sizes) {
   return most[0];
 }
 
-// The largest entry so far in each lane, and where it stands.
+// The largest entry so far in each lane, and its place.
 typedef decltype(Vector{} < Vector{}) Places;
 struct Largest {
   Vector most = {};
@@ -178,8 +178,7 @@ struct Largest {
   }
 };
 
-// kGroup vectors of x stay in registers while the columns of L pass by: enough that additions need not wait for those
-// before them.
+// kGroup vectors of x stay in registers while the columns of L pass: enough that additions need not wait for one another.
 constexpr int32_t kGroup = 8;
 
 template <int32_t vectors> inline void take_out(int32_t k, const Real* l, int64_t ldl, const Real* u, Vector* y) {
@@ -201,8 +200,8 @@ int32_t short_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Rea
   return row;
 }
 
-// The vectors between lie on vectors of memory. The first and the last ones may overlap with them: they are calculated
-// before, from the same numbers, and stored after.
+// The vectors in the middle are aligned. The first and the last vector may overlap with them, so these two are computed
+// beforehand from the same numbers and stored afterwards.
 int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
   if (m < kLanes) return short_column(m, k, l, ldl, u, x);
   if (k == 0) l = x; // never read, and may be null
@@ -282,7 +281,7 @@ Real largest_entry(int32_t n, const Real* x) {
   return most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]); // (lanes)
 }
 
-// What the next slice will ask for, the rows below, comes nearer meanwhile.
+// The rows below, which the next slice needs, are prefetched.
 void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
   for (int32_t p = 0; p < k; ++p, a += lda, to += kVectors * kLanes) {
 #pragma GCC unroll 8
@@ -293,8 +292,8 @@ void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
   }
 }
 
-// A square of as many rows as a row is long changes places in registers: to interleave the first half of its rows with
-// the second, as many times as halves can be halved, transposes it.
+// Transposes a square of kCols rows in registers: the first half of its rows is interleaved with the second half, log2(kCols)
+// times.
 #ifdef C2D_SHUFFLES
 inline void transpose(Row* x) {
   Row y[kCols];
@@ -316,8 +315,8 @@ inline void transpose(Row* x) {
 }
 #endif
 
-// From columns `across` apart, `along` from number to number, to the other way round, as many squares as there are; how
-// many of the k numbers that were. A compiler without shuffles leaves all to the caller.
+// Transposes as many whole squares as there are, from columns `across` apart with numbers `along` apart. Returns how many of
+// the k numbers that were. A compiler without shuffles leaves all of them to the caller.
 #ifdef C2D_SHUFFLES
 inline int32_t turn_squares(int32_t k, const Real* from, int64_t across, Real* to, int64_t to_across, int64_t along,
                             int64_t to_along) {

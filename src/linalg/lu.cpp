@@ -1,3 +1,15 @@
+// LU factorisation with partial pivoting of tall panels, P A = L U (METHOD 7.1).
+//
+// Structure, from the outside in:
+// 1. lu_step(): right-looking blocks of lu_width() columns. Each block updates everything to its right. The next block is
+//    updated first and factored by one worker while the others update the rest (look-ahead).
+// 2. factor_block(): a block in leaves of kLeaf columns. After each leaf, groups of 1, 2, 4 ... leaves update as many columns
+//    behind them. These are the updates of the recursive algorithm, without recursion.
+// 3. factor_leaf(): column by column, left-looking inside the leaf: update, find the largest entry, exchange rows, divide.
+// A column whose largest remaining entry is negligible has no pivot. Its remaining entries become zero and the factorisation
+// continues, so all such columns are reported at once.
+// Literature: Golub and Van Loan, Matrix Computations, section 3.4 (partial pivoting); Toledo, SIAM J. Matrix Anal. Appl. 18
+// (1997) (recursive blocking); Higham, Accuracy and Stability of Numerical Algorithms, chapter 9 (growth).
 #include "linalg/lu.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
@@ -6,15 +18,16 @@
 namespace c2d {
 namespace {
 
-// Squaring a number above this does not underflow, and a quotient of two numbers up to 1 / this by it does not overflow.
+// A number above this can be squared without underflow, and a quotient of two numbers up to its reciprocal does not overflow.
 constexpr Real smallest_safe() { return sizeof(Real) == 8 ? static_cast<Real>(1.5e-154) : static_cast<Real>(1.1e-19); }
 
-// A leaf of a block is factored column by column: few columns, which stay in the first-level cache.
+// A leaf is factored column by column: so few columns stay in the first-level cache.
 constexpr int32_t kLeaf = 8;
 
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
-// x (m) -= L (m x k) u, and where its largest entry is: as Kernel::column.
+// x (m) -= L (m x k) u; returns the place of the largest entry, as Kernel::column. The search joins the update, because x is
+// in the cache then.
 int32_t plain_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
   for (int32_t p = 0; p < k; ++p) {
     const Real* column = l + p * ldl;
@@ -36,7 +49,7 @@ void plain_scale(int32_t n, Real factor, Real* x) {
   for (int32_t i = 0; i < n; ++i) x[i] *= factor;
 }
 
-// By the reciprocal of the pivot, unless that has lost digits. The quotients are at most 1.
+// Divides by multiplying with the reciprocal of the pivot, unless the reciprocal would be denormal. Quotients are at most 1.
 void divide(const Engine& engine, int32_t n, Real pivot, Real* x) {
   const Real size = pivot < 0 ? -pivot : pivot;
   if (kSmallCode || size * kSmallestReal > Real(0.25)) {
@@ -52,7 +65,7 @@ void note_unusable(int32_t column, PivotStats* stats) {
   if (stats->first_unusable < 0) stats->first_unusable = column;
 }
 
-// `column_of_u`: the j+1 entries of U's column j; its last is the pivot.
+// Statistics for METHOD 7.4. `column_of_u`: the j+1 entries of column j of U; the last one is the pivot.
 void note_pivot(const Engine& engine, int32_t j, const Real* column_of_u, Real norm, PivotStats* stats) {
   const Real pivot = column_of_u[j] < 0 ? -column_of_u[j] : column_of_u[j];
   const double ratio = static_cast<double>(pivot) / static_cast<double>(norm);
@@ -78,8 +91,8 @@ using Work = Lu;
 
 inline Real* column_of(const Work& w, int32_t j) { return w.a + j * w.lda; }
 
-// Column j is brought up to date with the columns from `first` on, which belong to its leaf. Returns the row
-// of its largest entry on and below the diagonal, or -1.
+// Updates column j with the columns of its leaf from `first` on. Returns the row of its largest entry on and below the
+// diagonal, or -1.
 int32_t finish_column(const Work& w, int32_t first, int32_t j) {
   Real* x = column_of(w, j);
   const int32_t before = j - first;
@@ -93,8 +106,8 @@ int32_t finish_column(const Work& w, int32_t first, int32_t j) {
   return row < 0 ? row : row + j;
 }
 
-// Factor columns first ... first+count-1, which have been updated by all columns before them, from row
-// `first` down. Only these columns are touched.
+// Factors columns first ... first+count-1, which all earlier columns have updated, from row `first` down. Touches only these
+// columns: their row exchanges reach the others later, many at once.
 int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* norms) {
   int32_t unusable = 0;
   for (int32_t j = first; j < first + count; ++j) {
@@ -103,6 +116,7 @@ int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* nor
     const int32_t row = finish_column(w, first, j);
     C2D_ASSERT(row < 0 || (row >= j && row < w.rows));
     const Real size = row < 0 ? Real(0) : (column[row] < 0 ? -column[row] : column[row]);
+    // Relative to the column before elimination, so that the unit of a column does not matter.
     const bool usable = size > norm * smallest_safe() && size >= kSmallestReal;
     w.pivots[j] = usable ? row : j;
     if (!usable) {
@@ -118,9 +132,8 @@ int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* nor
   return unusable;
 }
 
-// The same for a block: after every leaf as many columns as end there and make up a power of two of leaves update as
-// many columns behind them. So each column is updated by few and ever wider groups, as by halving the block again and
-// again, without recursion.
+// A block. After every leaf, the largest power of two of leaves that ends there updates as many columns behind it. So each
+// column is updated by a few, ever wider groups, and wide groups make the products fast.
 int32_t factor_block(const Work& w, const Engine& engine, int32_t first, int32_t count) {
   int32_t unusable = 0;
   for (int32_t leaf = 0; leaf < count; leaf += kLeaf) {
@@ -128,6 +141,7 @@ int32_t factor_block(const Work& w, const Engine& engine, int32_t first, int32_t
     unusable += factor_leaf(w, at, n, w.norms + at);
     apply_pivots(leaf, column_of(w, first), w.lda, w.pivots, at, n);
     apply_pivots(count - end, column_of(w, first + end), w.lda, w.pivots, at, n);
+    // The lowest bit of `end` is the width of that group.
     const int32_t group = end & -end, from = first + end - group;
     update_by(engine, group, w.rows - first - end, smaller(group, count - end), column_of(w, from) + from, w.lda,
               column_of(w, first + end) + from, w.lda);
@@ -135,15 +149,14 @@ int32_t factor_block(const Work& w, const Engine& engine, int32_t first, int32_t
   return unusable;
 }
 
-// A block takes part in columns to the right of it.
+// Updates columns to the right of a block: row exchanges, then L^-1.
 void update_right(const Work& w, const Engine& engine, int32_t first, int32_t width, int32_t from, int32_t count) {
   apply_pivots(count, column_of(w, from), w.lda, w.pivots, first, width);
   update_by(engine, width, w.rows - first - width, count, column_of(w, first) + first, w.lda, column_of(w, from) + first,
             w.lda);
 }
 
-// The next block is brought up to date by all workers at once: into how many pieces it is cut, and these, of which the last
-// takes the rest.
+// The next block is updated by all workers at once: number of pieces, and these. The last piece takes the remainder.
 constexpr int32_t kLeastPiece = 16;
 int32_t next_pieces(int32_t width, int32_t parts) {
   const int32_t most = width / kLeastPiece;
@@ -154,13 +167,14 @@ Piece next_piece(int32_t width, int32_t pieces, int32_t item) {
   return {first, item + 1 < pieces ? each : width - first};
 }
 
-// One step: the items at both ends, which are begun first, bring the next block up to date, and the last of them to end factors
-// it, while the others update what is right of it.
+// One step. The items at both ends, which start first, update the next block. The worker that finishes the last of them
+// factors that block while the others update the columns to its right: the factorisation of a block, which has little
+// parallelism, is hidden.
 struct Step {
   const Work& work;
-  int32_t first, width, next, next_width; // the block that is factored, and the one that will be
-  int32_t parts, pieces, beyond;          // pieces of the next block, and of what is right of it
-  int32_t left;                           // pieces of the next block that have not been brought up to date
+  int32_t first, width, next, next_width; // the block that is factored, and the next one
+  int32_t parts, pieces, beyond;          // pieces of the next block, and of the columns to its right
+  int32_t left;                           // pieces of the next block that are not updated yet
   int32_t unusable;                       // of the next block
 };
 
@@ -200,6 +214,7 @@ int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
 
 } // namespace
 
+// Wide blocks for large matrices: the product dominates. Narrow ones for small matrices: the block itself would dominate.
 int32_t lu_width(int32_t rows) {
   if (kSmallCode) return 32;
   if (rows <= 640) return 32;
@@ -208,7 +223,8 @@ int32_t lu_width(int32_t rows) {
 
 int32_t lu_step(const Lu& lu, int32_t first) {
   const int32_t most = lu_width(lu.rows), width = smaller(most, lu.own - first), next = first + width;
-  int32_t unusable = first == 0 ? factor_block(lu, lu.engine, 0, width) : 0;
+  int32_t unusable =
+      first == 0 ? factor_block(lu, lu.engine, 0, width) : 0; // the first block has no predecessor that factors it
   if (kSmallCode) {
     if (next < lu.cols) update_right(lu, lu.engine, first, width, next, lu.cols - next);
     return next < lu.own ? unusable + factor_block(lu, lu.engine, next, smaller(most, lu.own - next)) : unusable;
@@ -222,6 +238,7 @@ int32_t lu_step(const Lu& lu, int32_t first) {
 
 void start_stats(PivotStats& stats) { stats = {0, 0, -1, -1, static_cast<double>(INFINITY), 0, 0}; }
 
+// A block of L was left with the rows as they were after its own factorisation. Later exchanges are applied now.
 void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* pivots) {
   const int32_t width = lu_width(rows);
   for (int32_t first = 0; first < cols; first += width) {
@@ -230,6 +247,7 @@ void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* 
   }
 }
 
+// X := L^-1 P X block by block, with the exchanges of each block just before its update, as during the factorisation.
 void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda, const int32_t* pivots,
               int32_t count, Real* x, int64_t ldx) {
   const int32_t width = lu_width(rows);
@@ -246,8 +264,8 @@ int32_t lu_panel(const Lu& lu) {
   return unusable;
 }
 
-// Four columns at a time: what one waits for the others do not. The rows of the next four are asked for meanwhile, one
-// by one, since no processor foresees where they are: this halves the time of the exchanges.
+// Four columns at a time: the loads of one column overlap with those of the others. The rows of the next four columns are
+// prefetched one by one, since the hardware cannot predict them. This halves the time of the exchanges.
 void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int32_t first, int32_t count) {
   int32_t j = 0;
   for (; !kSmallCode && j + 4 <= cols; j += 4) {

@@ -1,34 +1,44 @@
+// Matrix products and triangular solves with packed factors (METHOD 7.1).
+//
+// Loops, from the outside in, as in Goto and van de Geijn, ACM Trans. Math. Software 34 (2008):
+// 1. Columns of B, up to kWidth, packed once: slices of as many columns as a tile has. They stay in the second-level cache.
+// 2. Inner index, up to kDepth: bounds both packed factors.
+// 3. Bands of rows of A, packed just before use: they stay near while all slices of B pass.
+// 4. Tiles of C in registers (Kernel::tile).
+// Packing makes every access of the inner loop contiguous, so the leading dimension does not matter.
+// Triangular solves use the same loops: a triangle of kTriangle is solved in the packed slices, and the rows below it are a
+// product.
 #include "linalg/packed.hpp"
 
 namespace c2d {
 namespace {
 
-// Triangles are solved in pieces: the rows below each are left to the tiles.
+// Triangles are solved in pieces of this width; the rows below each piece are left to the tiles.
 constexpr int32_t kTriangle = 32;
 
 int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
 int32_t whole(int32_t n, int32_t step) { return (n + step - 1) / step * step; }
 
-// How an engine's scratch is divided: for `depth` steps of the inner index, `slices` of a tile's rows of A and `width`
-// columns of B.
+// Division of an engine's scratch memory: `depth` steps of the inner index, `slices` of a tile's rows of A, `width` columns of
+// B.
 struct Packing {
   const Kernel& kernel;
   Real *left, *right;
   int32_t depth, slices, width;
 };
 
-// Depth first, since the numbers depend on it; a quarter of the rest for A.
+// The depth comes first, because the order of summation, hence the bits, depends on it. A quarter of the rest goes to A.
 Packing packing(const Engine& engine, int32_t k, int32_t n) {
   const Kernel& kernel = *engine.kernel;
   const int64_t for_depth = engine.numbers / (kernel.rows + kernel.cols);
   const int32_t depth = smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
-  const int64_t each = engine.numbers / depth; // numbers for each step of the inner index, of which there are some: can_pack()
+  const int64_t each = engine.numbers / depth; // numbers per step of the inner index
   const int32_t band = kBand / kernel.rows;
   const int64_t some = each / 4 / kernel.rows;
   const int32_t slices = some < 1 ? 1 : (some > band ? band : static_cast<int32_t>(some));
   const int64_t rest = each - static_cast<int64_t>(slices) * kernel.rows;
-  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / depth; // shallower, wider: as large
+  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / depth; // a shallower slice may be wider
   const int32_t width = static_cast<int32_t>(rest > most ? most : rest) / kernel.cols * kernel.cols;
   const int32_t wide = smaller(width, whole(n, kernel.cols));
   const int64_t left = static_cast<int64_t>(depth) * slices * kernel.rows, used = left + static_cast<int64_t>(depth) * wide;
@@ -36,7 +46,7 @@ Packing packing(const Engine& engine, int32_t k, int32_t n) {
   return {kernel, engine.scratch, engine.scratch + left, depth, slices, wide};
 }
 
-// A (m x k, m <= rows of a tile) without gaps, zeros below it.
+// Copies A (m x k, m <= rows of a tile) without gaps, with zeros below it: an incomplete tile then uses the same kernel.
 void pack_left(const Packing& p, int32_t m, int32_t k, const Real* a, int64_t lda, Real* to) {
   if (m == p.kernel.rows) return p.kernel.pack(k, a, lda, to);
   for (int32_t j = 0; j < k; ++j, a += lda) {
@@ -69,7 +79,7 @@ void pack_right(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t l
   }
 }
 
-// The same of B^T (n x k), of which each column is met in short pieces: the next ones come nearer meanwhile.
+// The same for B^T (n x k). Each column is read in short pieces, so the next ones are prefetched.
 void pack_transposed(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t ldb, const Right& right) {
   const int32_t cols = p.kernel.cols;
   for (int32_t j = 0; j < n; j += cols) {
@@ -98,7 +108,7 @@ void unpack_right(const Packing& p, int32_t n, int32_t k, const Right& right, Re
   }
 }
 
-// A tile of m x n that may be smaller than the kernel's.
+// A tile of m x n that is smaller than the kernel's: computed in a buffer, and only its part is added to C.
 void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, const Real* right, Real* c, int64_t ldc) {
   Real buffer[kMostTileNumbers] = {};
   p.kernel.tile(k, left, p.kernel.rows, right, buffer, p.kernel.rows);
@@ -107,13 +117,13 @@ void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, c
   }
 }
 
-// Column p of what is packed next comes nearer.
+// Prefetches a column of the band that is packed next.
 void ask_for(int32_t m, const Real* column) {
   for (int32_t i = 0; i < m; i += 64 / static_cast<int32_t>(sizeof(Real))) C2D_FETCH(column + i, 0, 2);
 }
 
-// C (m x n) -= A (m x k) times what is packed on the right. A few slices of A at a time: each column of C is met in
-// longer pieces, and each slice of B serves all of them while it is near.
+// C (m x n) -= A (m x k) times the packed right factor, for a few slices of A at a time: each column of C is accessed in
+// longer pieces, and each slice of B serves all slices of A while it is in the cache.
 void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Right& right, Real* c,
              int64_t ldc) {
   const int32_t rows = p.kernel.rows, cols = p.kernel.cols, band = rows * p.slices;
@@ -127,6 +137,7 @@ void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, i
     const int32_t next = packed ? smaller(band, m - end) : 0;
     int32_t asked = 0;
     for (int32_t j = 0; j < n; j += cols) {
+      // The next band of A is prefetched evenly while this one is used: its packing then does not wait for memory.
       for (const int64_t until = static_cast<int64_t>(j + cols) * k / n; asked < until && asked < k && next > 0; ++asked)
         ask_for(next, a + end + asked * lda);
       for (int32_t i = top; i < end; i += rows) {
@@ -141,7 +152,8 @@ void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, i
   }
 }
 
-// X (w + m x n) with w at most the depth of the packing, for L of as many columns.
+// X (w + m x n) for at most `depth` columns of L: solve a triangle in the packed slices, unpack it, and subtract its product
+// from the rest of these w rows. The packed result then updates the m rows below in one product.
 void update_once(const Packing& p, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
   const int32_t cols = p.kernel.cols;
   for (int32_t d = 0; d < w; d += kTriangle) {
@@ -155,7 +167,7 @@ void update_once(const Packing& p, int32_t w, int32_t m, int32_t n, const Real* 
   product(p, m, n, w, l + w, ldl, {p.right, w}, x + w, ldx);
 }
 
-// X (w x n) := U^-1 X in the same way, from below.
+// X (w x n) := U^-1 X in the same way, from the last triangle upwards.
 void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t ldu, Real* x, int64_t ldx) {
   const int32_t cols = p.kernel.cols;
   for (int32_t end = w; end > 0;) {

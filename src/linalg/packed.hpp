@@ -1,6 +1,6 @@
 #pragma once
-// Products and triangular solves through a kernel. A right factor is packed once, in slices of as many columns as a tile has,
-// and serves all rows below; the left factor is packed a slice at a time, just before it is used.
+// Products and triangular solves by a kernel. A right factor is packed once, in slices of as many columns as a tile has, and
+// serves all rows below. The left factor is packed slice by slice, just before use.
 #include "linalg/engine.hpp"
 
 namespace c2d {

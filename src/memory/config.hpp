@@ -1,21 +1,21 @@
 #pragma once
-// Every option of a build, what it may be and what it costs. No other file of src/ asks for these macros, nor for what a
-// compiler says of its own options; what they mean elsewhere are the constants below. A test sees to that.
+// Every option of a build, its values and its cost. No other file of src/ reads these macros or the compiler's own option
+// macros; other files use the constants below. A test checks this.
 //
 // -DC2D_REAL=float -DC2D_REAL_BYTES=4   Matrices are stored and eliminated in single precision (default: double, 8). Half
 //     the memory, results to about 2e-4 in place of 1e-9. The interface and the geometry stay double. A program that
 //     includes contact2d.h gives the second of the two as well.
-// -DC2D_SMALL, or -Os   Small code: plain forms alone, nothing twice for speed. Less code; a run takes about
+// -DC2D_SMALL, or -Os   Small code: plain forms only, no second version for speed. Less code; a run takes about
 //     twice as long (port/cortex-m/README.md).
-// -DC2D_PARTS_BY_CALL   What reads models of any kind (deck reader, c2d_attach) does not bring the optional parts of the
-//     method into a program; the call that declares one does. memory/parts.hpp.
-// -DC2D_PLAIN   No word but those of C++17: neither vectors nor hints to the processor. Small code. Compilers without GNU's
-//     extensions get it unasked.
+// -DC2D_PARTS_BY_CALL   Functions that read models of any kind (deck reader, c2d_attach) do not link the optional parts of
+//     the method into a program; only the call that declares a part does. memory/parts.hpp.
+// -DC2D_PLAIN   Standard C++17 only: neither vectors nor hints to the processor. Small code. Selected automatically for
+//     compilers without GNU extensions.
 // -DC2D_ONE_FILE   The library is one source file (make amalgamation), so that all parts are there.
-// -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and everything against the grain, see
+// -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and hostile conditions of every kind, see
 //     memory/hostile.hpp. Many times slower.
-// -DC2D_COUNTED   For `make coverage`: conditions that are said never to hold are constants (memory/hostile.hpp).
-// -ffast-math and -ffinite-math-only are refused: the checks for numbers that are none would vanish.
+// -DC2D_COUNTED   For `make coverage`: conditions declared impossible are constants (memory/hostile.hpp).
+// -ffast-math and -ffinite-math-only are refused: the compiler would remove the checks for NaN and infinity.
 #include <float.h>
 #include <stdint.h>
 
@@ -42,7 +42,7 @@
 #define C2D_WIDEST_VECTOR 0
 #else
 #define C2D_SMALL_CODE false
-// Bytes of the widest vectors in this file's loops: asked for by the files that are named after an instruction set.
+// Bytes of the widest vectors in this file's loops: used by the files that are named after an instruction set.
 #if defined(__AVX512F__) && defined(__FMA__)
 #define C2D_WIDEST_VECTOR 64
 #elif defined(__AVX2__) && defined(__FMA__)
@@ -59,7 +59,7 @@
 #define C2D_TWO_IN_16_BYTES 0
 #endif
 
-// May a linker leave out optional parts, and does only the call that declares one bring it?
+// May a linker omit optional parts, and does only the call that declares a part link it?
 #if defined(__ELF__) && C2D_EXTENSIONS && !defined(C2D_ONE_FILE)
 #define C2D_PARTS_MAY_LACK 1
 #else

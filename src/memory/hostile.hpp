@@ -1,9 +1,9 @@
 #pragma once
-// A build against the grain, for tests (`make hostile`): -DC2D_HOSTILE=width. Panels have that many columns where the
-// caller leaves the width to the library, a workspace counts as the least that will do, memory that holds nothing is
-// full of NaN and huge negative integers, promises inside the library are checked, transfers happen as late and tasks run
-// in as strange an order as they may (tests/hostile), and every preparation is preceded by one whose block store
-// fails. Without the macro all of this is nothing.
+// A build for tests under hostile conditions (`make hostile`): -DC2D_HOSTILE=width. Panels have that many columns where the
+// caller leaves the width to the library. A workspace is never larger than necessary. Unused memory is full of NaN and huge
+// negative integers. Assertions inside the library are checked. Transfers happen as late and tasks run in as unusual an order
+// as allowed (tests/hostile). Every preparation is preceded by one whose block store fails. Without the macro nothing of this
+// remains.
 #include <stdint.h>
 #include <string.h>
 
@@ -11,8 +11,8 @@
 
 #define C2D_ASSERT(promise) (!c2d::kHostile || (promise) ? static_cast<void>(0) : C2D_STOP())
 
-// A condition that no test can make hold, for the reason told beside it: kept as a guard. In the hostile build it stops the
-// program; the build that counts branches does not count it.
+// A condition that no test can make true, for the reason given beside it: a guard. In the hostile build it stops the program;
+// the build that counts branches does not count it.
 #if C2D_COUNTS_BRANCHES
 #define C2D_NEVER(condition) (sizeof(condition) == 0)
 #else
@@ -21,7 +21,7 @@
 
 namespace c2d {
 
-// A checker of memory would object to looking at bytes that nobody has written.
+// A memory checker reports reads of bytes that were never written.
 #if defined(__has_feature)
 #if __has_feature(memory_sanitizer)
 #define C2D_WATCHED 1
@@ -33,12 +33,12 @@ constexpr bool kWatched = true;
 constexpr bool kWatched = false;
 #endif
 
-inline bool never(bool holds) {
-  C2D_ASSERT(!holds);
-  return holds;
+inline bool never(bool condition) {
+  C2D_ASSERT(!condition);
+  return condition;
 }
 
-// The bytes hold nothing any more, or nothing yet. A double of them is a NaN, an integer -1.
+// Overwrites memory that has no valid contents any more, or none yet. As a double it is NaN, as an integer -1.
 inline void poison(void* memory, uint64_t bytes) {
   if (kHostile) memset(memory, 0xff, static_cast<size_t>(bytes));
 }

@@ -1,22 +1,23 @@
 #pragma once
 // Parts of the method that only some models or programs need. Each is a constant table of the functions that the rest of the
-// core calls; the file of the call that declares the part (src/interface) fills it, and so brings the part into a program.
+// core calls. The file of the call that declares the part (src/interface) fills the table, and so links the part into a
+// program.
 //
-// A file that calls through a table names it with C2D_USES. That leaves a weak one there in which nothing is linked:
-// functions do nothing and answer 0, those of a status refuse with C2D_ERR_INTERNAL. So no call leads nowhere. A model has a
-// part only if the call that declares it was linked, so that nothing is lost; where another program's model may come in,
-// `linked` is asked and the model refused; the deck reader takes the declaring call from the table. (A file that forgets
-// C2D_USES brings the part: more code, nothing worse.)
+// A file that calls through a table names it with C2D_USES. This defines a weak, empty table: its functions do nothing and
+// return 0, or return C2D_ERR_INTERNAL if they return a status. So every call has a target. A model uses a part only if the
+// call that declares it was linked, so nothing is missing. Where another program's model may be read, `linked` is checked and
+// the model refused; the deck reader takes the declaring call from the table. (A file without C2D_USES links the part: more
+// code, no other harm.)
 //
-// What reads models of any kind (the deck reader, c2d_attach, options) names the parts it may meet with C2D_MEETS, and
-// brings them all by their calls (C2D_BRINGS), but in a library compiled with C2D_PARTS_BY_CALL.
-// Leaving out needs ELF, an archive of objects and GCC or clang; elsewhere every part is linked.
+// Functions that read models of any kind (the deck reader, c2d_attach, options) name their parts with C2D_MEETS. This links
+// all of them through their calls (C2D_BRINGS), except in a library compiled with C2D_PARTS_BY_CALL.
+// Omitting parts needs ELF, an archive of objects and GCC or clang; elsewhere every part is linked.
 #include "contact2d.h"
 #include "memory/config.hpp"
 
 namespace c2d {
 
-// What stands in an empty table.
+// Contents of an empty table.
 template <class R, class... A> using Function = R (*)(A...);
 struct Nothing {
   template <class R, class... A> static R none(A...) { return R(); }

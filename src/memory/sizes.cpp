@@ -1,9 +1,13 @@
+// Sizes that follow from the caller's limits, and the layout of the workspace. c2d_memory_need and the solver use the same
+// functions, so the size reported and the size used cannot differ. All products are checked for overflow: limits come from the
+// caller and may be any number.
 #include "memory/sizes.hpp"
 
 namespace c2d {
 
 bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
   if (count >> 32 != 0 && size >> 32 != 0) return false;
+  // One factor is below 2^32, so two partial products suffice.
   const uint64_t wide = count > size ? count : size, narrow = count > size ? size : count; // below 2^32
   const uint64_t high = (wide >> 32) * narrow, low = (wide & UINT32_MAX) * narrow;
   const uint64_t bytes = (high << 32) + low;
@@ -12,6 +16,7 @@ bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
   return true;
 }
 
+// A failed sum stays failed, so one check at the end is enough.
 uint64_t Carver::carve(uint64_t count, uint64_t size) {
   const uint64_t at = used;
   fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
@@ -62,12 +67,14 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
 
 BodySizes sizes_of_body(const Sizes& sizes, int b) {
   BodySizes body{};
+  // Platens are rigid and have no mesh.
   if (b >= sizes.bodies - sizes.platens) return body;
   const int64_t per_element = sizes.function_nodes == 1 ? 1 : sizes.function_nodes - 1;
   body.geometry_nodes = sizes.body[b].points;
   body.elements = sizes.body[b].elements;
   body.regions = sizes.body[b].regions;
-  // Points beyond one per element may be ends of open regions, which have a functional node each.
+  // A closed region has as many points as elements. Points beyond that may be ends of open regions, with a functional node
+  // each.
   const int64_t beyond = body.geometry_nodes - body.elements;
   const int64_t open = beyond < body.regions ? beyond : body.regions;
   body.nodes = body.elements * per_element + (sizes.function_nodes > 1 && open > 0 ? open : 0);
@@ -77,6 +84,7 @@ BodySizes sizes_of_body(const Sizes& sizes, int b) {
 }
 
 int32_t elimination_by_size(const Sizes& sizes) {
+  // Free zones add equations that compressed elimination does not support.
   for (int b = 0; b < sizes.bodies && sizes.free_pairs == 0; ++b)
     if (columns_of(sizes) < sizes.contact || C2D_COMPRESSES(sizes_of_body(sizes, b).nodes, sizes.pairs))
       return C2D_ELIMINATION_COMPRESSED;
@@ -100,7 +108,7 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.coefficients = limits.coefficients;
   out.paths = limits.paths;
   out.contact = 2 * out.pairs;
-  const int64_t motions = int64_t{3} * (out.bodies - 1); // what is left of all bodies together no contact holds
+  const int64_t motions = int64_t{3} * (out.bodies - 1); // at most: those of all bodies together are not
   out.motions = motions < out.contact ? motions : out.contact;
   out.free_pairs = limits.free_pairs;
   out.point_sets = limits.point_sets;
@@ -135,7 +143,7 @@ c2d_limits limits_of(const Sizes& sizes) {
 
 namespace {
 
-// The lists' counts are 31-bit, so that `each` stays within 64 bits; so do element ends, which are less than 2^34.
+// Counts in the lists have 31 bits, so `each` fits into 64 bits; so do element ends, which are fewer than 2^34.
 void carve_body(Carver& carver, const BodySizes& body, uint64_t cases, int64_t place[kBodyArrays]) {
   const uint64_t points = static_cast<uint64_t>(body.geometry_nodes), ends = static_cast<uint64_t>(body.ends),
                  nodes = static_cast<uint64_t>(body.nodes), regions = static_cast<uint64_t>(body.regions);
@@ -166,6 +174,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
 #define C2D_CARVE(type, name, count, each) out.offset[k##name] = carver.carve(count, (each)*C2D_BYTES_OF_##type);
   C2D_BODY_LISTS_(C2D_CARVE, bodies)
 #undef C2D_CARVE
+  // Arrays of one body stay together, so that a body's places follow from one number.
   out.offset[kArraysOfBodies] = carver.used;
   int64_t place[kBodyArrays];
   for (int b = 0; b < sizes.bodies && carver.fits; ++b) carve_body(carver, sizes_of_body(sizes, b), cases, place);

@@ -1,3 +1,5 @@
+// Structs of the public header in the caller's memory: they begin with their size, which may be that of another version of the
+// library. Only the part that both versions know is copied.
 #include "memory/structs.hpp"
 
 #include <string.h>
@@ -6,7 +8,8 @@ namespace c2d {
 
 namespace {
 
-constexpr uint32_t kLargest = 65536; // no version's struct is larger: memory that was never set mostly holds more
+constexpr uint32_t kLargest =
+    65536; // no version's struct is larger, and memory that was never set usually contains larger numbers
 
 uint32_t size_of(const void* theirs) {
   uint32_t size;
@@ -16,6 +19,7 @@ uint32_t size_of(const void* theirs) {
 
 } // namespace
 
+// The size is copied out, because the caller's struct need not be aligned for this library's view of it.
 bool is_begun(const void* theirs) {
   if (!theirs) return false;
   const uint32_t size = size_of(theirs);

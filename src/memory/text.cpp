@@ -1,3 +1,6 @@
+// Text for messages, without heap, locale or printf. Numbers are converted exactly with wide integers and no floating-point
+// operation, so a message has the same characters on every machine.
+// Literature: Steele and White, How to Print Floating-Point Numbers Accurately, PLDI 1990 (exact conversion with integers).
 #include "memory/text.hpp"
 
 #include "memory/config.hpp"
@@ -30,7 +33,8 @@ Text& put(Text& text, const char* characters) { return put(text, characters, SIZ
 
 namespace {
 
-// Takes off the last digit. Small code divides by pieces: the compiler's division of 64-bit numbers is long.
+// Removes the last decimal digit. Small code divides in pieces of 16 bits, because the compiler's division of 64-bit numbers
+// is long on a small processor.
 char take_digit(uint64_t& number) {
   uint64_t quotient = 0;
   uint32_t rest = 0;
@@ -68,9 +72,10 @@ Text& put_with_name(Text& text, const char* characters, int32_t number, const ch
   put_with_integer(text, characters, number);
   if (name == nullptr || name[0] == '\0') return text;
   put(text, " (");
+  // Whole characters only: text that is cut inside a character of UTF-8 would be invalid.
   for (size_t bytes = 0; name[0] != '\0'; name += bytes) {
     for (bytes = 1; (name[bytes] & 0xc0) == 0x80;) ++bytes; // of one character
-    // If it does not fit, nothing behind it does.
+    // A character that does not fit ends the text: a shorter one behind it must not follow.
     if (text.size > 0 && text.used + bytes >= text.size) text.size = text.used + 1;
     put(text, name, bytes);
   }
@@ -89,7 +94,8 @@ uint64_t power_of_10(int32_t power) {
   return value;
 }
 
-// round(mantissa * 2^exponent * 10^scale), ties to even, for a result below 2^63: quotient of two wide integers.
+// round(mantissa * 2^exponent * 10^scale), ties to even, for a result below 2^63: the quotient of two wide integers. Powers of
+// 2 are shifts, so only powers of 5 are multiplied.
 uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) {
   WideInteger above, below;
   wide_set(above, mantissa);
@@ -103,9 +109,9 @@ uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) 
     wide_shift_left(above, exponent);
   else
     wide_shift_left(below, -exponent);
-  // Only as many binary digits of the quotient are developed as it can have.
+  // The quotient is developed bit by bit, only as many bits as it can have.
   const int32_t bits = wide_bits(above) - wide_bits(below) + 1;
-  if (C2D_NEVER(bits < 0)) return 0; // (a number of digits is asked for, and the first is not 0)
+  if (C2D_NEVER(bits < 0)) return 0; // the first digit requested is not 0
   const uint64_t quotient = wide_divide(above, below, bits);
   wide_multiply(above, 2); // the remainder against one half
   const int32_t half = wide_compare(above, below);
@@ -125,6 +131,7 @@ Decimal decimal(uint64_t mantissa, int32_t exponent, int32_t n) {
   const int32_t top = exponent + bits - 1;
   int32_t e10 = top * 30103 / 100000;
   if (top < 0) --e10;
+  // log10(2) is rounded down in the estimate above: it is never too large.
   for (;; ++e10) {
     const uint64_t digits = scaled_and_rounded(mantissa, exponent, n - 1 - e10);
     if (digits < power_of_10(n)) return Decimal{digits, e10};

@@ -1,6 +1,6 @@
 #pragma once
-// A bounded builder of ASCII text for messages: no locale, no heap, no printf. Text that does not fit is cut
-// off; what is there always ends with a zero byte.
+// A bounded builder of ASCII text for messages: no locale, no heap, no printf. Text that does not fit is cut off; the result
+// always ends with a zero byte.
 #include <stddef.h>
 #include <stdint.h>
 
@@ -16,7 +16,7 @@ struct Text {
 Text text_in(char* bytes, size_t size);
 template <size_t N> Text text_in(char (&bytes)[N]) { return text_in(bytes, N); }
 
-// Append, and return the text: what follows another call then needs no argument loaded. A null pointer appends nothing.
+// Append, and return the text: a call on the result then needs no argument to be loaded. A null pointer appends nothing.
 Text& put(Text& text, const char* characters);
 Text& put(Text& text, const char* characters, size_t count); // exactly `count` of them, or up to a zero byte
 Text& put_character(Text& text, char character);
@@ -24,7 +24,7 @@ Text& put_signed(Text& text, int64_t number);
 Text& put_unsigned(Text& text, uint64_t number);
 Text& put_with_integer(Text& text, const char* characters, int32_t number); // both
 Text& put_with_number(Text& text, const char* characters, double number);
-// What has a number and perhaps a name, null or "": none. "body 3 (bolt)", with the characters before it.
+// A number and an optional name (null or "": none), as in "body 3 (bolt)", with the characters before it.
 struct Named {
   int32_t number;
   const char* name; // UTF-8, cut off between its characters
@@ -62,7 +62,7 @@ template <> inline constexpr bool kIsInt32<long> = sizeof(long) == sizeof(int32_
 template <class T> constexpr bool kIsNamed = false; // put_with_name(text, characters, T) appends it
 template <> inline constexpr bool kIsNamed<Named> = true;
 
-// Characters and numbers one after another, in as few calls as there can be: messages are a good part of a small program.
+// Characters and numbers one after another, in as few calls as possible: messages are a large share of a small program.
 template <class Last> C2D_IN_PLACE inline Text& put_all(Text& text, Last last) { return put(text, last); }
 template <class First, class Second, class... More>
 C2D_IN_PLACE inline Text& put_all(Text& text, First first, Second second, More... more) {

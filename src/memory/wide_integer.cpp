@@ -1,3 +1,6 @@
+// Integers of up to 1568 bits in words of 32 bits, the classical algorithms with a carry in 64 bits: Knuth, The Art of
+// Computer Programming, vol. 2, section 4.3.1. Division is done bit by bit: it is short, and only messages and numbers of
+// cards need it.
 #include "memory/wide_integer.hpp"
 
 namespace c2d {
@@ -8,6 +11,7 @@ void wide_set(WideInteger& a, uint64_t value) {
 }
 
 void wide_multiply(WideInteger& a, uint32_t factor, uint32_t addend) {
+  // word * factor + carry fits into 64 bits for any words of 32 bits.
   uint64_t carry = addend;
   for (int32_t i = 0; i < a.used; ++i) {
     carry += static_cast<uint64_t>(a.word[i]) * factor;
@@ -39,6 +43,7 @@ void wide_shift_left(WideInteger& a, int32_t bits) {
   if (a.used > WideInteger::kWords) a.used = WideInteger::kWords;
   for (int32_t i = a.used - 1; i >= 0; --i) {
     const int32_t from = i - words;
+    // From the top down, since the words move upwards in place.
     const uint64_t high = from >= 0 && from < old_used ? a.word[from] : 0;
     const uint64_t low = from >= 1 ? a.word[from - 1] : 0;
     a.word[i] = static_cast<uint32_t>(((high << 32 | low) << rest) >> 32);
@@ -64,6 +69,7 @@ void wide_subtract(WideInteger& a, const WideInteger& b) {
 }
 
 uint64_t wide_divide(WideInteger& a, WideInteger& b, int32_t bits) {
+  // b becomes larger than any quotient bit can reach; a is doubled once per bit instead of b being halved.
   wide_shift_left(b, bits);
   uint64_t quotient = 0;
   for (int32_t i = 0; i < bits; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 // A non-negative integer of at most 1568 bits on the stack: as wide as exact conversion between decimal and
-// binary needs. Used for numbers of cards and numbers in messages; speed does not matter, exactness does.
+// binary needs. Used for numbers of cards and in messages, where exactness matters and speed does not.
 #include <stdint.h>
 
 namespace c2d {

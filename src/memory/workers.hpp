@@ -1,7 +1,6 @@
 #pragma once
-// Tasks that may run side by side, by the caller's parallel_for. How work is cut never depends on how many run at once in
-// a way that could change a bit of a result: tasks own the numbers that they write, and each number is computed as one
-// thread alone would.
+// Tasks that may run at the same time, by the caller's parallel_for. The number of threads never changes a bit of a result:
+// tasks own the numbers that they write, and each number is computed as one thread alone would.
 #include "contact2d.h"
 
 namespace c2d {

@@ -1,3 +1,8 @@
+// Gauss rules: Legendre rules on [-1, 1], rules for the weight ln(1/x) on (0, 1), and the ellipse that an a-priori error bound
+// needs (METHOD 3.3). Tables instead of a computation at run time: the same bits on every machine, and no code for it on a
+// board.
+// Literature: Davis and Rabinowitz, Methods of Numerical Integration; Stroud and Secrest, Gaussian Quadrature Formulas (1966);
+// error bound for analytic integrands: Trefethen, SIAM Review 50 (2008).
 #include "quadrature/gauss.hpp"
 
 #include "memory/math.hpp"
@@ -87,6 +92,7 @@ LogRule log_gauss(int n) {
 
 double gauss_semi_axis(int n, int degree, double tolerance) {
   const int decay = 2 * n - degree;
+  // A polynomial factor of degree d uses up d of the 2 n powers by which the error decays.
   if (decay < 2) return 0.0;
   // For 1/(x-z) the error is about 2 pi rho^-(2n+1); differentiating once brings the factor 2n+1.
   const double rho = exp(log(8.0 * (2 * n + 1) / tolerance) / decay);

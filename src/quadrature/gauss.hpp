@@ -5,7 +5,7 @@
 namespace c2d {
 
 // An n-point Gauss-Legendre rule: sum_i w_i f(x_i) = int_-1^1 f, exact for polynomials up to degree 2n-1.
-// `x`, `w` hold the (n+1)/2 points with x >= 0 in ascending order; x[0] == 0 if n is odd.
+// `x`, `w` are the (n+1)/2 points with x >= 0 in ascending order; x[0] == 0 if n is odd.
 struct GaussRule {
   const double* x;
   const double* w;
@@ -16,8 +16,8 @@ struct GaussPoint {
   double x, w;
 };
 
-// The rule with n = 1, 2, 3, 4, 5, 6, 8, 10, 12, 16 or 20 points, what the core needs; any other n gives
-// { nullptr, nullptr, 0 }.
+// The rule with n = 1, 2, 3, 4, 5, 6, 8, 10, 12, 16 or 20 points, as the core needs; any other n gives { nullptr, nullptr, 0
+// }.
 GaussRule gauss_legendre(int n);
 
 // Point i = 0..n-1 of a rule, from left to right.

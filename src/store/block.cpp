@@ -1,3 +1,12 @@
+// Format of one block on a tape (FORMAT.md): header, checks and end mark.
+//
+// A store may return a block that is torn, short, old, from another place, or changed. Each of these has its own evidence:
+// 1. The header has a check of its own, so its numbers can be used before the data are read.
+// 2. The last 8 bytes of data are replaced by a mark that depends on the label; the header keeps them. If the tail of the
+//    block was not written, the mark is another one: torn.
+// 3. A checksum covers header and data: a flipped bit.
+// 4. The label (run, tape, generation, block, length) is compared by tapes.cpp: stale or swapped.
+// The checksum is no protection against intent: whoever reads numbers that address memory checks them as well.
 #include "store/block.hpp"
 #include "memory/config.hpp"
 #include <string.h>
@@ -34,7 +43,7 @@ void store(unsigned char* p, size_t bytes, uint64_t value) {
   for (size_t i = 0; i < bytes; ++i) p[i] = static_cast<unsigned char>(value >> (8 * i));
 }
 
-// load(p, 8), in a form that compiles to one instruction on little-endian machines.
+// load(p, 8) in a form that compiles to one instruction on little-endian machines.
 uint64_t load_word(const unsigned char* p) {
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
   uint64_t value;
@@ -45,13 +54,14 @@ uint64_t load_word(const unsigned char* p) {
 #endif
 }
 
-// One step of the sum: for a fixed word a bijection of the state, for a fixed state a bijection of the word.
+// One step of the sum: for a fixed word a bijection of the state, for a fixed state a bijection of the word. So a change of
+// one word always changes the sum.
 uint64_t take(uint64_t state, uint64_t word) {
   state = (state ^ word) * kMultiplier;
   return state ^ (state >> 32);
 }
 
-// A word in each lane; spelt out, so that lanes stay in registers.
+// One word in each lane; written out, so that the lanes stay in registers.
 inline void take_four(uint64_t lane[4], const unsigned char* p) {
   if (kSmallCode) {
     for (int i = 0; i < 4; ++i) lane[i] = take(lane[i], load_word(p + 8 * i));
@@ -65,8 +75,8 @@ inline void take_four(uint64_t lane[4], const unsigned char* p) {
 
 uint64_t end_bytes(uint64_t length) { return length < 8 ? length : 8; }
 
-// The mark at the end of a block depends on everything in its label, so that the end of an older block in the
-// same place, or a place never written, does not pass for it.
+// The mark at the end of a block depends on its whole label. So neither the end of an older block in the same place nor a
+// place that was never written is accepted.
 uint64_t end_mark(const unsigned char* header) { return mix(checksum(1, header + kRun, kDisplaced - kRun)); }
 
 uint32_t header_check(const unsigned char* header) {
@@ -75,7 +85,7 @@ uint32_t header_check(const unsigned char* header) {
   return static_cast<uint32_t>(sum >> 32);
 }
 
-// Header without the sum itself, then the data as they are on the tape.
+// Covers the header without the sum itself, then the data as they are on the tape.
 uint64_t block_sum(const unsigned char* block, uint64_t length) {
   return checksum(checksum(3, block, kSum), block + kBlockHeaderBytes, length);
 }
@@ -86,8 +96,8 @@ int32_t equal_bytes(const unsigned char* a, const unsigned char* b, uint64_t cou
   return equal;
 }
 
-// Is the end of the data the one written with this header? One differing byte is left to the checksum: that
-// is a flipped bit rather than a torn block.
+// Is the end of the data the one written with this header? One wrong byte is left to the checksum: that is a flipped bit
+// rather than a torn block.
 bool torn(const unsigned char* block, uint64_t length) {
   unsigned char mark[8];
   store(mark, 8, end_mark(block));
@@ -96,7 +106,7 @@ bool torn(const unsigned char* block, uint64_t length) {
   return equal_bytes(end, mark, count) + 1 < static_cast<int32_t>(count);
 }
 
-// Version, byte order and scalar size of a header whose own check has passed.
+// Version, byte order and size of a number, of a header whose own check has passed: a sound block of another build.
 bool foreign(const unsigned char* header, BlockReport* report) {
   uint16_t order;
   memcpy(&order, header + kByteOrder, sizeof order);
@@ -123,7 +133,7 @@ uint64_t mix(uint64_t word) {
 
 uint64_t checksum(uint64_t start, const void* bytes, uint64_t count) {
   const unsigned char* p = static_cast<const unsigned char*>(bytes);
-  // Four lanes, because a multiplication can start before the one before it has ended.
+  // Four lanes: a multiplication then need not wait for the result of the previous one.
   uint64_t lane[4] = {start, ~start, start + kMultiplier, start - kMultiplier};
   uint64_t left = count;
   for (; left >= 32; left -= 32, p += 32) take_four(lane, p);
@@ -136,6 +146,7 @@ uint64_t checksum(uint64_t start, const void* bytes, uint64_t count) {
 void seal_block(const BlockLabel& label, void* buffer) {
   unsigned char* block = static_cast<unsigned char*>(buffer);
   const uint16_t order = kByteOrderMark;
+  // Unused bytes are zero, so that the same block has the same bytes in every run.
   memset(block, 0, kBlockHeaderBytes);
   memcpy(block + kMagic, kMagicBytes, sizeof kMagicBytes);
   store(block + kVersion, 2, kBlockVersion);
@@ -148,10 +159,12 @@ void seal_block(const BlockLabel& label, void* buffer) {
   store(block + kLength, 8, label.length);
   unsigned char mark[8];
   store(mark, 8, end_mark(block));
+  // The end of the data moves into the header; the mark takes its place.
   const size_t count = static_cast<size_t>(end_bytes(label.length));
   unsigned char* end = block + kBlockHeaderBytes + label.length - count;
   memcpy(block + kDisplaced, end, count);
   memcpy(end, mark, count);
+  // The checks come last, because they cover everything above.
   store(block + kHeaderCheck, 4, header_check(block));
   store(block + kSum, 8, block_sum(block, label.length));
 }
@@ -165,7 +178,7 @@ void unseal_block(void* buffer, uint64_t data_bytes) {
 BlockReport inspect_block(const void* buffer, uint64_t data_bytes, BlockLabel* label) {
   const unsigned char* block = static_cast<const unsigned char*>(buffer);
   BlockReport report = {BlockFault::none, 0, 0, ""};
-  // A single damaged byte of the magic is a damaged block of ours; two are somebody else's bytes.
+  // One wrong byte of the magic number: a damaged block of this library. Two or more: other data.
   if (equal_bytes(block, kMagicBytes, 4) < 3) {
     report.fault = BlockFault::format;
     return report;
@@ -180,7 +193,7 @@ BlockReport inspect_block(const void* buffer, uint64_t data_bytes, BlockLabel* l
   label->generation = static_cast<uint32_t>(load(block + kGeneration, 4));
   label->block = load(block + kBlock, 8);
   label->length = load(block + kLength, 8);
-  if (label->length > data_bytes) return report;
+  if (label->length > data_bytes) return report; // longer than requested: the data were not read
   if (torn(block, label->length)) {
     report.fault = BlockFault::torn;
     return report;

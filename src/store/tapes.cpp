@@ -1,3 +1,10 @@
+// Blocks on the tapes of the caller's block store: transfers, their checks, and the count of runs.
+//
+// A transfer has two halves. start_labelled() seals or clears the buffer and calls the port, which may finish later.
+// finish_transfer() waits, inspects what was read and compares its label with the one requested. Only a block that passes both
+// is used. The port's own status is not sufficient: a store may report success and return old or foreign bytes. Runs: block 0
+// of tape CONTROL counts them. The run id is a hash of the model and of that count, so a block of an earlier run is recognised
+// as stale although it is sound.
 #include "store/tapes.hpp"
 #include "memory/config.hpp"
 #include "memory/sizes.hpp"
@@ -17,7 +24,7 @@ const char* tape_name(int32_t tape) {
   }
 }
 
-// Begin tapes.error; the caller appends to the text.
+// Starts tapes.error; the caller appends to the text.
 Text begin_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block) {
   c2d_error& error = tapes.error;
   memset(&error, 0, sizeof error);
@@ -63,7 +70,7 @@ c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint6
   return status;
 }
 
-// For the time of a call of the port's: no call of the solver is legal from inside it.
+// Marks a call to the port as in progress: no call of the solver is allowed from inside it.
 class AtWork {
 public:
   explicit AtWork(const Tapes& tapes) : busy_(tapes.busy) {
@@ -81,7 +88,7 @@ private:
 
 bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
-// May this transfer be asked of the port at all?
+// Is this transfer allowed? A violation is an error of this library, and must not reach the port.
 c2d_status check_transfer(Tapes& tapes, int32_t tape, uint64_t block, uint64_t data_bytes) {
   if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, block, "the tape is not open");
   if (block >= tapes.blocks[tape]) return broken_promise(tapes, tape, block, "beyond the end of the tape");
@@ -108,7 +115,7 @@ c2d_status damaged(Tapes& tapes, int32_t tape, uint64_t block, const BlockReport
   return status;
 }
 
-// A sound block: is it the one asked for?
+// The block is sound. Is it the requested one?
 c2d_status compare(Tapes& tapes, const BlockLabel& found, const BlockLabel& expected) {
   const int32_t tape = expected.tape;
   const uint64_t block = expected.block;
@@ -134,8 +141,8 @@ c2d_status compare(Tapes& tapes, const BlockLabel& found, const BlockLabel& expe
   return C2D_OK;
 }
 
-// A port that fills less than it says must not get by with what happened to be in the buffer: neither an old
-// header nor an old end mark may be there beforehand.
+// Clears both ends of the buffer: otherwise a port that fills less than it reports could pass with an old header or an old end
+// mark that happens to be in the buffer.
 void clear_ends(unsigned char* buffer, uint64_t data_bytes) {
   memset(buffer, 0, kBlockHeaderBytes);
   const size_t tail = static_cast<size_t>(data_bytes < 8 ? data_bytes : 8);
@@ -164,10 +171,10 @@ c2d_status start_labelled(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::
     transfer.code = writes ? port.write(port.context, label.tape, label.block, buffer, bytes)
                            : port.read(port.context, label.tape, label.block, buffer, bytes);
   }
-  return C2D_OK; // finish_transfer looks at the code
+  return C2D_OK; // finish_transfer evaluates the code
 }
 
-// Blocks of the run in progress. Tapes out of range are caught by check_transfer.
+// Label of a block of the present run. A tape out of range is refused by check_transfer.
 BlockLabel current_label(const Tapes& tapes, int32_t tape, uint64_t block, uint64_t data_bytes) {
   const uint32_t generation = is_tape(tape) ? tapes.generation[tape] : 0;
   return {tapes.run_id, block, data_bytes, tape, generation};
@@ -181,7 +188,7 @@ c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_
   if (!port || !port->open || !port->read || !port->write || !port->sync || !port->close) {
     return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening it without a complete block store", 0);
   }
-  // The buffers must be addressable and the tape's length must be a file offset.
+  // Buffers must be addressable, and the tape's length must be a valid file offset on any system.
   const uint64_t most = static_cast<uint64_t>(PTRDIFF_MAX);
   uint64_t length = 0;
   if (data_bytes > most - kBlockHeaderBytes || !add_bytes(length, blocks, data_bytes + kBlockHeaderBytes) ||
@@ -219,6 +226,7 @@ c2d_status finish_transfer(Tapes& tapes, BlockTransfer& transfer) {
   abandon_transfer(tapes, transfer);
   const int32_t tape = transfer.label.tape;
   const uint64_t block = transfer.label.block, bytes = kBlockHeaderBytes + transfer.label.length;
+  // The caller's data are unchanged after writing, whether it succeeded or not.
   if (writes) unseal_block(transfer.buffer, transfer.label.length);
   if (transfer.code != 0) {
     return host_block_error(tapes, writes ? C2D_ERR_STORE_WRITE : C2D_ERR_STORE_READ, tape, block,
@@ -269,6 +277,7 @@ c2d_status close_tape(Tapes& tapes, int32_t tape) {
 }
 
 c2d_status close_all(Tapes& tapes) {
+  // All tapes are closed, also after a failure; the first failure is reported.
   int32_t failed_tape = -1, failed_code = 0;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     if (!tapes.is_open[tape] || close_tape(tapes, tape) == C2D_OK || failed_tape >= 0) continue;
@@ -281,7 +290,7 @@ c2d_status close_all(Tapes& tapes) {
 
 namespace {
 
-// The count belongs to the store, not to a run: its label is the same for ever.
+// The count belongs to the store and not to a run: its label never changes.
 BlockLabel record_label(uint64_t block, uint64_t data_bytes) { return {0, block, data_bytes, C2D_TAPE_CONTROL, 0}; }
 
 c2d_status write_count(Tapes& tapes, void* buffer) {
@@ -305,7 +314,7 @@ c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer) {
   const unsigned char* data = static_cast<unsigned char*>(buffer) + kBlockHeaderBytes;
   const uint64_t reads = tapes.reads[C2D_TAPE_CONTROL], bytes = tapes.bytes_read[C2D_TAPE_CONTROL];
   const c2d_status found = read_record(tapes, 0, buffer, kControlBytes);
-  // Not counted: whether it is there depends on what happened before this run.
+  // Not counted as a transfer: whether the block exists depends on what happened before this run.
   tapes.reads[C2D_TAPE_CONTROL] = reads;
   tapes.bytes_read[C2D_TAPE_CONTROL] = bytes;
   *count = 0;
@@ -323,13 +332,13 @@ c2d_status recount_run(Tapes& tapes, void* buffer) {
   uint64_t count = 0;
   const c2d_status found = read_count(tapes, &count, buffer);
   if (found == C2D_ERR_STORE_CHECKSUM || found == C2D_ERR_STORE_SHORT) {
-    // The count is lost: go on from a number that an earlier run hardly had.
+    // The count is lost: continue from a number that an earlier run is very unlikely to have had.
     count = checksum(0, buffer, kBlockHeaderBytes + kControlBytes);
   } else if (found == C2D_ERR_INTERNAL) {
     return found;
   }
-  memset(&tapes.error, 0, sizeof tapes.error); // nothing there is no error
-  // Stores in memory may have lost it with the shape of the tape.
+  memset(&tapes.error, 0, sizeof tapes.error); // an empty store is no error
+  // A store in memory may have lost the count when the tape changed its shape: the larger number is safe.
   tapes.count = (count > tapes.count ? count : tapes.count) + 1;
   return write_count(tapes, buffer);
 }
@@ -340,7 +349,7 @@ c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer) {
   if (status == C2D_OK) status = recount_run(tapes, buffer);
   if (status != C2D_OK) return status;
   tapes.run_id = mix(mix(model_hash) ^ tapes.count);
-  if (tapes.run_id == 0) tapes.run_id = 1; // 0 labels the count itself
+  if (tapes.run_id == 0) tapes.run_id = 1; // 0 is the label of the count itself
   return C2D_OK;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Numbered blocks on the tapes of the caller's block store: every block is labelled when it is written and judged when it is
-// read, so that a torn, short, swapped, damaged or stale block is named as such and never used.
+// Numbered blocks on the tapes of the caller's block store. Every block is labelled when it is written and checked when it is
+// read, so that a torn, short, swapped, damaged or stale block is reported as such and never used.
 #include "contact2d.h"
 #include "store/block.hpp"
 
@@ -12,7 +12,7 @@ struct Tapes {
   const c2d_port* port;
   int32_t* busy; // set to 1 while the port is at work; may be null
   uint64_t run_id;
-  uint64_t count; // of runs and of changes to their tapes, as it stands on the store; 0: not begun
+  uint64_t count; // of runs and of changes to their tapes, as on the store; 0: not begun
   uint32_t generation[C2D_TAPES];
   uint8_t is_open[C2D_TAPES];
   uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];       // as opened, headers included
@@ -27,36 +27,37 @@ struct Tapes {
 // Open a tape for blocks 0 ... blocks-1 of at most data_bytes bytes of data each. Errors: STORE_OPEN, OVERFLOW.
 c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_bytes);
 
-// Write data_bytes bytes, which stand in buffer[64 .. 64 + data_bytes); buffer[0 .. 64) is room for the
+// Write data_bytes bytes from buffer[64 .. 64 + data_bytes); buffer[0 .. 64) is room for the
 // header. The data are unchanged afterwards. Errors: STORE_WRITE.
 c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
 
-// Read the block of data_bytes bytes into buffer[64 .. 64 + data_bytes), buffer as in write_block; after a failure what is
-// there is meaningless. Errors: STORE_READ, _FORMAT, _VERSION, _SHORT, _CHECKSUM, _SWAPPED, _STALE.
+// Read the block of data_bytes bytes into buffer[64 .. 64 + data_bytes), buffer as in write_block; after a failure the contents
+// are meaningless. Errors: STORE_READ, _FORMAT, _VERSION, _SHORT, _CHECKSUM, _SWAPPED, _STALE.
 c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
 
-// A transfer that may be on its way while other work is done. Zeroed: none. Its buffer is the port's until it is
-// finished or abandoned; the caller sees to that before the buffer or the tapes are used otherwise, and that at most
-// kMostTransfers are under way at once. The data must not be looked at in between.
+// A transfer that may proceed while other work is done. Zeroed: none. Its buffer belongs to the port until the transfer is
+// finished or abandoned. The caller does one of the two before the buffer or the tapes are used otherwise, does not read the
+// data in between, and has at most kMostTransfers in progress at once.
 struct BlockTransfer {
   enum Kind : int32_t { none, read, write };
   BlockLabel label;
   void* buffer;
   Kind kind;
-  int32_t code;   // what the port said
-  int32_t ticket; // of the port's, if it is still to be waited for
+  int32_t code;   // returned by the port
+  int32_t ticket; // of the port, if the transfer is still in progress
   bool waiting;
 };
 constexpr int32_t kMostTransfers = 4;
 
 // Begin to read or write a block of data_bytes bytes, buffer as in write_block. Without `ahead`, or without the port's
-// start_read, start_write and wait, the transfer happens now. What fails at once is told at once; what was read is judged
-// by finish_transfer. `transfer` is one that is not under way. Small code never asks ahead (memory/small_code.hpp).
+// start_read, start_write and wait, the transfer happens now. An immediate failure is returned at once; data read are checked
+// by finish_transfer. `transfer` must not be in progress. Small code never reads ahead.
 c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, int32_t tape, uint64_t block,
                           void* buffer, uint64_t data_bytes, bool ahead);
-// Wait for it, judge what was read, count it. Then the buffer holds the data. Errors as write_block and read_block.
+// Waits for the transfer, checks what was read, counts it. The buffer then contains the data. Errors as write_block and
+// read_block.
 c2d_status finish_transfer(Tapes& tapes, BlockTransfer& transfer);
-// Wait for it, if need be, whatever becomes of it; tapes.error stays.
+// Waits for the transfer if necessary and ignores its result; tapes.error stays.
 void abandon_transfer(Tapes& tapes, BlockTransfer& transfer);
 
 c2d_status sync_tape(Tapes& tapes, int32_t tape); // Errors: STORE_SYNC.
@@ -71,20 +72,19 @@ c2d_status close_all(Tapes& tapes);
 // kControlBytes bytes. Errors: STORE_OPEN, STORE_WRITE, STORE_SYNC; a failing read counts as "nothing there".
 constexpr uint64_t kControlBytes = 8;
 c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer);
-// The run in progress is about to change blocks in place: states saved so far no longer belong to its tapes. Counts on
-// without another run id. Tape CONTROL is open; buffer and errors as begin_run.
+// The present run is about to change blocks in place: states saved so far no longer belong to its tapes. Increases the count
+// and keeps the run id. Tape CONTROL is open; buffer and errors as begin_run.
 c2d_status recount_run(Tapes& tapes, void* buffer);
 // The count on tape CONTROL, which is open. Errors: as read_block.
 c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer);
-// Put tapes.count where it belongs unless it stands there. Errors: STORE_WRITE, STORE_SYNC.
+// Writes tapes.count to the store unless it is there already. Errors: STORE_WRITE, STORE_SYNC.
 c2d_status keep_count(Tapes& tapes, void* buffer);
 
 // Blocks of tape CONTROL that belong to the store and not to a run: run id 0, generation 0. As write_block, read_block.
 c2d_status write_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes);
 c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes);
 
-// Ask the port to open, as they were, the tapes that count as open: it may be another port in another process. Errors:
-// STORE_OPEN.
+// Opens again, through the port, all tapes that count as open: it may be another port in another process. Errors: STORE_OPEN.
 c2d_status reopen_tapes(Tapes& tapes);
 
 } // namespace c2d

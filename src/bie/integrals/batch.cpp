@@ -1,3 +1,5 @@
+// Batches: constants of a straight element for the vector loops (batch_loops.hpp), and the choice of the loops. Everything
+// that does not depend on the source is multiplied out here, once per element.
 #include "bie/integrals/batch.hpp"
 
 #include "memory/math.hpp"
@@ -40,6 +42,7 @@ BatchElement batch_element(const Integrator& in) {
 
 bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
   const Integrator& in = e.in;
+  // Cubic functions are evaluated point by point, by add_field().
   if (!e.closed_form || in.functions > 3) return false;
   const double per_length = sqrt(in.ux * in.ux + in.uy * in.uy); // 1/|h|
   out.x0 = in.element.x[0];
@@ -54,6 +57,7 @@ bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
   out.half_k = 0.5 * in.k;
   out.axis = e.axis;
   out.axis2 = e.axis * e.axis;
+  // The part of the displacement that is the same at all points.
   Complex mean = {0.0, 0.0};
   for (int k = 0; k < 3; ++k) {
     out.t[k] = e.t[k];
@@ -68,6 +72,7 @@ bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
 }
 
 void aim_columns(const BatchRun& run, BatchColumns& out) {
+  // The place of a block's entry says which component it is; so each component finds its column without a search.
   out = BatchColumns{};
   for (int n = 0; n < run.deposits->count; ++n) {
     const Deposit& d = run.deposits->list[n];

@@ -1,7 +1,7 @@
 #pragma once
-// Integrals over one straight element for several sources at once, a source per lane of the processor's vectors: closed forms
-// next to the element, series in its length over the distance elsewhere, with logarithm and arctangent of their own. One set of
-// functions per instruction set (linalg/kernel.hpp); the same numbers as integrate() gives one by one, to round-off.
+// Integrals over one straight element for several sources at once, one source per lane of the vector registers: closed forms
+// next to the element, series in its length over the distance elsewhere, with logarithm and arctangent of their own. One set
+// of functions per instruction set (linalg/kernel.hpp); the same numbers as integrate(), to round-off.
 #include "bie/deposits.hpp"
 #include "bie/integrals/interior.hpp"
 #include "linalg/kernel.hpp"
@@ -16,8 +16,8 @@ struct BatchBlocks {
   double g[kElementNodes][2][2 * kBatch];
 };
 
-// An element as the batch wants it: ends, half-vector over its squared length, and the factors of all that
-// depends on the source. Names as in integrals.hpp.
+// An element prepared for batches: ends, half-vector over its squared length, and the factors of everything that depends on
+// the source. Names as in integrals.hpp.
 struct BatchElement {
   double x0, y0, x1, y1, ux, uy;
   double h_alpha, h_delta, h_cos2, h_sin2; // -k t2, k t1, -k cos2, -k sin2
@@ -27,13 +27,13 @@ struct BatchElement {
 };
 BatchElement batch_element(const Integrator& in);
 
-// The one column that takes a component of one local node, [kind][l][j] with h before g; null: none does.
+// The one column that receives a component of one local node, [kind][l][j] with h before g; null: none.
 struct BatchColumns {
   Real* to[2][kElementNodes][2];
   double factor[2][kElementNodes][2];
 };
 
-// Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2 first + 1.
+// Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has rows 2 first and 2 first + 1 of the panel.
 struct BatchRun {
   BatchElement element;
   const Deposits* deposits; // of `blocks`
@@ -42,17 +42,16 @@ struct BatchRun {
   double sign[2];             // of the rows of an image
   const BatchColumns* direct; // the same deposits, see aim_columns(); null: one by one
 };
-// Are the deposits so simple that each component has one column at most, and the image the element itself?
-// Then they stand in `out` as well.
+// For deposits with at most one column per component and for the element itself, not an image: lists the columns in `out`.
 void aim_columns(const BatchRun& run, BatchColumns& out);
 
-// An element with its values for points far away: names as in interior.hpp and interior_straight.cpp. 1 to 3 functions.
+// An element with its nodal values, for far points: names as in interior.hpp and interior_straight.cpp. 1 to 3 functions.
 struct BatchFieldElement {
   double x0, y0, ux, uy, kappa;
   double k_t, k_log, k_d, k_s, half_k; // k J, k J kappa, k J/|h|, 2k/|h|, k/2
   Complex axis, axis2;                 // that and its square
   Complex t[3], u[3];
-  Complex u0; // of the displacement, all that does not depend on the point
+  Complex u0; // part of the displacement that does not depend on the point
   int functions;
   bool displaced;
 };
@@ -61,34 +60,34 @@ bool batch_field_element(const FieldElement& e, BatchFieldElement& out);
 struct BatchPoints {
   double x[kBatch], y[kBatch], reference_x[kBatch], reference_y[kBatch];
 };
-struct BatchField { // as PointField; near: 1 where the element is too near for this, nothing else holds there
+struct BatchField { // as PointField; near: 1 where the element is too near for the series, the rest is undefined there
   double ux[kBatch], uy[kBatch], trace[kBatch], deviator_re[kBatch], deviator_im[kBatch], near[kBatch];
   bool some_near;
 };
 
 struct BatchKernel {
-  // The blocks of the sources at xy, for an element for which is_batched() holds. A source at one of the
-  // element's functional nodes gets finite numbers without meaning. Blocks not wanted are not touched.
+  // The blocks of the sources at xy, for an element with is_batched(). A source at one of the element's functional nodes gets
+  // finite numbers without meaning. Blocks not wanted are not written.
   void (*integrate)(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
   // Scatters the blocks of one batch as its deposits say: of all sources, or of the first `count`.
   void (*scatter)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
-  // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the work.
+  // Both for `count` sources, in whole batches, none at a functional node. `room` is work space.
   void (*integrate_and_scatter)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
   // rigid_sum(): sum[4 s + 2 i + j].
   void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);
-  // Taken off the diagonals of `count` sources, whole batches.
+  // Subtracts it from the diagonals of `count` sources, in whole batches.
   void (*rigid_off)(const BatchElement& e, const double* xy, int32_t count, double* diagonal);
-  // add_field() of sums that begin with 0.
+  // add_field() for sums that start at 0.
   void (*field)(const BatchFieldElement& e, const BatchPoints& points, BatchField& out);
   // Of kBatch numbers each: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
   void (*logarithm)(const double* x, double* out);
   void (*angle)(const double* y, const double* x, double* out);
 };
 
-// Null for plain, and for a set that this build does not have.
+// Null for plain, and for a set that this build does not contain.
 const BatchKernel* batch_for(Instructions set);
 
-// Does the element have closed forms for what is wanted?
+// Does the element have closed forms for the wanted integrals?
 bool is_batched(const Integrator& in, bool want_g);
 
 // One function per file with loops, see linalg/kernel_sets.hpp.

@@ -1,6 +1,6 @@
-// The loops of one instruction set: included by one source file per set, which defines C2D_VECTOR_BYTES and
-// is compiled with that set's flags. Nothing in here may be seen by another file, nor anything be used that
-// is inline elsewhere: a function shared by the linker would carry instructions into machines that lack them.
+// The loops of one instruction set. One source file per set includes this one; it defines C2D_VECTOR_BYTES and is compiled with
+// that set's flags. Nothing in here may be visible to another file, and nothing inline from elsewhere may be used: a function
+// merged by the linker would bring instructions to machines that lack them.
 //
 // Names and formulas are those of integrals_straight.cpp.
 #include "bie/integrals/field_loops.hpp"
@@ -76,7 +76,7 @@ INLINE void store(const BatchElement& e, const Many<F>& m, Doubles zeta, bool wa
   if (want_g) store_g<F>(e, c, m, zeta, sink);
 }
 
-// Some sources near: lanes that the series must not see are given z = 8 there.
+// Some sources are near: lanes that the series cannot serve get z = 8 there.
 template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>& m) {
   const Doubles z2 = squared_size(s.z);
   const Bits near = z2 < kFarStart[F];
@@ -90,8 +90,9 @@ template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>
   m.log_product = near ? m.log_product : far.log_product; // (lanes)
 }
 
-// Apart, so that the frequent case keeps its numbers in registers.
+// A function of its own, so that the frequent case keeps its numbers in registers.
 template <int F>
+// A function of its own, so that the frequent case keeps its numbers in registers.
 OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g, const Room& room) {
   const Seen s = see(e, xy);
   Many<F> m;
@@ -126,7 +127,7 @@ INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want
 // ---- deposits
 // -----------------------------------------------------------------------------------------------------
 
-// From where the component of a deposit's integrals stands in `out`.
+// Where the integrals of a deposit's component begin in `out`.
 INLINE const double* scattered_from(const BatchRun& run, const Deposit& d, const BatchBlocks& out) {
   const uint64_t at = static_cast<uint64_t>(d.block - &run.blocks->h[0][0][0]); // h and g one after the other in both
   return &out.h[0][0][0] + (at / 4 * 2 + at % 2) * (2 * kBatch);
@@ -156,7 +157,7 @@ void integrate_batch(const BatchElement& e, const double* xy, bool want_h, bool 
   }
 }
 
-// Straight into the columns, while the numbers are in registers; sources near the element by way of the room.
+// Adds to the columns while the numbers are in registers. Sources near the element go through `room`.
 template <int F> void integrate_into(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
   const BatchElement e = run.element;
   const bool want_h = run.want_h, want_g = run.want_g;
@@ -213,7 +214,7 @@ OUTLINE void rigid_mixed(const BatchElement& e, const double* xy, Rigid& out) {
   out = rigid_blocks(e, m.c[0], m.d[0], s.z.im);
 }
 
-// add(i, v): v belongs to the numbers i ... i + kDoubles - 1 of 4 kBatch.
+// add(i, v): v contains the numbers i ... i + kDoubles - 1 of 4 kBatch.
 template <class Add> INLINE void sum_rigid(const BatchElement& e, const double* xy, Add add) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kDoubles) {
     const Complexes z = see_far(e, xy + at);

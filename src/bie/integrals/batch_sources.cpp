@@ -1,3 +1,11 @@
+// Sources in batches of kBatch for the vector loops (METHOD 3.2).
+//
+// Consecutive sources form groups. A plain group consists of whole batches without special sources, and its integrals go
+// straight into the columns. Any other group is one batch, whose special lanes are corrected afterwards:
+// 1. sources on the element itself: singular integrals, one by one;
+// 2. sources without collocation (second twins, axis nodes): zero.
+// No bit of a result depends on the range of columns that is assembled, nor on which columns are wanted.
+// The integrals are those of integrals_straight.cpp, METHOD (3.2).
 #include "bie/integrals/batch_sources.hpp"
 
 #include "bie/integrals/batch.hpp"
@@ -7,7 +15,7 @@ namespace c2d {
 
 namespace {
 
-// Sources at the element's own functional nodes: they have integrals of their own kind.
+// Sources at the element's own functional nodes: their integrals are singular.
 struct OwnSources {
   int32_t source[kElementNodes];
   int count;
@@ -17,7 +25,7 @@ int32_t collocation_node(const ColumnSystem& system, int32_t node) {
   return system.twin[node] == kSecondTwin ? twin_node(system.model, system.body, node) : node;
 }
 
-// Which of the chosen ones collocates at the node; -1: none.
+// The chosen source that collocates at the node; -1: none.
 int32_t chosen_source(const ColumnSystem& system, int32_t node) {
   for (int32_t s = 0; s < system.sources; ++s)
     if (system.chosen[s] != kNoNode && (system.chosen[s] == node || system.twin[s] == node)) return s;
@@ -32,8 +40,7 @@ OwnSources own_sources(const ColumnSystem& system, const int32_t node[kElementNo
   return own;
 }
 
-// Consecutive sources: whole batches of which every lane is a source that does not sit on the element, or one
-// batch of any kind, fewer at the body's end.
+// Consecutive sources: whole batches of regular sources (plain), or one batch with special ones, shorter at the body's end.
 struct Group {
   int32_t first, count;
   bool plain;
@@ -50,7 +57,7 @@ Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first,
   Group g{first, end - first, false};
   if (g.count < kBatch) return g;
   g.count -= g.count % kBatch;
-  for (int n = 0; n < own.count; ++n) // up to the batch with the first of the own ones
+  for (int n = 0; n < own.count; ++n) // up to the batch with the first singular source
     if (own.source[n] >= first && own.source[n] < first + g.count) g.count = (own.source[n] - first) / kBatch * kBatch;
   for (int32_t s = 0; system.some_passed_over && s < g.count; s += kBatch)
     if (has_passed_over(system, first + s)) g.count = s;
@@ -61,8 +68,8 @@ Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first,
 
 bool is_passed_over(int32_t twin) { return twin == kSecondTwin || twin == kAxisNode; }
 
-// Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end
-// the last source stands again.
+// Places of a batch of sources for an image: in `room`, unless they can be used where they are stored. Beyond the body's end
+// the last source is repeated.
 const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image, double room[2 * kBatch]) {
   const double* at = system.point + 2 * static_cast<int64_t>(first);
   if (image == 0 && count >= kBatch) return at;
@@ -74,7 +81,7 @@ const double* places(const ColumnSystem& system, int32_t first, int32_t count, i
   return room;
 }
 
-// Local node at which lane s sits, -1 if none.
+// Local node at which lane s is located; -1 if none.
 int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[kElementNodes], const Group& g,
                   int image, int s, Source& p) {
   const int32_t source = g.first + s;
@@ -88,10 +95,10 @@ struct BatchJob {
   const int32_t* node;
   BatchRun run;
   BatchColumns columns;
-  bool direct; // the columns hold all that there is to add
+  bool direct; // the columns receive everything that is to be added
 };
 
-// Lanes that are no source get nothing, those on the element what is theirs.
+// Corrects special lanes: zeros where there is no collocation, the singular integrals where the source is on the element.
 void mend_lanes(const BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
   for (int s = 0; s < g.count; ++s) {
     Source p;
@@ -120,6 +127,7 @@ void scatter_group(BatchJob& job, const Group& g, int image, Blocks& blocks, Bat
     kernel.scatter(run, g.first, g.count, out);
     return;
   }
+  // Images need mirrored places, of which there is room for one batch.
   const int32_t step = image == 0 ? g.count : kBatch;
   for (int32_t s = 0; s < g.count; s += step)
     kernel.integrate_and_scatter(run, places(job.system, g.first + s, step, image, room), g.first + s, step, out);
@@ -133,9 +141,9 @@ bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, c
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
     (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
-  if (!is_batched(integrator, true)) return false; // whichever are wanted: no bit may depend on the range of columns
+  if (!is_batched(integrator, true)) return false; // also if g is not wanted: no bit may depend on the range of columns
   job.run.element = batch_element(integrator);
-  // Nor on whether only one of a component's two columns lies in it.
+  // Nor may it depend on whether only one of a component's two columns lies in the range.
   job.direct = sizeof(Real) == sizeof(double) && !system.scratch->targets.shared;
   if (job.direct) aim_columns(job.run, job.columns);
   const int32_t lines = images_of(system), end = sources_of(system);
@@ -152,7 +160,7 @@ bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, c
 
 namespace {
 
-// One batch, source by source.
+// Subtracts one batch from the diagonal, source by source.
 void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[kElementNodes], const Group& g, int image,
               double* sum) {
   double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
@@ -183,6 +191,7 @@ bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integra
     const Group g = group_at(system, own, first, end);
     for (int image = 0; image <= lines; ++image) {
       if (!is_image(lines, image)) continue;
+      // The frequent case subtracts in registers.
       if (image == 0 && g.plain) {
         system.batch->rigid_off(element, system.point + 2 * static_cast<int64_t>(first), g.count,
                                 system.diagonal + 4 * static_cast<int64_t>(first));

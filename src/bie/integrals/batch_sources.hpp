@@ -1,6 +1,6 @@
 #pragma once
-// Sources taken by the batch (bie/integrals/batch.hpp). Both return false, having done nothing, if the system has no
-// batch or the element none of its closed forms.
+// Sources processed in batches (bie/integrals/batch.hpp). Both functions return false, and have done nothing, if the system has no batch
+// or the element has no closed form.
 #include "bie/panel.hpp"
 
 namespace c2d {
@@ -9,11 +9,11 @@ namespace c2d {
 bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
                      Blocks& blocks, const Deposits& deposits);
 
-// One element's share of fill_diagonal().
+// The share of one element in fill_diagonal().
 bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
                            int32_t first_node, int32_t count);
 
-// Local node of the element at which the source sits, itself or its twin; -1: none.
+// Local node of the element at which the source, or its twin, is located; -1: none.
 int singular_node(const int32_t node[kElementNodes], int count, int32_t source, int32_t twin);
 
 } // namespace c2d

@@ -1,3 +1,10 @@
+// Parts of a body's equations: chosen nodes or points, in chosen columns. Compressed elimination asks for such blocks (METHOD
+// 7.6).
+//
+// The routines of columns.cpp do the work: a copy of the system whose sources are the chosen nodes gives the rows, and a table
+// of places gives the columns. So the entries are those of the whole matrix.
+// Balances along rigid-body modes that the body's equations leave free are replaced by METHOD (10.13), sum R_i . u_i = 0,
+// which makes the system regular.
 #include "bie/integrals/chosen.hpp"
 
 #include "bie/panel.hpp"
@@ -23,6 +30,7 @@ ColumnSystem choose_nodes(const ColumnSystem& whole, const int32_t* node, int32_
   return out;
 }
 
+// Points off the boundary have no node, no twin and no image.
 ColumnSystem choose_points(const ColumnSystem& whole, double* point, int32_t count, int32_t* node, int32_t* twin) {
   ColumnSystem out = whole;
   out.point = point;
@@ -37,7 +45,7 @@ ColumnSystem choose_points(const ColumnSystem& whole, double* point, int32_t cou
 
 namespace {
 
-// All columns but the right-hand sides.
+// All columns except the right-hand sides.
 Range all_unknowns(const ColumnSystem& system) {
   const int32_t end = outer_columns(system.model, system.body) + 2 * system.model.body[system.body].contact;
   return Range{0, end, end};
@@ -52,7 +60,7 @@ void clear_rows(int32_t rows, int32_t columns, Real* out, int64_t ld) {
     for (int32_t i = 0; i < rows; ++i) out[j * ld + i] = 0;
 }
 
-// visit(element, targets, measure) for every element of the columns and each measure of its tractions there are.
+// visit(element, targets, measure) for every element of the columns and each measure of its tractions.
 template <class Visit>
 void visit_elements(const ColumnSystem& system, const Range& range, const ChosenColumns& columns, Visit visit) {
   ElementTargets& targets = system.scratch->targets;
@@ -71,8 +79,8 @@ void add_elements(const ColumnSystem& system, const Range& range, const ChosenCo
   });
 }
 
-// Where symmetry fixes the displacement, the row says that it is zero.
-void hold_rows(const ColumnSystem& system, const ChosenColumns& columns, const Panel& panel) {
+// Rows whose displacement symmetry fixes: u = 0.
+void fix_rows(const ColumnSystem& system, const ChosenColumns& columns, const Panel& panel) {
   const Model& m = system.model;
   for (int32_t s = 0; s < system.sources; ++s)
     for (int c = 0; c < 2; ++c) {
@@ -90,15 +98,15 @@ void fill_tractions(const ColumnSystem& system, const ChosenColumns& columns, Re
   Range tractions = all_unknowns(system);
   tractions.first = tractions.last - system.model.body[system.body].contact;
   add_elements(system, tractions, columns, panel);
-  if (system.model.body[system.body].lines != 0) hold_rows(system, columns, panel);
+  if (system.model.body[system.body].lines != 0) fix_rows(system, columns, panel);
 }
 
 void fill_chosen(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld) {
   const Panel panel = panel_of(system, columns, out, ld);
   add_elements(system, all_unknowns(system), columns, panel);
-  if (system.alone) return; // points off the boundary
+  if (system.alone) return; // points off the boundary have no diagonal
   for (int32_t s = 0; s < system.sources; ++s) add_node(system, panel, s);
-  if (system.model.body[system.body].lines != 0) hold_rows(system, columns, panel);
+  if (system.model.body[system.body].lines != 0) fix_rows(system, columns, panel);
 }
 
 void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Real* out, int64_t ld) {
@@ -108,6 +116,7 @@ void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Rea
     if (measure == Measure::contact || targets.want_g) add_balance(system, panel, element, targets, measure, 0);
   });
   const int32_t lines = system.model.body[system.body].lines;
+  // Balances that symmetry satisfies by itself: rho or omega is zero instead.
   for (int c = 0; c < 3 && lines != 0; ++c) {
     if (c < 2 && (lines >> c & 1) == 0) continue;
     for (int32_t j = 0; j < columns.count; ++j) out[j * ld + c] = 0;
@@ -117,9 +126,9 @@ void fill_balances(const ColumnSystem& system, const ChosenColumns& columns, Rea
 
 namespace {
 
-// Row k: displacements at a node times the free motion k.
-void add_node_motions(const ColumnSystem& system, const ChosenColumns& columns, int32_t node, double weight, Real* out,
-                      int64_t ld) {
+// Row k: displacements of a node times the free rigid-body mode k.
+void add_node_modes(const ColumnSystem& system, const ChosenColumns& columns, int32_t node, double weight, Real* out,
+                    int64_t ld) {
   const Model& m = system.model;
   const Body& body = m.body[system.body];
   const double unit = m.head->length_unit;
@@ -136,8 +145,9 @@ void add_node_motions(const ColumnSystem& system, const ChosenColumns& columns, 
   }
 }
 
-// Orthonormal rows, the first of them the free motions.
-void complete_motions(const Body& body, double rows[3][3]) {
+// Three orthonormal rows, the free rigid-body modes first: Gram-Schmidt with a second pass, which restores orthogonality to
+// rounding.
+void complete_modes(const Body& body, double rows[3][3]) {
   int count = body.free_motions;
   for (int k = 0; k < count; ++k)
     for (int c = 0; c < 3; ++c) rows[k][c] = body.free_motion[k][c];
@@ -151,7 +161,7 @@ void complete_motions(const Body& body, double rows[3][3]) {
         for (int c = 0; c < 3; ++c) row[c] -= part * rows[k][c];
       }
     for (double value : row) size += value * value;
-    if (size < 0.1) continue; // (of three unit vectors some have more beside one or two rows)
+    if (size < 0.1) continue; // at least one unit vector has more than this outside one or two rows
     for (int c = 0; c < 3; ++c) rows[count][c] = row[c] / sqrt(size);
     ++count;
   }
@@ -159,16 +169,17 @@ void complete_motions(const Body& body, double rows[3][3]) {
 
 } // namespace
 
-void turn_sums(const Model& m, int b, Real* sums) {
-  const int32_t held = motions_held(m, b);
-  if (held == 0) return;
+void rotate_balances(const Model& m, int b, Real* sums) {
+  const int32_t modes = motions_held(m, b);
+  if (modes == 0) return;
   double rows[3][3];
-  complete_motions(m.body[b], rows);
+  complete_modes(m.body[b], rows);
+  // The balances in the basis of these modes: those along free modes vanish, those orthogonal to them remain.
   const double before[3] = {static_cast<double>(sums[0]), static_cast<double>(sums[1]), static_cast<double>(sums[2])};
   for (int k = 0; k < 3; ++k) {
     double sum = 0.0;
     for (int c = 0; c < 3; ++c) sum += rows[k][c] * before[c];
-    sums[k] = k < held ? Real(0) : static_cast<Real>(sum);
+    sums[k] = k < modes ? Real(0) : static_cast<Real>(sum);
   }
 }
 
@@ -176,10 +187,10 @@ void fill_sums(const ColumnSystem& system, const ChosenColumns& columns, double 
   const Model& m = system.model;
   fill_balances(system, columns, out, ld);
   if (motions_held(m, system.body) == 0) return;
-  for (int32_t j = 0; j < columns.count; ++j) turn_sums(m, system.body, out + j * ld);
+  for (int32_t j = 0; j < columns.count; ++j) rotate_balances(m, system.body, out + j * ld);
   for (int32_t k = 0; k < columns.element_count; ++k)
     for (int l = 0; l < m.head->function_nodes; ++l)
-      add_node_motions(system, columns, functional_node(m, system.body, columns.elements[k], l), weight, out, ld);
+      add_node_modes(system, columns, functional_node(m, system.body, columns.elements[k], l), weight, out, ld);
 }
 
 void fill_hole_row(const ColumnSystem& system, const Hole& hole, const ChosenColumns& columns, Real* out, int64_t ld) {

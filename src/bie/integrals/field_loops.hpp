@@ -1,6 +1,6 @@
 #pragma once
-// Displacement and stress at points far from a straight element: part of batch_loops.hpp, seen by nothing else.
-// Names and formulas are those of interior_straight.cpp; with n = -i all factors i are written out.
+// Displacement and stress at points far from a straight element: part of batch_loops.hpp, included nowhere else. Names and
+// formulas are those of interior_straight.cpp; with n = -i all factors i are written out.
 #include "bie/integrals/moment_loops.hpp"
 
 namespace c2d {
@@ -77,7 +77,7 @@ template <int F> INLINE void field_at(const BatchFieldElement& e, const BatchPoi
   const Doubles ax = load(p.x + at) - e.x0, ay = load(p.y + at) - e.y0;
   Complexes z = {(ax * e.ux + ay * e.uy) - 1.0, ay * e.ux - ax * e.uy};
   Doubles z2 = squared_size(z);
-  if (!(least(z2) >= kFarStart[F])) { // those are given some place far away
+  if (!(least(z2) >= kFarStart[F])) { // near lanes get some place far away
     const Bits near = z2 < kFarStart[F];
     z = choose(near, Complexes{all(8.0), all(0.0)}, z);
     z2 = near ? all(64.0) : z2;                      // (lanes)
@@ -88,7 +88,7 @@ template <int F> INLINE void field_at(const BatchFieldElement& e, const BatchPoi
     save(out.near + at, all(0.0));
   }
   Many<F> m;
-  far_moments<F>(z, z2, kFarStart[F], true, m); // as many terms for all: no point depends on its companions
+  far_moments<F>(z, z2, kFarStart[F], true, m); // the same number of terms for all: no point depends on the others in its batch
   FieldSums sum;
   add_tractions<F>(e, z, m, sum);
   if (e.displaced) {

@@ -1,3 +1,14 @@
+// Integrals of the Kelvin kernels over one element, for one source point (METHOD 3):
+//   h_l = int T_ij M_l J deta,   g_l = int U_ij M_l J deta,   METHOD (2.2) and (2.3).
+// This file prepares an element once for all sources, and selects the rule:
+// 1. Straight element, constant J: closed forms (integrals_straight.cpp).
+// 2. Anything else: Gauss rules whose error bound is known beforehand (integrals_curved.cpp).
+// 3. Quadrature::thesis: the rules of 1987 (integrals_thesis.cpp).
+// Error bound: if the integrand is analytic in the Bernstein ellipse of parameter R about [-1, 1], the error of the n-point
+// Gauss rule decreases like R^(-2n). So it suffices to know how far the nearest zero of x(eta) - source is. No adaptive
+// refinement is needed, and no coordinate transformation as Telles's (Int. J. Numer. Meth. Eng. 24, 1987).
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course; Davis and Rabinowitz, Methods of Numerical
+// Integration; Trefethen, SIAM Review 50 (2008).
 #include "bie/integrals/integrals.hpp"
 
 #include "bie/integrals/integrals_detail.hpp"
@@ -10,7 +21,7 @@ namespace c2d {
 namespace {
 
 constexpr double kTolerance = 1e-13;
-constexpr double kNever = 1e300; // a squared distance no source has
+constexpr double kNever = 1e300; // a squared distance that no source has
 
 double length(const double v[2]) { return sqrt(v[0] * v[0] + v[1] * v[1]); }
 
@@ -18,6 +29,8 @@ bool constant_jacobian(const Integrator& in) {
   return in.d[1][0] == 0.0 && in.d[1][1] == 0.0 && in.d[2][0] == 0.0 && in.d[2][1] == 0.0;
 }
 
+// Quantities of the chord that do not depend on the source. The circle about the middle contains the element by the triangle
+// inequality on its polynomial coefficients.
 void prepare_chord(Integrator& in) {
   const Element& e = in.element;
   const int last = e.nodes - 1;
@@ -33,11 +46,12 @@ void prepare_chord(Integrator& in) {
   in.log_half = 0.5 * log(in.chord2);
 }
 
-// Distances at which the Gauss rules do. Inside a disc of radius R about the middle, which holds the
-// Bernstein ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3: a source farther from x(0)
-// leaves the kernels analytic. J for g must be analytic there too.
+// Distances beyond which each Gauss rule is sufficient. In a disc of radius R about the middle, which contains the Bernstein
+// ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3. A source farther from x(0) than that is no zero of x -
+// source in the disc, so the kernels are analytic there. J must be analytic there too, because g contains it.
 void prepare_reach(Integrator& in) {
   const double(&c)[kElementNodes][2] = in.element.c;
+  // The shape function is a polynomial factor and uses up part of the rule's degree.
   const int degree = in.functions - 1 + (in.element.straight ? 0 : 1);
   const double c1 = length(c[1]), c2 = length(c[2]), c3 = length(c[3]);
   for (int i = 0; i < kFarOrderCount; ++i) {
@@ -48,6 +62,7 @@ void prepare_reach(Integrator& in) {
   in.semi_axis = gauss_semi_axis(kNearOrder, degree, kTolerance);
 }
 
+// After every change of J: closed forms need a constant one.
 void refresh(Integrator& in) {
   in.closed_form_g = kClosedForms && in.element.straight && constant_jacobian(in);
   in.g_jacobian = length(in.d[0]);
@@ -62,6 +77,7 @@ void clear(double block[kElementNodes][2][2], int functions) {
 
 } // namespace
 
+// |d(u)| >= |d(0)| - r |d'(0)| - r^2 |d2| in the disc: sufficient, not necessary, and cheap.
 bool has_no_zero(const double d[3][2], double origin, double radius) {
   double at[2], slope[2];
   for (int i = 0; i < 2; ++i) {
@@ -71,6 +87,8 @@ bool has_no_zero(const double d[3][2], double origin, double radius) {
   return length(at) > radius * (length(slope) + radius * length(d[2]));
 }
 
+// Taylor shift of the element's polynomial. x(origin) - source is formed once; for a source on the element it is exactly zero,
+// and no digits cancel later.
 Expansion expand(const Integrator& in, double origin, double sx, double sy, bool at_source) {
   const double(&c)[kElementNodes][2] = in.element.c;
   const double source[2] = {sx, sy};
@@ -94,6 +112,7 @@ Sample sample(const Integrator& in, const Expansion& x, double tau) {
   s.ry = x.delta[1] + tau * (x.b[0][1] + tau * (x.b[1][1] + tau * x.b[2][1]));
   s.nx = x.b[0][1] + tau * (2.0 * x.b[1][1] + 3.0 * tau * x.b[2][1]);
   s.ny = -(x.b[0][0] + tau * (2.0 * x.b[1][0] + 3.0 * tau * x.b[2][0]));
+  // J for tractions may belong to another element (set_arc), the normal is always the element's own.
   const double jx = in.d[0][0] + eta * (in.d[1][0] + eta * in.d[2][0]);
   const double jy = in.d[0][1] + eta * (in.d[1][1] + eta * in.d[2][1]);
   s.jacobian = sqrt(jx * jx + jy * jy);
@@ -132,6 +151,7 @@ void set_arc(Integrator& in, const Element& arc, bool reversed) {
 }
 
 void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
+  // Double nodes are joined by an element without length: it has no integrals.
   if (in.degenerate) {
     if (want_h) clear(out.h, in.functions);
     if (want_g) clear(out.g, in.functions);
@@ -141,6 +161,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
     integrate_thesis(in, sx, sy, singular, want_h, want_g, out);
     return;
   }
+  // T has no Jacobian of its own, so h is closed on every straight element. g needs a constant J besides.
   const bool closed_h = kClosedForms && want_h && in.element.straight, closed_g = want_g && in.closed_form_g;
   if (kClosedForms && (closed_h || closed_g)) integrate_straight(in, sx, sy, singular, closed_h, closed_g, out);
   if (want_h != closed_h || want_g != closed_g) {
@@ -149,6 +170,8 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
 }
 
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]) {
+  // A uniform translation needs no tractions, so the integral depends on the path only through its ends: METHOD (2.4). Outside
+  // the circle that contains element and chord, the chord may replace the element.
   if (kClosedForms && in.mode == Quadrature::accurate && !in.degenerate) {
     const double x = sx - 0.5 * (in.element.x[0] + in.element.x[in.element.nodes - 1]);
     const double y = sy - 0.5 * (in.element.y[0] + in.element.y[in.element.nodes - 1]);
@@ -173,10 +196,11 @@ void resultants(const Integrator& in, double ox, double oy, double w[kElementNod
   // M x is a polynomial of degree six at most: four points are exact if J is constant.
   const GaussRule rule = gauss_legendre(constant_jacobian(in) ? 4 : kNearOrder);
   const Expansion x = expand(in, 0.0, ox, oy, false);
+  // Panels grow geometrically from -1; each is halved until J has no zero near it.
   double a = -1.0, step = 2.0;
-  for (int panel = 0; a < 1.0 && !C2D_NEVER(panel == 200); ++panel) { // (each is longer than the one before by far)
+  for (int panel = 0; a < 1.0 && !C2D_NEVER(panel == 200); ++panel) { // each panel is much longer than the one before
     double b = a + step < 1.0 ? a + step : 1.0;
-    for (int cut = 0; !C2D_NEVER(cut == 50); ++cut) { // (an element whose length vanishes somewhere is refused)
+    for (int cut = 0; !C2D_NEVER(cut == 50); ++cut) { // an element whose Jacobian vanishes is refused
       if (constant_jacobian(in) || has_no_zero(in.d, 0.5 * (a + b), 0.5 * (b - a) * r)) break;
       b = a + 0.5 * (b - a);
     }

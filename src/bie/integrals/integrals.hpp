@@ -9,22 +9,22 @@
 
 namespace c2d {
 
-// The accuracy is relative to the largest entry of h or g; where h all but vanishes (nu = 0.5 and a source on the line of a
-// straight element) relative to element length over distance. The rounding of the coordinates comes on top.
+// The accuracy is relative to the largest entry of h or g. Where h nearly vanishes (nu = 0.5 and a source on the line of a
+// straight element) it is relative to element length over distance. The rounding of the coordinates is additional.
 enum class Quadrature {
   accurate, // error below 1e-12 of the largest entry of the block, at any distance
   thesis    // 2, 4 or 10 Gauss points by distance, logarithmic formula at the source's own node
 };
 
-// [l][i][j], l = 0..functions-1 (further entries are not touched):
-// h = int T_ij M_l J deta, g = int U_ij M_l J deta.
+// [l][i][j], l = 0..functions-1 (other entries are not written):
+//   h = int T_ij M_l J deta, g = int U_ij M_l J deta.
 struct Blocks {
   double h[kElementNodes][2][2];
   double g[kElementNodes][2][2];
 };
 
-// Everything about an element that does not depend on the source; filled by prepare() and set_arc(), read
-// only afterwards. No pointers: may be copied.
+// All quantities of an element that do not depend on the source; filled by prepare() and set_arc(), only read afterwards. No
+// pointers: may be copied.
 struct Integrator {
   Element element;
   int functions;
@@ -32,12 +32,12 @@ struct Integrator {
   double k, kappa, t1, t2; // 1/(4 pi (1-nu)), 3-4nu, 1-2nu, 2-2nu
   // chord: half-vector over its squared length, squared half length and its logarithm, doubled angle
   double ux, uy, chord2, log_half, cos2, sin2;
-  double radius;      // of a circle about the chord's middle that holds the element
+  double radius;      // of a circle about the chord's middle that contains the element
   bool degenerate;    // zero length: all integrals are 0
   bool closed_form_g; // straight, and J for g is constant
   double g_jacobian;  // that constant
   double d[3][2];     // J for g = |d0 + d1 eta + d2 eta^2|
-  double reach2[10];  // squared distance from c[0] beyond which the i-th Gauss rule is enough
+  double reach2[10];  // squared distance from c[0] beyond which the i-th Gauss rule is sufficient
   double semi_axis;   // of the ellipse a panel of the near rule needs
 };
 
@@ -48,9 +48,10 @@ void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrat
 // `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call after prepare().
 void set_arc(Integrator& in, const Element& arc, bool reversed);
 
-// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if none; its own h
-// is set to zero (free term and principal value come from rigid translation), its g is complete. A source on the element but
-// not on one of its functional nodes is not allowed (the result is finite, but meaningless). Blocks not wanted are not touched.
+// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if none. Its own h
+// is set to zero (free term and principal value follow from rigid translation), its g is complete. A source on the element but
+// not on one of its functional nodes is not allowed (the result is finite, but meaningless). Blocks not wanted are not
+// written.
 void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
 // sum[i][j] = sum over l != singular of h[l][i][j].

@@ -1,6 +1,16 @@
-// Curved elements, or a Jacobian that is not constant. Far away: the cheapest Gauss rule whose a-priori bound holds. Near:
-// panels growing geometrically away from the nearest point, each with its own check of the bound. Source on the element: the
-// same, with r = tau |q(tau)| factored, and a logarithmic rule next to the source.
+// Integrals over curved elements, or straight ones whose Jacobian is not constant (METHOD 3.3).
+//
+// Three cases, by the distance of the source:
+// 1. Far: the cheapest Gauss rule on the whole element whose a-priori bound is met.
+// 2. Near: panels that grow geometrically away from the nearest point of the element, kNearOrder points each, with a bound of
+//    their own.
+// 3. Source on the element: the same panels from the source on. There r = |tau| |q(tau)| with a smooth q, so
+//   ln r = ln(|tau| / c) + ln(c |q|),
+// and the first term is integrated by a logarithmic Gauss rule. The singular part of T at the source's own node is not
+// integrated; it follows from a rigid-body translation (METHOD 2.3). Geometric panels reach any distance with a number of
+// panels proportional to its logarithm, and the order is constant.
+// Literature: Davis and Rabinowitz, Methods of Numerical Integration, on geometric subdivision and singular integrands;
+// Brebbia and Dominguez, Boundary Elements: An Introductory Course, on the free term by rigid-body motion.
 #include "bie/integrals/integrals_detail.hpp"
 #include "memory/config.hpp"
 #include "memory/hostile.hpp"
@@ -21,7 +31,7 @@ double square(const double v[2]) { return v[0] * v[0] + v[1] * v[1]; }
 
 double length(const double v[2]) { return sqrt(square(v)); }
 
-// Adds a point; r2 = |x - source|^2, `log_of` stands for it in the logarithm.
+// Adds one quadrature point; r2 = |x - source|^2. `log_of` replaces r2 in the logarithm if a factor is split off.
 void add_point(const Job& job, const Sample& s, double weight, double r2, double log_of, Sums& sums) {
   const Integrator& in = job.in;
   const double q = 1.0 / r2;
@@ -36,8 +46,8 @@ void add_point(const Job& job, const Sample& s, double weight, double r2, double
   }
 }
 
-// Gauss on a panel. In the panel at the source (`own`), ln r = ln(tau/c) + ln(c |q|), c = length of the
-// panel: the second part here, the first by the logarithmic rule.
+// Gauss rule on a panel. In the panel at the source (`own`), c is the panel's length. ln(c |q|) is smooth and belongs here;
+// ln(tau / c) is integrated below by the logarithmic rule.
 void add_panel(const Job& job, const Expansion& x, const Stretch& p, bool own, int order, Sums& sums) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (p.to - p.from), middle = 0.5 * (p.from + p.to);
@@ -57,8 +67,9 @@ void add_panel(const Job& job, const Expansion& x, const Stretch& p, bool own, i
   }
 }
 
-// One side of the origin, |tau| from 0 to `end`. The loops are bounded; the bounds are out of reach unless
-// the source lies on the element without being a node of it.
+// One side of the origin, |tau| from 0 to `end`. A panel that does not meet its bound is shortened by the factor 0.7; the next
+// one is tried five times as long. The limits on both loops are not reached unless the source lies on the element without
+// being one of its nodes.
 void add_side(const Job& job, const Expansion& x, double sign, double end, Sums& sums) {
   Stretch p = {0.0, end, sign};
   for (int panel = 0; p.from < end && !C2D_NEVER(panel == 200); ++panel) {
@@ -78,9 +89,10 @@ double distance2(const Expansion& x, double tau) {
   return square(r);
 }
 
-// Parameter, relative to the expansion's origin and within [lo, hi], close to the point nearest to the
-// source: real part of the complex root of x = source by Newton's method, if that is nearer than the best of
-// a few points. (Small code makes do with the point itself, from which there are more panels.)
+// The parameter of the point nearest to the source, relative to the expansion's origin and within [lo, hi]: the real part of
+// the complex root of x(tau) = source. That root, not the geometric distance, limits the Bernstein ellipse. Newton's method
+// starts from the best of nine points; its result counts only if it is nearer. (Small code takes the nearest point itself and
+// needs more panels.)
 double nearest(const Expansion& x, double lo, double hi) {
   double best = 0.0, best2 = distance2(x, 0.0);
   for (int i = 0; i <= 8; ++i) {
@@ -103,6 +115,7 @@ double nearest(const Expansion& x, double lo, double hi) {
       f[1] = fi;
     }
     const double slope2 = square(df);
+    // A zero derivative: a double root, from which Newton's method would jump away.
     if (!(slope2 > 1e-12 * square(x.b[0]))) break;
     const double step_re = (f[0] * df[0] + f[1] * df[1]) / slope2, step_im = (f[1] * df[0] - f[0] * df[1]) / slope2;
     re -= step_re;
@@ -118,7 +131,7 @@ double nearest(const Expansion& x, double lo, double hi) {
   return best;
 }
 
-// Moves the origin to tau without losing the accuracy delta has near an end.
+// Moves the origin to tau. delta is updated from its old value, so it keeps the accuracy that it has near an end.
 Expansion moved(const Expansion& x, double tau) {
   Expansion y;
   y.origin = x.origin + tau;
@@ -132,8 +145,8 @@ Expansion moved(const Expansion& x, double tau) {
   return y;
 }
 
-// Near the element, but not on it. All lengths are measured from the nearer end, so that a source close to an
-// end is as accurate as one in the open.
+// A source near the element but not on it. Distances are measured from the nearer end: x - source is a small difference there,
+// and the end's coordinates are exact numbers. A source close to an end is then as accurate as any other.
 void add_near(const Job& job, double sx, double sy, Sums& sums) {
   const Element& e = job.in.element;
   const int last = e.nodes - 1;
@@ -150,6 +163,8 @@ void add_near(const Job& job, double sx, double sy, Sums& sums) {
 
 } // namespace
 
+// x - source (or q, in the source's own panel) is bounded away from zero in the disc that contains the panel's ellipse. The
+// same test covers J.
 bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own) {
   const double t = p.sign * 0.5 * (p.from + p.to), radius = in.semi_axis * 0.5 * (p.to - p.from);
   double at[2], d1[2], d2[2], d3[2];
@@ -180,6 +195,7 @@ void integrate_curved(const Integrator& in, double sx, double sy, int singular, 
     while (i < kFarOrderCount && r2 <= in.reach2[i]) ++i;
     if (i < kFarOrderCount) {
       add_panel(job, x, {-1.0, 1.0, 1.0}, false, kFarOrders[i], sums);
+      // Two half panels are the most frequent near case and need no search for the nearest point.
     } else if (resolved(in, x, {0.0, 1.0, 1.0}, false) && resolved(in, x, {0.0, 1.0, -1.0}, false)) {
       add_panel(job, x, {0.0, 1.0, 1.0}, false, kNearOrder, sums);
       add_panel(job, x, {0.0, 1.0, -1.0}, false, kNearOrder, sums);

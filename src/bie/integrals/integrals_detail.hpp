@@ -1,5 +1,5 @@
 #pragma once
-// The three ways in which integrals.cpp integrates. Arguments as for integrate().
+// The three integration methods of integrals.cpp. Arguments as for integrate().
 
 #include "bie/integrals/integrals.hpp"
 #include "bie/integrals/kernels.hpp"
@@ -7,10 +7,10 @@
 
 namespace c2d {
 
-// Straight elements have closed forms, a third of the work. Small code integrates them as it does curved ones.
+// Straight elements have closed forms, at a third of the cost. Small code integrates them like curved ones.
 constexpr bool kClosedForms = !kSmallCode;
 
-// Gauss rules from which the far rule is chosen, cheapest first; Integrator::reach2 has one entry for each.
+// Gauss rules for the far case, cheapest first; Integrator::reach2 has one entry for each.
 constexpr int kFarOrders[] = {2, 3, 4, 5, 6, 8, 10, 12, 16, 20};
 constexpr int kFarOrderCount = 10;
 // Gauss and logarithmic points per panel of the near rule.
@@ -36,12 +36,12 @@ struct Stretch {
   double sign;     // side of the origin
 };
 
-// Does the rule do on the panel? In the disc about its middle that holds the panel's ellipse neither x -
-// source (q in the source's own panel) nor dx/deta of J may vanish; both by the triangle inequality. The latter also where
-// g is not wanted: h must not depend on what else is.
+// Is the rule sufficient on the panel? In the disc about its middle that contains the panel's ellipse, neither x - source (q
+// in the source's own panel) nor dx/deta of J may vanish; both are checked by the triangle inequality. The latter also where g
+// is not wanted: h must not depend on what else is wanted.
 bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own);
 
-// Blocks under way, divided by k.
+// Sums of the blocks, divided by k.
 struct Sums {
   Tensor h[kElementNodes];
   Tensor g[kElementNodes];
@@ -52,8 +52,8 @@ Expansion expand(const Integrator& in, double origin, double sx, double sy, bool
 Sample sample(const Integrator& in, const Expansion& x, double tau);
 void finish(const Integrator& in, const Sums& sums, int singular, bool want_h, bool want_g, Blocks& out);
 
-// Straight elements, constant J: closed forms. Their sum over l without the source's own node likewise; the sum without a
-// singular node holds for any path between the same ends that does not pass between source and chord.
+// Straight elements, constant J: closed forms. Likewise their sum over l without the source's own node. The sum without a
+// singular node is valid for any path between the same ends that does not pass between source and chord.
 void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2]);
 void rigid_sum_own_line(const Integrator& in, int singular, double sum[2][2]);
@@ -64,8 +64,8 @@ void integrate_curved(const Integrator& in, double sx, double sy, int singular, 
 // The rule of the thesis's appendix A.
 void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
-// Vector polynomial d0 + d1 u + d2 u^2 about `origin` has no zero in the disc |u - origin| < radius, as far
-// as the triangle inequality tells.
+// Vector polynomial d0 + d1 u + d2 u^2 about `origin` has no zero in the disc |u - origin| < radius, by the triangle
+// inequality (sufficient, not necessary).
 bool has_no_zero(const double d[3][2], double origin, double radius);
 
 } // namespace c2d

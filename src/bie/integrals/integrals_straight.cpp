@@ -1,8 +1,15 @@
-// Closed forms on straight elements. With zeta and the moments of bie/integrals/straight_moments.hpp about the source, in axes
-// along the element with n = (0,-1):
+// Closed forms of the integrals over straight elements (METHOD 3.2, equation METHOD (3.2)). With zeta and the moments C, D, E
+// of bie/integrals/straight_moments.hpp about the source, in axes along the element with n = (0,-1):
 //   T: alpha = -(2-2nu) Im C, beta = -zeta Re D, gamma = zeta Im D, delta = -(1-2nu) Re C     (times k)
 //   U: alpha = -kappa (mu ln|h| + E) + mu/2, beta = mu/2 - zeta Im C, gamma = -zeta Re C       (times k |h|)
 // with mu_k = int eta^k.
+//
+// Steps: 1. see the source in the element's axes; 2. find the moments of the powers of eta; 3. combine them to shape
+// functions; 4. rotate the block back (kernels.hpp: alpha and delta are invariant, beta and gamma rotate by twice the angle).
+// A source on one of the element's own nodes has zeta = 0, and its moments are constants.
+// Literature: closed forms of this kind for constant and linear elements are classical, for example Crouch and Starfield,
+// Boundary Element Methods in Solid Mechanics (1983); complex notation after Muskhelishvili, Some Basic Problems of the
+// Mathematical Theory of Elasticity.
 #include "bie/integrals/integrals_detail.hpp"
 #include "bie/integrals/kernels.hpp"
 #include "bie/integrals/straight_moments.hpp"
@@ -11,7 +18,7 @@
 namespace c2d {
 namespace {
 
-// Turns a block from the element's axes into the global ones.
+// Rotates a block from the element's axes to the global ones.
 Tensor rotated(const Integrator& in, const Tensor& t) {
   return {t.alpha, t.beta * in.cos2 - t.gamma * in.sin2, t.beta * in.sin2 + t.gamma * in.cos2, t.delta};
 }
@@ -44,7 +51,8 @@ int own_offset(int functions, int singular) {
   return kStart[functions - 1] + functions * singular;
 }
 
-// Source at functional node `singular`: zeta = 0, the moments are numbers.
+// Source at functional node `singular`: zeta = 0, the moments are constants. The principal value of the node's own function is
+// left to the diagonal.
 void integrate_own_line(const Integrator& in, int singular, bool want_h, bool want_g, Blocks& out) {
   const int offset = own_offset(in.functions, singular);
   for (int l = 0; l < in.functions; ++l) {
@@ -69,7 +77,7 @@ inline void store_node(const Integrator& in, double zeta, Complex c, Complex d, 
   }
 }
 
-// The commonest order, M = (1 -+ eta)/2, without a loop.
+// The most frequent case, M = (1 -+ eta)/2, without a loop.
 void store_linear(const Integrator& in, double zeta, const Moments& m, bool want_h, bool want_g, Blocks& out) {
   const Complex c = 0.5 * m.c[0], c1 = 0.5 * m.c[1], d = 0.5 * m.d[0], d1 = 0.5 * m.d[1];
   const double e = 0.5 * m.e[0], e1 = 0.5 * m.e[1];
@@ -105,6 +113,7 @@ void integrate_straight(const Integrator& in, double sx, double sy, int singular
   }
 }
 
+// The shape functions add up to 1, so the sum over nodes needs only C_0 and D_0, METHOD (2.4).
 void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2]) {
   const SeenPoint s = see(in, sx, sy);
   const Complex c = zeroth_moment(s);

@@ -1,5 +1,9 @@
-// The quadrature rule of the thesis's appendix A: 2, 4 or 10 Gauss points by distance, and at the source's own node ln(1/r) =
-// ln(1/|tau|) + ln(1/|q|), r = |tau q|, the first part with the logarithmic rule on either side.
+// Quadrature of 1987: appendix A of the thesis, for comparison with its results (METHOD 3.4).
+//
+// 2, 4 or 10 Gauss points by the distance of the source, thesis (A.3). At the source's own node
+//   ln(1/r) = ln(1/|tau|) + ln(1/|q|),   r = |tau q|,
+// where the first term is integrated by the logarithmic rule on either side of the node, thesis (A.4).
+// The error is not bounded beforehand: it depends on the distance and on the shape of the element.
 #include "bie/integrals/integrals_detail.hpp"
 #include "memory/math.hpp"
 #include "model/shape.hpp"
@@ -50,7 +54,7 @@ void integrate_thesis(const Integrator& in, double sx, double sy, int singular, 
     const double tau = p.x - origin;
     const Sample s = sample(in, x, tau);
     const double r2 = s.rx * s.rx + s.ry * s.ry;
-    if (!(r2 > 0.0)) continue; // a source on a Gauss point adds nothing, as in the listing
+    if (!(r2 > 0.0)) continue; // a source on a Gauss point contributes nothing, as in the listing
     const Tensor t = traction_kernel(s.rx, s.ry, 1.0 / r2, s.nx, s.ny, in.t1);
     const Tensor u = displacement_kernel(s.rx, s.ry, r2, in.kappa);
     for (int l = 0; l < in.functions; ++l) {

@@ -1,4 +1,13 @@
-// The kernels at a point, and Gauss rules over curved elements. See interior.hpp for the formulas.
+// Displacement and stress at points off the boundary: the kernels at a point, and Gauss rules over curved elements (METHOD
+// 16.3). Formulas are in interior.hpp, Somigliana's identity and its derivative:
+//   u(P) = int U t - int T u,   sigma(P) = int D t - int S u.
+// Phases, for one element and one point:
+// 1. prepare_field(): nodal values become coefficients of powers of eta, once for all points.
+// 2. Far: one Gauss rule. Near: panels as in integrals_curved.cpp. Straight elements: closed forms (interior_straight.cpp).
+// 3. The displacement `reference` is subtracted first. A translation has no stress, so this changes nothing but the
+//    cancellation: S grows like 1/r^2, and u - reference vanishes where it is largest.
+// In complex form a kernel is one or two products instead of the eight components of D and S.
+// Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course (internal points); thesis (3.32) to (3.34).
 
 #include "bie/integrals/integrals_detail.hpp"
 #include "bie/integrals/interior_detail.hpp"
@@ -11,11 +20,11 @@
 namespace c2d {
 namespace {
 
-// What both kernels of a source-field pair need.
+// Quantities of a source-field pair that both kernels use.
 struct Ray {
   double r2;
   Complex inverse; // 1/rho
-  Complex phase;   // rho*/rho
+  Complex phase;   // rho*/rho, of modulus 1
 };
 
 Ray make_ray(double rx, double ry) {
@@ -51,6 +60,7 @@ void add_scaled(PointField& sum, double factor, const PointField& part) {
   add(sum.deviator, factor * part.deviator);
 }
 
+// One panel: the densities are polynomials in eta, so only the kernels differ from point to point.
 void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Stretch& panel, int order, PointField& sum) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (panel.to - panel.from), middle = 0.5 * (panel.from + panel.to);
@@ -69,9 +79,9 @@ void add_panel(const FieldElement& e, Complex reference, const Expansion& x, con
   }
 }
 
-// One rule far away; else panels that shrink on the way to the nearest point and grow behind it, with parameters counted
-// from there, so that the rounding of the distance is the same for all. The bounds of the loops are out of reach for
-// points off the boundary.
+// Far: one rule. Near: panels that shrink towards the nearest point and grow behind it. Parameters are counted from that
+// point, so that the distance has the same rounding in all panels. The limits on the loops are not reached for points off the
+// boundary.
 void add_field_curved(const FieldElement& e, Complex reference, double px, double py, PointField& sum) {
   const double x0 = e.in.element.c[0][0] - px, y0 = e.in.element.c[0][1] - py, r2 = x0 * x0 + y0 * y0;
   for (int i = 0; i < kFarOrderCount; ++i)
@@ -101,6 +111,7 @@ void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElemen
     out.t[k] = out.u[k] = Complex{0.0, 0.0};
     if (k >= in.functions) continue;
     for (int l = 0; l < in.functions; ++l) {
+      // Closed forms use the element's own axes: the nodal values are rotated once, here.
       const Complex turned = shape_coefficients(in.functions, l)[k] * conj(out.axis);
       add(out.t[k], turned * t[l]);
       if (u) add(out.u[k], turned * u[l]);
@@ -119,14 +130,15 @@ void add_field(const FieldElement& e, Complex reference, double x, double y, Poi
 
 void add_force_field(Complex force, double nu, double fx, double fy, double x, double y, PointField& sum) {
   const double rx = fx - x, ry = fy - y;
+  // The field of a force at its own point is infinite; such a point gets nothing.
   if (!(rx * rx + ry * ry > 1e-30)) return;
   PointField part = {};
   add_traction(make_ray(rx, ry), force, 3.0 - 4.0 * nu, part);
   add_scaled(sum, 1.0 / (4.0 * kPi * (1.0 - nu)), part);
 }
 
-// The angle under which the element is seen. Outside the disc that holds the element and its chord it is the chord's;
-// elsewhere the isotropic part of int T tells, which is -angle/(2 pi).
+// The angle at which the element is seen from the point, over 2 pi. Outside the disc that contains the element and its chord
+// it is the angle of the chord. Elsewhere it follows from the isotropic part of int T, which is -angle/(2 pi).
 double winding(const Integrator& in, double x, double y) {
   const Element& e = in.element;
   const int last = e.nodes - 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Displacement and stress inside a body, thesis (3.32) to (3.34), METHOD 16.3: what one element adds at a point P off the
+// Displacement and stress inside a body, thesis (3.32) to (3.34), METHOD 16.3: the share of one element at a point P off the
 // boundary,
 //   u(P) = int U t - int T u,   sigma(P) = int D t - int S u.
 // Plane vectors are complex numbers, rho = field point minus P, n = outward normal; then with k = 1/(4 pi (1-nu))
@@ -24,25 +24,25 @@ struct PointField {
 struct FieldElement {
   Integrator in;
   bool closed_form;
-  bool displaced; // has displacements: the reference is taken off
+  bool displaced; // has displacements: the reference is subtracted
   Complex axis;   // unit vector along those axes
   Complex t[kElementNodes], u[kElementNodes];
 };
 
-// Completes an element whose accurate Integrator `in` stands. Displacements u[l], tractions t[l] at the functional nodes,
+// Completes an element whose accurate Integrator `in` is ready. Displacements u[l], tractions t[l] at the functional nodes,
 // the latter in the measure of `in`. Null: no displacements.
 void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElement& out);
 
-// Adds the element's share at (x, y), with `reference` taken off its displacements: over a closed boundary a
-// translation has no stress and displaces the inside by itself. With the displacement of the nearest boundary point as
-// reference nothing large cancels near the boundary. Error below 1e-10 of the largest term, at distances from
-// 1e-9 of the element length on; the rounding of the coordinates comes on top.
+// Adds the element's share at (x, y), with `reference` subtracted from its displacements: over a closed boundary a translation
+// has no stress and displaces the inside by itself. With the displacement of the nearest boundary point as reference nothing
+// large cancels near the boundary. Error below 1e-10 of the largest term, at distances from 1e-9 of the element length on; the
+// rounding of the coordinates is additional.
 void add_field(const FieldElement& element, Complex reference, double x, double y, PointField& sum);
 
-// The field of a force (in 2G times the length unit) at (fx, fy); at its own point nothing.
+// The field of a force (in 2G times the length unit) at (fx, fy); zero at its own point.
 void add_force_field(Complex force, double nu, double fx, double fy, double x, double y, PointField& sum);
 
-// The element's share in the number of times that the boundary winds round a point off it.
+// The element's share in the winding number of the boundary about a point off it.
 double winding(const Integrator& in, double x, double y);
 
 } // namespace c2d

@@ -1,5 +1,5 @@
 #pragma once
-// The two ways in which interior.cpp evaluates an element.
+// The two methods by which interior.cpp evaluates an element.
 #include "bie/integrals/interior.hpp"
 
 namespace c2d {

@@ -1,6 +1,9 @@
-// Closed forms on straight elements. In axes along the element, in units of its half length, about its middle, P is the
-// complex number z = xi + i zeta and rho = eta - z with real eta: then rho* = rho + 2 i zeta and n = -i, and all kernels
-// follow from the moments of bie/integrals/straight_moments.hpp.
+// Displacement and stress of a straight element in closed form (METHOD 16.3). In axes along the element, in units of its half
+// length and about its middle, P is the complex number z = xi + i zeta, and rho = eta - z with real eta. Then rho* = rho + 2 i
+// zeta and n = -i, so every kernel of interior.hpp is a sum of powers of 1/rho, and the integrals follow from the moments of
+// bie/integrals/straight_moments.hpp. The terms with rho* - rho = 2 i zeta vanish with the distance from the element's line: written in
+// this way nothing large cancels near it.
+// Literature: Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity (complex notation).
 
 #include "bie/integrals/interior_detail.hpp"
 #include "bie/integrals/straight_moments.hpp"
@@ -9,7 +12,7 @@
 namespace c2d {
 namespace {
 
-// The integrals of both densities against every kernel part.
+// Integrals of both densities against each part of the kernels.
 struct DensityMoments {
   Complex t_log;      // int t ln|rho|
   double t_mean;      // int Re t
@@ -22,6 +25,7 @@ DensityMoments apply(const FieldElement& e, Complex reference, const Moments& m,
   DensityMoments s = {};
   for (int k = 0; k < e.in.functions; ++k) {
     const Complex t = e.t[k], u = k == 0 ? e.u[0] - reference : e.u[k];
+    // The logarithm is of |rho| in units of the half length, so ln|h| times the mean is added.
     const double mean = k % 2 == 0 ? 2.0 / (k + 1) : 0.0;
     add(s.t_log, (m.e[k] + mean * e.in.log_half) * t);
     s.t_mean += mean * t.re;
@@ -51,11 +55,13 @@ void add_field_straight(const FieldElement& e, Complex reference, double x, doub
   const double per_length = sqrt(in.ux * in.ux + in.uy * in.uy);      // 1/|h|
   const double k_t = in.k * in.g_jacobian, k_d = k_t * per_length, k_s = 2.0 * in.k * per_length;
 
+  // Signs and factors as in interior.hpp; the first line is U t, the next ones -T u.
   Complex u = k_t * (-in.kappa * s.t_log + Complex{s.t_mean, 0.0} + 0.5 * conj(twice_zeta * s.tc));
   const Complex nuc = n * s.uc;
   add(u, (0.5 * in.k) * (in.kappa * nuc + conj(n * (s.uc_bar - s.uc) + nuc + twice_zeta * (n * s.ud))));
   add(sum.u, u * e.axis);
 
+  // Trace and deviator: D t with k_d, -S u with k_s. The deviator rotates back by twice the angle.
   const Complex nud = n * s.ud;
   sum.trace += 2.0 * k_d * s.tc.re + k_s * nud.re;
   const Complex deviator = k_d * (in.kappa * s.tc_bar + s.tc + twice_zeta * s.td) +

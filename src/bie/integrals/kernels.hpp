@@ -1,6 +1,6 @@
 #pragma once
 #include "memory/math.hpp"
-// The 2-D Kelvin kernels in the four numbers that survive a rotation: a 2x2 block is
+// The 2-D Kelvin kernels as four numbers with simple behaviour under rotation: a 2x2 block is
 //   [ alpha + beta,  gamma + delta ]
 //   [ gamma - delta, alpha - beta  ],
 // alpha and delta do not change when the axes turn, (beta, gamma) turn by twice the angle.

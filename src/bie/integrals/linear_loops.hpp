@@ -1,5 +1,5 @@
 #pragma once
-// Where blocks go, and linear elements far away, which most pairs are: part of batch_loops.hpp, seen by nothing else.
+// Where blocks go, and linear elements at a distance, the most frequent case: part of batch_loops.hpp, included nowhere else.
 #include "bie/integrals/moment_loops.hpp"
 
 namespace c2d {
@@ -31,8 +31,8 @@ struct Columns { // from `row` on
 
 // With S_q = sum w^m/(2m+q) the halves of the moments of 1 and eta are
 //   C: -S_1/z and -w S_3, D: w R and (w R - w S_3)/z, R = sum w^m,
-// and of the logarithm's, with C_2 = -2 S_3/z, ln|z|^2/2 - Re w P, P = sum w^m/((2m+3)(2m+2)), and
-// -Re (S_1 - S_3)/(2z). Functions are the difference and the sum of the two.
+// and those of the logarithm, with C_2 = -2 S_3/z, ln|z|^2/2 - Re w P, P = sum w^m/((2m+3)(2m+2)), and -Re (S_1 - S_3)/(2z).
+// The functions are the difference and the sum of the two.
 struct LinearFar {
   Complexes c0, c1, d0, d1; // c0, c1: without their sign
   Doubles log0, log1;

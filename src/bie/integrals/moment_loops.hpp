@@ -1,6 +1,6 @@
 #pragma once
-// Complex numbers, the sources as an element sees them, and the moments of its kernels: part of batch_loops.hpp, seen by
-// nothing else. Names and formulas are those of straight_moments.hpp; series there and here are those of C_k, in w = 1/z^2.
+// Complex numbers, the sources as an element sees them, and the moments of its kernels: part of batch_loops.hpp, included
+// nowhere else. Names and formulas are those of straight_moments.hpp; series there and here are those of C_k, in w = 1/z^2.
 #include "bie/integrals/batch.hpp"
 #include "bie/integrals/straight_moments.hpp"
 #include "bie/integrals/vector_loops.hpp"

@@ -1,3 +1,12 @@
+// Moments C_k, D_k, E_k, F_k of METHOD (3.1) on a straight element.
+//
+// Two algorithms, selected by the distance |z| from the middle of the element in half lengths:
+// 1. Near: C_0 from logarithm and angle, then the forward recurrence C_{k+1} = z C_k + mu_k. It amplifies rounding like |z|^k,
+//    which is harmless near the element.
+// 2. Far: power series in w = 1/z^2. The closed form would cancel there: C_0 is a small difference of two logarithms.
+// E follows by parts from C, and F from C and D.
+// Literature: Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity (Cauchy integrals); Knuth, The Art
+// of Computer Programming, vol. 2, section 4.6.4 (real polynomials at complex arguments).
 #include "bie/integrals/straight_moments.hpp"
 
 #include "memory/math.hpp"
@@ -7,13 +16,14 @@ namespace {
 
 constexpr double kSmallest = 1e-290;
 
-// int eta^k/(eta-z), k = 0: half the logarithm of the ratio of squared distances, and the angle subtended.
+// C_0 = int 1/(eta-z): half the logarithm of the ratio of squared distances, and the angle subtended. atan2 of a product form,
+// because a difference of two angles could be off by 2 pi.
 Complex logarithm(const SeenPoint& s, double log1, double log2) {
   return {0.5 * (log2 - log1), atan2(2.0 * s.z.im, s.xi1 * s.xi2 + s.z.im * s.z.im)};
 }
 
-// Forward recurrence C_{k+1} = z C_k + mu_k, D_k = [-eta^k/(eta-z)] + k C_{k-1}: loses |z|^functions,
-// harmless here. Returns ln|z^2-1|.
+// Forward recurrence C_{k+1} = z C_k + mu_k, D_k = [-eta^k/(eta-z)] + k C_{k-1}. It loses a factor |z|^functions, harmless
+// here. Returns ln|z^2-1|.
 double near_moments(const SeenPoint& s, int functions, Moments& m) {
   const double log1 = log(s.n1), log2 = log(s.n2);
   m.c[0] = logarithm(s, log1, log2);
@@ -30,7 +40,8 @@ double near_moments(const SeenPoint& s, int functions, Moments& m) {
 constexpr double kReciprocal[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
                                   1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
 
-// sum_{m<terms} w^m/(2m+first) by the recurrence for polynomials with real coefficients at a complex argument.
+// sum_{m<terms} w^m/(2m+first). A polynomial with real coefficients at a complex argument takes two real multiplications per
+// term instead of four.
 Complex odd_series(Complex w, int first, int terms) {
   const double trace = 2.0 * w.re, norm = w.re * w.re + w.im * w.im;
   const double* a = kReciprocal + (first - 3) / 2;
@@ -81,7 +92,8 @@ void far_moments(const SeenPoint& s, double z2, int functions, Moments& m) {
 
 } // namespace
 
-// Zeta, and the position along the element, are taken from the nearer end, where they are small numbers exactly.
+// Zeta, and the position along the element, are measured from the nearer end, where they are small numbers without
+// cancellation.
 SeenPoint see(const Integrator& in, double x, double y) {
   const Element& e = in.element;
   const int last = e.nodes - 1;
@@ -110,7 +122,8 @@ void find_moments(const SeenPoint& s, int functions, bool want_e, Moments& m) {
     far_moments(s, z2, functions, m);
     if (want_e) log_product = 0.5 * log(s.n1 * s.n2);
   }
-  // By parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}.
+  // By parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}. At the ends eta^(k+1) is 1 or -1, so even k take the sum of the
+  // two logarithms and odd k their difference, which is Re C_0.
   for (int k = 0; k < functions; ++k) {
     m.e[k] = ((k % 2 == 0 ? log_product : m.c[0].re) - m.c[k + 1].re) / (k + 1);
   }

@@ -20,8 +20,8 @@ struct Moments {
   double e[kElementNodes];
 };
 
-// Squared distance from the middle beyond which series in 1/z^2 replace logarithm and angle: the recurrence of the
-// moments loses |z|^functions, the series is slow near 1.
+// Squared distance from the middle beyond which series in 1/z^2 replace logarithm and angle: the recurrence of the moments
+// loses |z|^functions, and the series converges slowly near 1.
 constexpr double kFarStart[] = {0.0, 60.0, 60.0, 12.0, 12.0}; // by number of functions
 
 // E only if wanted.

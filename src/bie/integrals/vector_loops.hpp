@@ -1,7 +1,7 @@
 #pragma once
-// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else. Both functions
-// are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17; neither raises anything for the
-// arguments they are made for. tests/test_batch.cpp compares them with the C library.
+// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, included nowhere else. Both functions
+// are polynomials after the usual reductions, interpolated at Chebyshev points to 1e-17; neither raises a floating-point
+// exception for its intended arguments. tests/test_batch.cpp compares them with the C library.
 #include <stdint.h>
 
 #define INLINED __attribute__((always_inline))
@@ -16,7 +16,7 @@ constexpr int kDoubles = C2D_VECTOR_BYTES / 8;
 typedef double Doubles __attribute__((vector_size(C2D_VECTOR_BYTES)));
 typedef int64_t Bits __attribute__((vector_size(C2D_VECTOR_BYTES)));
 typedef uint64_t Unsigned __attribute__((vector_size(C2D_VECTOR_BYTES)));
-// Vectors that may lie anywhere a number may.
+// Vectors at any address of a number.
 typedef double Loose __attribute__((vector_size(C2D_VECTOR_BYTES), aligned(8), may_alias));
 
 INLINE Doubles load(const double* from) { return *reinterpret_cast<const Loose*>(from); }
@@ -27,9 +27,9 @@ INLINE Doubles all(double x) {
 
 INLINE Doubles lower(Doubles a, Doubles b) { return a < b ? a : b; } // (lanes)
 
-// Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
-// two from x y x y ... is stored in its place by the same two. low_pairs, high_pairs: pairs of a and b in
-// turns, from the first and from the second halves.
+// Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. The same two functions separate x y x y ...
+// after loading and restore that order before storing. low_pairs, high_pairs: alternating pairs of a and b, from the first and
+// from the second halves.
 #if defined(__clang__) || __GNUC__ >= 12
 #define C2D_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
