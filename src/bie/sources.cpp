@@ -4,7 +4,6 @@
 // source, and the rows get the signs of R.
 // Diagonal: the block of a source is minus the sum of all others, since a translation needs no tractions (thesis (A.5);
 // Brebbia and Dominguez, Boundary Elements: An Introductory Course, on rigid-body motion).
-#include "bie/integrals/batch_sources.hpp"
 #include "bie/diagonal.hpp"
 #include "bie/holes.hpp"
 #include "bie/integrals/batch_sources.hpp"

@@ -92,7 +92,6 @@ template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>
 
 // A function of its own, so that the frequent case keeps its numbers in registers.
 template <int F>
-// A function of its own, so that the frequent case keeps its numbers in registers.
 OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g, const Room& room) {
   const Seen s = see(e, xy);
   Many<F> m;

@@ -1,6 +1,6 @@
 #pragma once
-// Sources processed in batches (bie/integrals/batch.hpp). Both functions return false, and have done nothing, if the system has no batch
-// or the element has no closed form.
+// Sources processed in batches (bie/integrals/batch.hpp). Both functions return false, and have done nothing, if the system has
+// no batch or the element has no closed form.
 #include "bie/panel.hpp"
 
 namespace c2d {

@@ -1,9 +1,9 @@
 // Displacement and stress of a straight element in closed form (METHOD 16.3). In axes along the element, in units of its half
 // length and about its middle, P is the complex number z = xi + i zeta, and rho = eta - z with real eta. Then rho* = rho + 2 i
 // zeta and n = -i, so every kernel of interior.hpp is a sum of powers of 1/rho, and the integrals follow from the moments of
-// bie/integrals/straight_moments.hpp. The terms with rho* - rho = 2 i zeta vanish with the distance from the element's line: written in
-// this way nothing large cancels near it.
-// Literature: Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity (complex notation).
+// bie/integrals/straight_moments.hpp. The terms with rho* - rho = 2 i zeta vanish with the distance from the element's line:
+// written in this way nothing large cancels near it. Literature: Muskhelishvili, Some Basic Problems of the Mathematical Theory
+// of Elasticity (complex notation).
 
 #include "bie/integrals/interior_detail.hpp"
 #include "bie/integrals/straight_moments.hpp"
