@@ -2,7 +2,7 @@
 
     python3 examples/fretting_loop.py [FOLDER]     writes its pictures into FOLDER (default: build/fretting)
 
-It needs the package contact2d alone (pip install ./port/python, or PYTHONPATH=port/python after make python).
+It needs only the package contact2d (pip install ./port/python, or PYTHONPATH=port/python after make python).
 """
 
 import pathlib
@@ -14,10 +14,10 @@ here = pathlib.Path(__file__).resolve().parent
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else here.parent / "build" / "fretting")
 folder.mkdir(parents=True, exist_ok=True)
 
-# %% A pad is pressed on a flat and loaded tangentially in cycles: the mesh is sought that is fine enough for the narrowest slip
+# %% A pad is pressed on a flat and loaded tangentially in cycles; the mesh is refined for the narrowest slip zone
 deck = contact2d.mesh(here / "fretting_pad.c2s", mu=1.0)
 result = contact2d.solve(deck, options={"threads": 2})
-result  # a notebook shows the numbers that sum it up, and pictures
+result  # a notebook shows its main numbers and pictures
 for picture in result.pictures.values():
     picture.save(folder / (picture.name + ".svg"))
 
