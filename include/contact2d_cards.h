@@ -1,5 +1,5 @@
-/* contact2d: the cards of a deck, for programs that look at them themselves, to write them anew or to draw them. Reading a
-   deck into a solver needs nothing of this: c2d_read_deck of contact2d.h.
+/* contact2d: the cards of a deck, for programs that process them, to rewrite or to draw a deck. To read a deck into a solver use
+   c2d_read_deck of contact2d.h.
 
      static void show_field(void* context, const c2d_card* card) {
        if (card->kind == C2D_CARD_INTEGER || card->kind == C2D_CARD_REAL)
@@ -22,7 +22,7 @@ enum {
   C2D_CARD_REAL = 3,
   C2D_CARD_LETTER = 4,        /* P in column 1 of a node card                                       */
   C2D_CARD_REMARK = 5,        /* words behind the last field of a fixed card                        */
-  C2D_CARD_COMMENT = 6,       /* without its C or !; told before the card on whose line it stands   */
+  C2D_CARD_COMMENT = 6,       /* without its C or !; comes before the card on the same line         */
   C2D_CARD_EXTENSION = 7      /* a keyword card or one below it, as it stands                       */
 };
 typedef struct c2d_card {
@@ -36,10 +36,10 @@ typedef struct c2d_card {
 } c2d_card;
 typedef void (*c2d_card_fn)(void* context, const c2d_card* card);
 
-/* Walks over a deck as c2d_check_deck does, without any workspace: `card` is told every field in the order of the deck,
-   `report` (may be null) every fault. What was told before a fault counts for nothing. `card` may be null, too. body[0 ..
-   bodies) is worked in; what it holds afterwards is of no use. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies
-   than `bodies`, which is known as soon as their number is read. */
+/* Walks over a deck like c2d_check_deck, without a workspace: `card` receives every field in the order of the deck, `report` every
+   fault; either may be null. Discard the fields of a deck with faults. body[0 .. bodies) is work space; its contents are
+   undefined afterwards. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies than `bodies`, reported as soon as their
+   number is read. */
 c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_body_limits* body, int32_t bodies, c2d_card_fn card,
                          void* card_context, c2d_report report, void* report_context);
 

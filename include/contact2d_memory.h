@@ -12,10 +12,10 @@
    C2D_LIMITS_BYTES(..., load_cases, panel_columns, free_pairs, point_sets, curves) is the same for limits in which these
    are not 0. With panel_columns it has room for blocks that are as wide as the panels.
 
-   C2D_LOWER_BLOCKS and its kind below tell what the tapes take in such a workspace.
+   C2D_LOWER_BLOCKS and the like below give the sizes of the tapes for such a workspace.
 
-   All are made of the lists below, in which every array of the workspace is one line. The library carves its memory by
-   the same lists. */
+   All are computed from the lists below, with one line per array of the workspace. The library lays out its memory by the
+   same lists. */
 #ifndef CONTACT2D_MEMORY_H
 #define CONTACT2D_MEMORY_H
 
@@ -49,7 +49,7 @@
    C2D_PHASE_BYTES_(nodes, C2D_ROWS_(nodes) + 2 * (free_pairs), results_bytes, UINT64_C(2) * (pairs),                  \
                     C2D_MOTIONS_(bodies, pairs), C2D_CASES_(load_cases), C2D_SLIP_(curves),                            \
                     C2D_WIDTH_(panel_columns)))
-/* What one body is made of, and what its results take while the load path is followed. */
+/* Bytes of one body, and of its results while the load path is followed. */
 #define C2D_BODY_BYTES(function_nodes, points, elements, regions, load_cases)                                          \
   (0 C2D_BODY_ARRAYS_(C2D_ADD_, points, C2D_ENDS_(function_nodes, elements),                                           \
                       C2D_NODES_(function_nodes, points, elements, regions), regions, C2D_CASES_(load_cases)))
@@ -130,12 +130,12 @@
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
   ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
   ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* results/approach.cpp                                      */  \
-  ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
+  ARRAY(PointSet, PointSets, point_sets, 1)           /* points for interior results                               */  \
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
   ARRAY(SlipGap, SlipGaps, (curves) > 0 ? (pairs) : 0, 1) /* what slip adds to gaps, model/slip_gap.hpp             */ \
-  ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
+  ARRAY(Curve, Curves, curves, 1)                     /* given surfaces between boundary points                    */
 
-/* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */
+/* The following share the same memory, one after another: while a body is assembled and eliminated, ... */
 #define C2D_ELIMINATION_ARRAYS_(ARRAY, nodes, m, work_bytes)                                                           \
   ARRAY(void, work, work_bytes, 1)                    /* of eliminate(): C2D_WORK_ARRAYS_, multiples of 64         */  \
   ARRAY(void, scratch, C2D_ASSEMBLY_BYTES, 1)         /* AssemblyScratch of bie/panel.hpp                          */  \
@@ -148,7 +148,7 @@
   ARRAY(void, block, block_bytes, 1)                  /* buffers for blocks, with their headers                    */  \
   ARRAY(Real, norms, width, 1)                                                                                         \
   ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
-/* ... while the bodies are reduced to the contact, `motions` those that only the contact prevents, ... */
+/* ... while the bodies are reduced to the contact (`motions`: those that only contact prevents), ... */
 #define C2D_REDUCTION_ARRAYS_(ARRAY, m, columns, motions)                                                              \
   ARRAY(void, buffer, C2D_ROUND_(C2D_CONTACT_BLOCK_(m)), 1) /* of the contact tape                                */  \
   ARRAY(Real, first, (columns) + (motions), (columns) + (motions))                                                     \
@@ -164,16 +164,16 @@
   ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
   ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 3)) /* exchanges (contact/tableau.hpp) */\
   ARRAY(Real, mean_motion, m, C2D_MEAN_MOTION_(m))    /* of the bodies (results/approach.cpp)                      */
-/* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
-   side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
-   bodies, in units of the model; and what back substitution takes. */
+/* ... followed either by the rate problem of n - 1 unknowns or by results, which are invalid while loads change: displacements
+   of the contact on each side; F of the bodies if there is room for it; displacements and true tractions of all bodies, in
+   units of the model; and the work arrays of back substitution. */
 #define C2D_RATES_ARRAYS_(ARRAY, n)                                                                                    \
   ARRAY(Real, rates, n, (n) + 4)
 #define C2D_SURFACE_ARRAYS_(ARRAY, m)                                                                                  \
   ARRAY(Real, u, m, 1)
 #define C2D_COLUMN_ARRAYS_(ARRAY, m)                                                                                   \
   ARRAY(Real, column, m, 1)                                                                                            \
-  ARRAY(Real, motion, m, 1)                           /* of the bodies that only the contact holds                 */  \
+  ARRAY(Real, motion, m, 1)                           /* of bodies supported by contact alone                      */  \
   ARRAY(Real, own, m, 1)                              /* contact unknowns of one body                              */
 #define C2D_RESULT_ARRAYS_(ARRAY, nodes, ends)                                                                         \
   ARRAY(Real, displacement, nodes, 2)                                                                                  \
@@ -233,16 +233,16 @@
 #define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */  \
   (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1) +                                        \
    ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
-/* By size (C2D_ELIMINATION_BY_SIZE) elimination is compressed if this holds of the limits: of the functional nodes of any body
-   and all pairs, unless there are free zones. Then it takes less time. */
+/* C2D_ELIMINATION_BY_SIZE uses compressed elimination if this is true for the functional nodes of any body and all pairs of the
+   limits, unless there are free zones. Then it takes less time. */
 #define C2D_COMPRESSED_FROM(pairs) (801 + (pairs) / 2) /* nodes */
 #define C2D_COMPRESSES(nodes, pairs) ((nodes) >= C2D_COMPRESSED_FROM(pairs))
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
-/* c2d_limits.touching: pairs that may touch, or nearly, at once; 0: all. More pairs than so many columns have room for are a
-   contact on demand (src/METHOD.md 10.12), by compressed elimination alone: the macros above are for 0. */
+/* c2d_limits.touching: largest number of pairs that touch, or nearly, at once; 0: all. With more pairs than there are columns for
+   them, columns are made when needed (src/METHOD.md 10.12), with compressed elimination only: the macros above are for 0. */
 #define C2D_COLUMNS_(m, touching) ((touching) > 0 ? C2D_SMALLER_(m, C2D_LARGER_(2 * (touching), 160)) : (m))
-/* Free motions of all bodies that the contact can hold: of all together it holds none. */
+/* Free motions of all bodies that contact can support: not the common motions of all bodies together. */
 #define C2D_MOTIONS_(bodies, pairs) C2D_SMALLER_(3 * UINT64_C(1) * ((bodies)-1), 2 * UINT64_C(1) * (pairs))
 
 #define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, slip, width)                                   \

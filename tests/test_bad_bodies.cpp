@@ -66,7 +66,7 @@ void check_refused(const Squares& squares, int32_t line, const std::string& word
 TEST_CASE("bad bodies: a zone that names a body twice without saying so") {
   Squares s;
   s.second = "1 1 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
-  check_refused(s, 41, "both bodies of the zone are 1, expected two different ones, or -1 for a body that meets itself");
+  check_refused(s, 41, "both bodies of the zone are 1, expected two different ones, or -1 for self-contact");
   s = Squares();
   s.keywords = "*ZONE BODIES 2 2 2 2 4 4\n";
   check_refused(s, 52, "bodies of the zone are 2 and 2, expected two different ones, or the second as -2");
@@ -88,7 +88,7 @@ TEST_CASE("bad bodies: a zone of bodies that are not there is told of once, with
     told = read(s);
     CHECK(told.first.column == 16);
     CHECK(told.text ==
-          "second body of the zone is " + std::to_string(body) + ", expected 1 to 3, or -2 for a body that meets itself\n");
+          "second body of the zone is " + std::to_string(body) + ", expected 1 to 3, or -2 for self-contact\n");
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("bad bodies: a tie and a contact on one node") {
   CHECK(told.status == C2D_ERR_INPUT);
   CHECK(told.first.line == 52);
   CHECK(told.first.zone == 3);
-  CHECK(says(told, "element 3 of body 1 is in zones 1 and 3, expected in one"));
+  CHECK(says(told, "element 3 of body 1 is in zones 1 and 3, expected in one only"));
 }
 
 namespace {
@@ -312,7 +312,7 @@ TEST_CASE("bad bodies: rigid bodies alone, and one that is both rigid and loaded
   s.keywords = "*RIGID LOAD 3 0 0 Z\n";
   told = read(s);
   CHECK(told.status == C2D_ERR_INPUT);
-  CHECK(says(told, "expected X, Y or TURN"));
+  CHECK(says(told, "expected the free motions X, Y or TURN"));
   s.keywords = "*RIGID LOAD 3 0 0 X X\n";
   told = read(s);
   CHECK(told.status == C2D_ERR_INPUT);

@@ -536,7 +536,7 @@ TEST_CASE("body force: the keyword card") {
   const deck_test::Reading twice = with("*BODY FORCE 1 2 0 -9.81\n*BODY FORCE 1 2 0 -9.81");
   CHECK(twice.status == C2D_ERR_INPUT);
   REQUIRE(twice.faults.size() == 1);
-  CHECK(twice.faults[0].text == "body 1 has a body force in load case 2 twice, expected one card for a body and load case");
+  CHECK(twice.faults[0].text == "body 1 has two body forces in load case 2, expected one card per body and load case");
   CHECK(twice.faults[0].line == static_cast<int>(deck_test::squares().size()) + 2);
   CHECK(twice.faults[0].column == 15);
   const deck_test::Reading near = with("*BODYFORCE 1 1 0 -9.81");

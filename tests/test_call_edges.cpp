@@ -373,7 +373,7 @@ TEST_CASE("call edges: what a rigid body does may change with the loads, but not
   CHECK(c2d_set_rigid(q.s, 2, 1, motion, axis) == C2D_OK); // in state model
   CHECK(c2d_set_rigid(q.s, 2, 0, nullptr, nullptr) == C2D_ERR_STATE);
   CHECK(c2d_set_rigid(q.s, 1, 1, motion, axis) == C2D_ERR_STATE);
-  CHECK(q.why() == "a body is made rigid before the model is complete");
+  CHECK(q.why() == "a body can be made rigid only before c2d_complete");
 }
 
 TEST_CASE("call edges: numbers of coefficients, loads and coordinates that are none") {

@@ -179,7 +179,7 @@ TEST_CASE("deck edges: where a count of a body could not be read nothing is said
                            "    1    2    4    0"}) {
     const Fault fault = the_fault(with(5, card));
     CHECK(fault.line == 5);
-    CHECK(contains_text(fault.text, "what follows cannot be read without it"));
+    CHECK(contains_text(fault.text, "the rest cannot be read without it"));
   }
 }
 
@@ -334,7 +334,7 @@ TEST_CASE("deck edges: a byte that is no text ends the reading, on any line") {
   const Fault f = the_fault(with(4, std::string("    2    1 \x01  2")));
   CHECK(f.line == 4);
   CHECK(f.column == 12);
-  CHECK(contains_text(f.text, "column 12 holds the byte 1, expected plain ASCII text"));
+  CHECK(contains_text(f.text, "column 12 contains the byte 1, expected plain ASCII text"));
 }
 
 TEST_CASE("deck edges: load cases beyond the first 256 may stand below *CASES more than once") {
@@ -344,7 +344,7 @@ TEST_CASE("deck edges: load cases beyond the first 256 may stand below *CASES mo
   CHECK(last_call(r, "point load") == std::vector<double>{1, 0, 0, 2, 0, 257});
   List twice = cards;
   twice[1] = twice[3] = "case 256";
-  CHECK(contains_text(the_fault(behind(twice)).text, "case 256 stands below *CASES twice"));
+  CHECK(contains_text(the_fault(behind(twice)).text, "case 256 appears twice below *CASES"));
 }
 
 TEST_CASE("deck edges: a condition of a load case without elements names what it misses") {
@@ -515,7 +515,7 @@ TEST_CASE("deck edges: one body has no free zone but with itself; with constant 
                     "1 1",
                     "*ZONE 3 3 1 1"};
   const Fault f = the_fault(read(joined(one)));
-  CHECK(contains_text(f.text, "a contact zone with one body only, expected two bodies, or BODIES 1 -1"));
+  CHECK(contains_text(f.text, "a contact zone in a deck of one body, expected two bodies, or BODIES 1 -1"));
 }
 
 TEST_CASE("deck edges: a heading is told without the blanks and tabs behind it") {
@@ -593,7 +593,7 @@ TEST_CASE("deck edges: of the first 128 zones none is named twice; beyond them n
   cards.insert(cards.end(), {"*NAME ZONE 129 a", "*NAME ZONE 129 b", "*NAME ZONE 128 a"});
   CHECK(behind(cards).status == C2D_OK);
   cards.emplace_back("*NAME ZONE 128 b");
-  CHECK(contains_text(the_fault(behind(cards)).text, "zone 128 is named twice, expected one name"));
+  CHECK(contains_text(the_fault(behind(cards)).text, "zone 128 has two names, expected one"));
 }
 
 // The model cannot be told where a card stands, and then refuses what is on it.

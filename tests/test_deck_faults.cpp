@@ -110,14 +110,14 @@ TEST_CASE("a wrong number of cards is one fault, at the card that gives it") {
     size_t line;
     const char *card, *words;
     int column;
-  } wrong[] = {{72, "   14", "number of boundary condition cards is 14, but line 86 holds another kind of card after 13", 1},
-               {72, "   12", "number of boundary condition cards is 12, but line 85 holds one more, or a wrong card", 1},
-               {86, "    1", "number of point loads is 1, but line 87 holds another kind of card after 0", 1},
+  } wrong[] = {{72, "   14", "number of boundary condition cards is 14, but line 86 contains another kind of card after 13", 1},
+               {72, "   12", "number of boundary condition cards is 12, but line 85 contains one more, or a wrong card", 1},
+               {86, "    1", "number of point loads is 1, but line 87 contains another kind of card after 0", 1},
                {87, "    9", "number of boundary condition cards is 9, but line 96", 1},
                {87, "    7", "number of boundary condition cards is 7, but line 95", 1},
                {96, "    1", "number of point loads is 1, but line 97", 1},
-               {17, "    2    2    2", "number of contact zones is 2, but line 100 holds another kind of card after 1", 6},
-               {17, "    2    0    2", "number of contact zones is 0, but line 97 holds one more", 6}};
+               {17, "    2    2    2", "number of contact zones is 2, but line 100 contains another kind of card after 1", 6},
+               {17, "    2    0    2", "number of contact zones is 0, but line 97 contains one more", 6}};
   for (const auto& w : wrong) {
     std::vector<std::string> deck = sample;
     deck[w.line - 1] = w.card;
@@ -200,7 +200,7 @@ TEST_CASE("a wrong count is one fault: what only seems wrong after it is not tol
     const Reading r = read(joined(deck));
     CHECK(r.status == C2D_ERR_INPUT);
     REQUIRE(r.faults.size() == 1);
-    CHECK(has(r.faults[0], "; what follows cannot be read without it"));
+    CHECK(has(r.faults[0], "; the rest cannot be read without it"));
     return r.faults[0].line;
   };
   CHECK(told(0, "    2") > 1);
@@ -307,7 +307,7 @@ TEST_CASE("conditions and point loads") {
   check_squares(23, "    1    1 1102", 15, 15, "is 2, expected 0 to 1");
   check_squares(23, "    1    11100 ", 11, 11, "expected a blank");
   check_squares(23, "1   1    1 1100", 1, 1, "generated");
-  check_squares(24, "1   1    1 1100", 2, 10, "expected an end behind the card before (element 1 node 1)");
+  check_squares(24, "1   1    1 1100", 2, 10, "expected an end after that of the card before (element 1 node 1)");
   check_squares(24, "3   1    2 1100", 1, 1, "is 3, expected 0 to 1");
   check_squares(23, "    1    1 11005", 16, 16, "expected a blank");
   std::vector<std::string> deck = squares();
@@ -347,8 +347,8 @@ TEST_CASE("contact zones") {
 }
 
 TEST_CASE("numbers out of their columns") {
-  check_squares(3, "    0    1     0", 16, 16, "no number belongs there");
-  check_squares(9, "        100.0       0.3", 21, 23, "no number belongs there");
+  check_squares(3, "    0    1     0", 16, 16, "these columns are outside all fields");
+  check_squares(9, "        100.0       0.3", 21, 23, "these columns are outside all fields");
   check_squares(36, "    4 1     1.0", 7, 16, "blank inside");
   check_squares(36, "    41      1.0", 6, 6, "expected a blank");
   std::vector<std::string> deck = squares();
@@ -361,9 +361,9 @@ TEST_CASE("tabs, binary files, long lines") {
   check_squares(14, "    2\t1.\t0.", 6, 6, "tab");
   std::vector<std::string> deck = squares();
   deck[5] = std::string("    1\x01   2    4    4");
-  check_first(deck, 6, 6, 6, "holds the byte 1");
+  check_first(deck, 6, 6, 6, "contains the byte 1");
   deck[5] = "    1    2    4    4  \xc3\xa9l\xc3\xa9ments";
-  check_first(deck, 6, 23, 23, "holds the byte 195");
+  check_first(deck, 6, 23, 23, "contains the byte 195");
   check_first({"\xef\xbb\xbf    1"}, 1, 1, 1, "byte order mark");
   std::string binary;
   for (int i = 0; i < 4000; ++i) binary += static_cast<char>(i * 37 % 251);

@@ -167,8 +167,8 @@ TEST_CASE("facing parts: messages about a mesh name curves") {
   CHECK(words("strains reach 0.055 at element 7 of body 1 (block): small") == "strains reach 0.055 at block.top: small");
   CHECK(words("pair 3 (on element 6 of body 1 (block), node 2 of body 2 (pad)): x") == "block.top and pad.tip: x");
   CHECK(words("zone 1 (a on b), pair 15, load factor 1") == "zone 1 (a on b), load factor 1");
-  CHECK(words("moved sideways by 0.00186, 3.9 elements, most of it before they touched: place them") ==
-        "moved sideways by 0.00186, most of it before they touched: place them");
+  CHECK(words("moved sideways by 0.00186, 3.9 elements, most of it before they touched, but") ==
+        "moved sideways by 0.00186, most of it before they touched, but");
   CHECK(words("node 99 of body 1 stays") == "node 99 of body 1 stays");
 }
 
@@ -176,17 +176,17 @@ TEST_CASE("facing parts: warnings say what they mean for the model, and nothing 
   const auto words = [&](const std::string& text) { return app::in_words_of_drawing(text, ""); };
   CHECK(
       words(
-          "zone 1, pair 8, load factor 1: coarse contact: only 2 elements from the edge to the highest pressure; the edge may "
-          "be off by 0.1, 12 % of the width, that pressure by 5 %; the last element before the corner at pair 8 carries 5 % "
-          "of the force, and the pressure rises there to 4.2 times that of the next; it may have no bound: refine there") ==
+          "zone 1, pair 8, load factor 1: coarse contact: only 2 elements between the contact edge and the highest pressure; the edge "
+          "is uncertain by 0.1 (12 % of the width), this pressure by 5 %; the last element before the corner at pair 8 carries 5 % "
+          "of the force, and the pressure rises there to 4.2 times that of the next element; it may be unbounded: refine the mesh there") ==
       "zone 1, load factor 1: at a corner of the contact the pressure rises to 4.2 times what it is beside it, and may have no "
       "bound: do not use the highest pressure there; forces and pressures farther away are right");
-  CHECK(words("slip since it last touched exceeds half a contact element and 5 % of what touches: pairs no longer face each "
+  CHECK(words("slip since it last touched exceeds half a contact element and 5 % of the contact length: the nodes of the pair no longer face each "
               "other") == "slip since it last touched exceeds 5 % of what touches: pressures act where surfaces faced each "
                           "other as drawn, not where "
                           "slip has taken them, and moments and stresses are off by about as much");
-  CHECK(words("between the nodes of side 2 the bodies overlap by 0.1 at (1, 2): contact conditions hold at the nodes of side 2 "
-              "alone, refine it there") ==
+  CHECK(words("between the nodes of side 2 the bodies overlap by 0.1 at (1, 2): contact conditions are enforced at the nodes of side 2 "
+              "only; refine side 2 there") ==
         "where they touch the bodies overlap by 0.1 at (1, 2), and the pressure is off there: a smaller tolerance lowers it");
   const auto is_about_mesh = [](int32_t number, const char* text) {
     c2d_error warning = C2D_INIT(c2d_error);
@@ -196,7 +196,7 @@ TEST_CASE("facing parts: warnings say what they mean for the model, and nothing 
   };
   CHECK(is_about_mesh(C2D_WARN_LEFT_OUT, ""));
   CHECK_FALSE(is_about_mesh(C2D_WARN_STRAIN, ""));
-  CHECK(is_about_mesh(C2D_WARN_FEW_PAIRS, "coarse contact: the zone of slip of pairs 7 to 7 holds only 1 element"));
+  CHECK(is_about_mesh(C2D_WARN_FEW_PAIRS, "coarse contact: the slip zone of pairs 7 to 7 is only 1 element wide"));
   CHECK_FALSE(is_about_mesh(C2D_WARN_FEW_PAIRS, "coarse contact: and the pressure rises there to 4.2 times that of the next"));
 }
 
@@ -269,7 +269,7 @@ TEST_CASE("facing parts: curves that contact may reach are named, and none where
   CHECK_FALSE(app::is_at_natural_end(warning, toe));
   CHECK(app::in_words_of_drawing(
             "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone carries pressure: the "
-            "contact may reach further than the zone",
+            "contact may extend beyond the zone; lengthen it",
             toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the parts that face each other, and may "
                     "reach further: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
 }

@@ -279,15 +279,15 @@ TEST_CASE("frames: symmetry conditions that are none") {
   check_fault(moved, "a nonzero ux is prescribed", 5);
   ModelData free = axis("0001", "1001", 0); // no traction across is unknown: the contact has no part in that
   CHECK_FALSE(free.complete());
-  REQUIRE(free.find("node 11 of body 1 has no unknown left in x") != nullptr);
-  CHECK(free.find("beside those of contact pair") == nullptr);
+  REQUIRE(free.find("node 11 of body 1 has no unknown in x") != nullptr);
+  CHECK(free.find("besides those of contact pair") == nullptr);
   ModelData normal = axis("0110", "0110", 0);
   check_fault(normal, "uy is prescribed nearly along the normal", 5);
   ModelData extra = blocks(); // unknown traction beside the contact, displacement free
   extra.condition(2, 12, 2, "1011");
   CHECK_FALSE(extra.complete());
-  REQUIRE(extra.find("beside those of contact pair 5") != nullptr);
-  CHECK(extra.find("beside those of contact pair 5")->node == 1);
+  REQUIRE(extra.find("besides those of contact pair 5") != nullptr);
+  CHECK(extra.find("besides those of contact pair 5")->node == 1);
 }
 
 TEST_CASE("zones: ranges, steps, sides") {
@@ -309,7 +309,7 @@ TEST_CASE("zones: ranges, steps, sides") {
   check_fault(d, "run in the same direction");
   d = with(3, 2, 5, 1, 5, 4, -1, 5); // elements 5, 6 of body 1: its right side
   check_fault(d, "element 5 of body 1 with normal (1, ");
-  CHECK(d.find("do not face each other, the least of 2") != nullptr);
+  CHECK(d.find("do not face each other, the worst of 2") != nullptr);
   CHECK(d.faults == 1);
   d = with(20, 20, 7, 1, 7, 4, -1, 5);
   check_fault(d, "elements: 20, more than its region has");
@@ -321,7 +321,7 @@ TEST_CASE("zones: elements in two zones, nodes in two pairs") {
   d.head.pairs = 0;
   d.zone(3, 2, 7, 1, 7, 4, -1, 5, 30);
   d.zone(3, 2, 9, 1, 9, 2, -1, 3, 31); // shares the middle node
-  check_fault(d, "node 9 of body 1 is in pairs 3 and 4 of zones 1 and 2, expected in one", 4, 2);
+  check_fault(d, "node 9 of body 1 is in pairs 3 and 4 of zones 1 and 2, expected in one pair only", 4, 2);
   CHECK(d.find("node 3 of body 2 is in pairs 3 and 4 of zones 1 and 2") != nullptr);
   CHECK(d.faults == 2);
   d.zones.pop_back();

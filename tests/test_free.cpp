@@ -181,13 +181,13 @@ TEST_CASE("polar and generated nodes, generated conditions") {
 }
 
 TEST_CASE("wrong fields in the free form: the column and what was expected") {
-  check_fault(6, "0 x1", 3, 4, "columns 3-4 hold 'x1', expected an integer: type of output");
+  check_fault(6, "0 x1", 3, 4, "columns 3-4 contain 'x1', expected an integer: type of output");
   check_fault(6, "2, 1", 1, 1, "problem type (IPTYPE, 0 plane strain, 1 plane stress) is 2, expected 0 to 1");
   check_fault(6, "0  ! no more", 2, 2, "the card ends here, expected type of output");
   check_fault(6, "0 1 2 3", 5, 7, "the card has 4 fields, expected 2");
-  check_fault(7, "2 1.5 2", 3, 5, "columns 3-5 hold '1.5', expected an integer without point or exponent");
-  check_fault(7, "2", 2, 2, "the card ends here, expected number of contact zones; what follows cannot be read");
-  check_fault(8, "0 2 4 4", 1, 1, "number of regions is 0, expected at least 1; what follows cannot be read");
+  check_fault(7, "2 1.5 2", 3, 5, "columns 3-5 contain '1.5', expected an integer without point or exponent");
+  check_fault(7, "2", 2, 2, "the card ends here, expected number of contact zones; the rest cannot be read");
+  check_fault(8, "0 2 4 4", 1, 1, "number of regions is 0, expected at least 1; the rest cannot be read");
   check_fault(10, "1 3", 3, 3, "last element of the region is 3, expected 4");
   check_fault(12, "-100 .3", 1, 4, "Young's modulus is -100, expected more than 0");
   check_fault(12, "100 .7", 5, 6, "Poisson's ratio is 0.7");
@@ -195,9 +195,9 @@ TEST_CASE("wrong fields in the free form: the column and what was expected") {
 }
 
 TEST_CASE("wrong nodes and conditions in the free form") {
-  check_fault(16, "X 1 0 0", 1, 1, "column 1 holds 'X', expected a coordinate letter, which is blank or P");
-  check_fault(16, "POLAR 1 0 0", 1, 5, "columns 1-5 hold 'POLAR', expected a coordinate letter");
-  check_fault(16, "C 1 0 0", 1, 1, "column 1 holds 'C', expected a coordinate letter");
+  check_fault(16, "X 1 0 0", 1, 1, "column 1 contains 'X', expected a coordinate letter, which is blank or P");
+  check_fault(16, "POLAR 1 0 0", 1, 5, "columns 1-5 contain 'POLAR', expected a coordinate letter");
+  check_fault(16, "C 1 0 0", 1, 1, "column 1 contains 'C', expected a coordinate letter");
   check_fault(16, "1 0 1e999", 5, 9, "expected a number of less than 1e100 in size: y of a node");
   check_fault(16, "1 0", 4, 4, "the card ends here, expected y of a node");
   check_fault(17, "P 2 -1 0", 5, 6, "radius is -1, expected at least 0");
@@ -226,9 +226,9 @@ TEST_CASE("what may not stand in a free deck") {
   CHECK(r.faults[0].text == "a keyword card stands first, expected *FREE or the card with the number of heading cards");
   CHECK(r.faults[0].column == 1);
   CHECK(r.faults[0].column_end == 4);
-  check_fault(12, "*UNITS mm N", 1, 6, "a keyword card stands here, expected the card with the elastic constants");
-  check_fault(6, std::string(160, ' ') + "0,1", 161, 163, "the card goes beyond column 160");
-  CHECK(the_fault(6, "0 1 \x80").text.find("holds the byte 128, expected plain ASCII text") != std::string::npos);
+  check_fault(12, "*UNITS mm N", 1, 6, "found a keyword card, expected the card with the elastic constants");
+  check_fault(6, std::string(160, ' ') + "0,1", 161, 163, "the card extends beyond column 160");
+  CHECK(the_fault(6, "0 1 \x80").text.find("contains the byte 128, expected plain ASCII text") != std::string::npos);
   for (size_t cards = 1; cards < free_squares().size(); ++cards) {
     deck = free_squares();
     deck.resize(cards);
@@ -523,7 +523,7 @@ TEST_CASE("convert: bad usage, bad decks, bad files") {
   test::write_file(folder / "bad", "*FREE\n1\nTITLE\n0 x\n");
   test::Result r = test::run_shell(program + (folder / "bad") + " -o " + (folder / "out"));
   CHECK(r.status == 2);
-  CHECK(test::contains(r.err, "bad:4:3: error: column 3 holds 'x', expected an integer"));
+  CHECK(test::contains(r.err, "bad:4:3: error: column 3 contains 'x', expected an integer"));
   CHECK(folder.names() == List{"bad"});
   CHECK(test::run_shell(program + (folder / "nowhere")).status == 2);
   r = test::run_shell(program + deck + "-o " + (folder / "no/such/folder"));

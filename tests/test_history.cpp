@@ -594,8 +594,8 @@ TEST_CASE("history: decks") {
       {"*FRICTION\n 2 0.3\n", "contact zone"},
       {"*FRICTION\n 1 -0.3\n", "negative"},
       {"*FRICTION\n", "*FRICTION without cards, expected at least one: zone mu ..."},
-      {"*FRICTION\n 1 0.3\n 1 0.4\n", "zone 1 stands below *FRICTION twice, expected it once"},
-      {"*CASES 2\ncase 2\nload 2 0 0.5 0 -0.1\ncase 2\n", "case 2 stands below *CASES twice, expected it once"},
+      {"*FRICTION\n 1 0.3\n 1 0.4\n", "zone 1 appears twice below *FRICTION, expected it once"},
+      {"*CASES 2\ncase 2\nload 2 0 0.5 0 -0.1\ncase 2\n", "case 2 appears twice below *CASES, expected it once"},
   };
   for (const auto& fault : faults) {
     CAPTURE(std::string(fault.first));

@@ -390,8 +390,8 @@ TEST_CASE("facing meshes: elements of side 1 that are too long for those of side
   const auto told = [](const Result& r) {
     double percent = 0;
     for (const c2d_error& e : r.told) {
-      const char* number = std::strstr(e.text, "the pressure may be off by ");
-      if (e.status == C2D_WARN_SIZES && number != nullptr) std::sscanf(number, "the pressure may be off by %lf", &percent);
+      const char* number = std::strstr(e.text, "the pressure is uncertain by ");
+      if (e.status == C2D_WARN_SIZES && number != nullptr) std::sscanf(number, "the pressure is uncertain by %lf", &percent);
     }
     return percent;
   };

@@ -118,7 +118,7 @@ TEST_CASE("wrong keyword cards") {
   CHECK(the_fault({"*" + std::string(150, 'A')}).text.find("is not a known keyword") != std::string::npos);
   f = the_fault({"*UNITS mm N", "", "*UNITS cm N"});
   CHECK(f.line == 3);
-  CHECK(f.text == "*UNITS stands in the deck twice, expected it once");
+  CHECK(f.text == "*UNITS appears twice in the deck, expected it once");
   f = the_fault({"1 2 3"});
   CHECK(f.text == "a card follows the last load card, expected a keyword card or the end of the deck");
   f = the_fault({"*UNITS mm N", "1 2 3", "4 5"});
@@ -128,7 +128,7 @@ TEST_CASE("wrong keyword cards") {
 
 TEST_CASE("keywords that say a thing twice, or nothing") {
   Fault f = the_fault({"*CASES 2", "case 2", "case 1", " case 2"});
-  CHECK(f.text == "case 2 stands below *CASES twice, expected it once");
+  CHECK(f.text == "case 2 appears twice below *CASES, expected it once");
   CHECK(f.line == 4);
   CHECK(f.column == 7);
   f = the_fault({"*PATH", "*UNITS mm N"});
@@ -160,7 +160,7 @@ TEST_CASE("wrong fields on a keyword card") {
 TEST_CASE("lines too long and too many fields") {
   CHECK(with_cards({"*UNITS mm" + std::string(150, ' ') + "N"}).status == C2D_OK); // column 160
   const Fault f = the_fault({"*UNITS mm" + std::string(149, ' ') + "cwt"});
-  CHECK(f.text.find("the card goes beyond column 160") == 0);
+  CHECK(f.text.find("the card extends beyond column 160") == 0);
   CHECK(f.column == 161);
   CHECK(f.column_end == 161);
   CHECK(with_cards({"*UNITS mm N" + std::string(300, ' ')}).status == C2D_OK);

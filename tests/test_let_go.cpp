@@ -32,7 +32,7 @@ TEST_CASE("let go: a block lifted straight from a flat table keeps its place, an
     const c2d_error* e = told(r);
     REQUIRE(e != nullptr);
     CHECK(e->load < 0);
-    CHECK(std::string(e->text).find("place of body 2 in the direction (1, 0)") != std::string::npos);
+    CHECK(std::string(e->text).find("position of body 2 in the direction (1, 0)") != std::string::npos);
     CHECK_FALSE(r.warned(C2D_WARN_NOT_UNIQUE));
   }
 }
@@ -117,7 +117,7 @@ TEST_CASE("let go: a block on a smooth table is pressed, and its place along the
       REQUIRE_MESSAGE(r.outcome == C2D_REACHED, r.messages());
       const c2d_error* e = told(r);
       REQUIRE(e != nullptr);
-      CHECK(std::string(e->text).find("place of body 2 in the direction (1, 0)") != std::string::npos);
+      CHECK(std::string(e->text).find("position of body 2 in the direction (1, 0)") != std::string::npos);
       Problem held = p; // at a corner of its top
       for (std::vector<End>* ends : {&held.bodies[1].ends, &held.bodies[1].second_case}) {
         End& end = (*ends)[static_cast<size_t>((5 + 2) * 2)];
@@ -366,7 +366,7 @@ TEST_CASE("let go: saved in the air, restored in another process, the same bits"
 TEST_CASE("let go: a free body that touches without any force is told") {
   const Result r = solve(from_text(hard("unloaded_under_a_moved_body")));
   REQUIRE(told(r) != nullptr);
-  CHECK(std::string(told(r)->text).find("place of body 1 in any of its 3 free motions") != std::string::npos);
+  CHECK(std::string(told(r)->text).find("position of body 1 in any of its 3 free motions") != std::string::npos);
   CHECK_FALSE(solve(with_paths(block(3, 0.5), {{2, 1, 0}})).warned(C2D_WARN_UNDEFINED_PLACE));
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("model edges: the sides of a notch share no node and no element") {
   m.add(polygon({{0, 0, 1}, {4, 0, 1}, {4, 3, 1}, {2.5, 3, 2}, {2, 1, 2}, {1.5, 3, 1}, {0, 3, 1}}));
   m.set(1, 1, end_of(kHeld));
   m.zones.push_back({C2D_ZONE_MATCHING + C2D_ZONE_SELF, {{1, 4, 5}, {1, 6, 7}}});
-  CHECK(solve(m).told_of("node 6 of body 1 is in pairs 3 and 1 of zone 1, expected in one"));
+  CHECK(solve(m).told_of("node 6 of body 1 is in pairs 3 and 1 of zone 1, expected in one pair only"));
   m.zones[0].side[1] = {1, 5, 6};
   CHECK(solve(m).told_of("element 5 of body 1 is on both sides of zone 1, expected on one"));
   m.zones[0].side[1] = {1, 4, 5};
@@ -196,7 +196,7 @@ TEST_CASE("model edges: curves given by calls have no line, and share no element
   d.body(2, {fixture::rectangle(0, 0, 2, 1, 4, 1)});
   for (int32_t first : {0, 1}) d.surfaces.push_back({C2D_CURVE_SPLINE, 0, first, first + 1, 0, 0, {0, 0}, 0});
   CHECK_FALSE(d.complete());
-  const c2d_error* fault = d.find("element 2 of body 1 is in curves 1 and 2, expected in one");
+  const c2d_error* fault = d.find("element 2 of body 1 is in curves 1 and 2, expected it in one curve only");
   REQUIRE_MESSAGE(fault != nullptr, d.all());
   CHECK(fault->line == 0);
 }
@@ -246,7 +246,7 @@ TEST_CASE("model edges: a free zone that begins in the middle of what is faced i
   for (const int32_t from : {37, 27}) { // 26 ... 29 are faced, the zone goes down
     m.zones = {{C2D_ZONE_FREE, {{1, 5, 8}, {2, from, from + 1, 23}}}};
     const Result r = solve(m);
-    const char* several = "body 1 faces elements of body 2 in several places, expected one run of elements";
+    const char* several = "the elements of body 2 that face body 1 form several ranges, expected one range of consecutive elements";
     CHECK_MESSAGE(r.told_of(several) == (from == 27), r.messages());
   }
 }

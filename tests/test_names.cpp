@@ -320,12 +320,12 @@ TEST_CASE("names in a deck: faults, with their columns") {
   CHECK(f.column == 7);
   CHECK(std::string(fault_of("*NAME BODY 4 bolt").text) == "body number is 4, expected 1 to 3");
   CHECK(std::string(fault_of("*NAME ZONE 3 thread").text) == "contact zone is 3, expected 1 to 2");
-  CHECK(std::string(fault_of("*NAME BODY 2 nut", "*NAME BODY 2 bolt\n").text) == "body 2 is named twice, expected one name");
+  CHECK(std::string(fault_of("*NAME BODY 2 nut", "*NAME BODY 2 bolt\n").text) == "body 2 has two names, expected one");
   CHECK(std::string(fault_of("*NAME ZONE 1 b", "*NAME BODY 1 x\n*NAME BODY 2 y\n*NAME ZONE 1 a\n").text) ==
-        "zone 1 is named twice, expected one name");
+        "zone 1 has two names, expected one");
   // Other cards are ASCII still, and behind a name no card may follow that belongs to nothing.
-  CHECK(contains(fault_of("*UNITS \xc3\xa4 N").text, "holds the byte 195"));
-  CHECK(contains(fault_of("*NAMES BODY 1 \xc3\xa4").text, "holds the byte 195"));
+  CHECK(contains(fault_of("*UNITS \xc3\xa4 N").text, "contains the byte 195"));
+  CHECK(contains(fault_of("*NAMES BODY 1 \xc3\xa4").text, "contains the byte 195"));
   CHECK(contains(fault_of("1 2 3", "*NAME BODY 1 a\n").text, "does not belong to *NAME"));
 }
 
@@ -335,7 +335,7 @@ TEST_CASE("names in a deck without zones: those of zones are refused") {
   host::Limits limits;
   c2d_error why = C2D_INIT(c2d_error);
   CHECK(c2d_scan_deck(Deck::read, &deck, &limits, &why) == C2D_ERR_INPUT);
-  CHECK(std::string(why.text) == "there is no contact zone yet, expected zones before their names");
+  CHECK(std::string(why.text) == "no contact zone is defined yet, expected *NAME ZONE after the zones");
 }
 
 TEST_CASE("names in messages: behind every number of a body or a zone, and without them every text is as it was") {

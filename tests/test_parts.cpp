@@ -30,7 +30,7 @@ std::string missing(const Part& part) {
   for (const char* c = part.card + 1; *c != '\0' && !(*c >= '0' && *c <= '9'); ++c) name += c2d::capital(*c);
   if (name.compare(0, 8, "SYMMETRY") == 0) name = "SYMMETRY";
   while (name.back() == ' ') name.pop_back();
-  return "*" + name + " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): " + part.call +
+  return "*" + name + " needs a part of the library that this program does not link (C2D_PARTS_BY_CALL): " + part.call +
          " links it";
 }
 
@@ -231,8 +231,8 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   }
   SUBCASE("workspaces of another program") {
     const auto refused = [](const char* call) {
-      return std::string("the solver in this memory uses a part of the library that this program is linked without "
-                         "(C2D_PARTS_BY_CALL), it is linked by ") +
+      return std::string("the solver in this memory needs a part of the library that this program does not link "
+                         "(C2D_PARTS_BY_CALL); it is linked by ") +
              call + '\n' + status_line(C2D_ERR_MISMATCH);
     };
     const struct {

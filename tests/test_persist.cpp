@@ -170,7 +170,7 @@ TEST_CASE("attach: an image with a checksum is taken up whole or not at all") {
       CAPTURE(i);
       REQUIRE((status != C2D_OK || beyond));
       if (status == C2D_ERR_STORE_CHECKSUM) {
-        CHECK(std::string(why.text) == "the memory differs from what its checksum was made of");
+        CHECK(std::string(why.text) == "the memory does not match its checksum");
         ++refused;
       }
       if (!beyond) REQUIRE(image == damaged);
@@ -287,8 +287,8 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
   REQUIRE(s->keeps_energy == 1);
   copy[flag] = copy[flag + 1] = 0;
   CHECK(attach(copy, copy.size(), &port) == C2D_ERR_MISMATCH);
-  CHECK(told == "the solver in this memory was prepared by a program that is linked without energies: "
-                "c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program links them");
+  CHECK(told == "the solver in this memory was prepared by a program linked without energies: "
+                "call c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program to link them");
   copy = image; // before preparing there is nothing to keep
   copy[flag] = copy[flag + 1] = 0;
   CHECK(attach(copy, copy.size(), nullptr) == C2D_OK);

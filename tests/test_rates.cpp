@@ -798,7 +798,7 @@ TEST_CASE("hard states: where friction at its bound holds a body it lies where i
     const problem::Result plain = problem::solve(p);
     REQUIRE(plain.recorded().size() == 1);
     check_symmetric(plain.recorded()[0]);
-    CHECK(plain.messages().find("moves the pairs least is taken") != std::string::npos);
+    CHECK(plain.messages().find("moves the pairs least is selected") != std::string::npos);
     CHECK(std::fabs(plain.summary.energy_defect) < 0.02);
     const problem::Result thirds = problem::solve(split);
     REQUIRE(thirds.recorded().size() == 3);

@@ -576,12 +576,12 @@ TEST_CASE("refusals: zones whose ranges the bodies do not have, and values that 
       "c2d_limits.contact_elements is 4, expected 5 or more");
   wrong(
       C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.elements = z.side2.elements = 3; }, C2D_ERR_ARGUMENT,
-      "the element range of body 1 does not hold");
+      "the element range of body 1 does not contain");
   wrong(
       C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.last_node = 5; }, C2D_ERR_ARGUMENT,
-      "the node range of body 2 does not hold");
+      "the node range of body 2 does not contain");
   wrong(
-      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT, "the element range of body 2 does not hold");
+      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT, "the element range of body 2 does not contain");
   wrong(
       C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.last_element = 6; }, C2D_ERR_LIMIT,
       "c2d_limits.free_pairs is 3, expected 4 or more");
@@ -628,7 +628,7 @@ TEST_CASE("refusals: new values where symmetry, contact or a rigid body has the 
     CHECK(said["is a contact traction here, expected 0"] > 0);
     CHECK(said["belongs to a contact node, expected 0"] > 0);
     CHECK(said["is on an element without length or on a line of symmetry, expected 0"] > 0);
-    CHECK(said["is held by symmetry here, expected 0"] > 0);
+    CHECK(said["is fixed by symmetry here, expected 0"] > 0);
     CHECK((said["belongs to the rigid body 1, expected 0"] > 0) == rigid);
   }
 }
@@ -640,12 +640,12 @@ TEST_CASE("refusals: what comes too late, and walks without a function") {
   options.symmetry = C2D_SYMMETRY_IMAGES;
   CHECK(c2d_set_options(going.s, &options) == C2D_ERR_STATE);
   REQUIRE(going.host.told.size() == 1);
-  CHECK(says(going.host.told[0], "symmetry by images is chosen before the model is complete"));
+  CHECK(says(going.host.told[0], "symmetry by images can be chosen only before c2d_complete"));
   going.host.told.clear();
   const double zero[3] = {0, 0, 0};
   CHECK(c2d_set_rigid(going.s, 1, 1, zero, zero) == C2D_ERR_STATE);
   REQUIRE(going.host.told.size() == 1);
-  CHECK(says(going.host.told[0], "made rigid before the model is complete"));
+  CHECK(says(going.host.told[0], "made rigid only before c2d_complete"));
   // Without a function to read with, every walk says so to whoever listens.
   std::vector<c2d_error> told;
   const c2d_report hear = [](void* to, const c2d_error* e) { static_cast<std::vector<c2d_error>*>(to)->push_back(*e); };

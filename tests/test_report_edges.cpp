@@ -893,7 +893,7 @@ TEST_CASE("report: bodies that do not move are drawn as they are, along any dire
       for (PairScene& pair : hand.scene.pairs) std::swap(pair.on[0].x, pair.on[0].y), std::swap(pair.on[1].x, pair.on[1].y);
     const Pictures out = hand.draw(draw_deformed);
     REQUIRE(out.size() == 1);
-    CHECK(contains(out[0].caption, "true scale: the largest displacement is 0 at (0, 0) of body 1."));
+    CHECK(contains(out[0].caption, "to scale: the largest displacement is 0 at (0, 0) of body 1."));
   }
 }
 

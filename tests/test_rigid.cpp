@@ -164,5 +164,5 @@ TEST_CASE("rigid: the keyword card") {
   const deck_test::Reading twice = with({"*RIGID", "*RIGID 1"});
   CHECK(twice.status == C2D_ERR_INPUT);
   REQUIRE(twice.faults.size() == 1);
-  CHECK(twice.faults[0].text == "body 1 is named by *RIGID twice, expected it once");
+  CHECK(twice.faults[0].text == "body 1 has two *RIGID keywords, expected one");
 }

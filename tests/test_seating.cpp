@@ -293,7 +293,7 @@ TEST_CASE("seating: a pin at rest on one pair is held as soon as more of them to
   CHECK(pushed.summary.outcome_body == 2);
   CHECK(pushed.steps.size() >= 1);
   const Result lies = solved(pulled_pin(0.3, {{1, 0.01, 0}})); // on one pair, and could roll
-  CHECK(lies.told_of("place of body 2 in 1 motion that what touches leaves free"));
+  CHECK(lies.told_of("position of body 2 in 1 motion that the contact leaves free"));
   CHECK(!held.told_of("leaves free"));
   const Result at_once = solved(pulled_pin(0.3, {{1, 1, 0.2}}));
   CHECK(std::fabs(at_once.zones[0].force[0] / at_once.zones[0].force[1]) == doctest::Approx(0.2).epsilon(1e-9));

@@ -606,7 +606,7 @@ TEST_CASE("symmetry: what does not fit is told") {
   const Problem good = stamp(2, 2, 0, 0.2);
   Problem p = good;
   p.symmetry = 0;
-  told(p, "open regions end on a line of symmetry, and none is given");
+  told(p, "open regions end on a line of symmetry, but none is defined");
   p = good;
   p.symmetry = 2;
   told(p, "beyond the line of symmetry y = 0");
@@ -634,7 +634,7 @@ TEST_CASE("symmetry: what does not fit is told") {
   told(p, "acts across it");
   p = good;
   p.zones[0].first_element[1] = p.elements(2), p.zones[0].last_element[1] = p.zones[0].elements - 1;
-  told(p, "does not hold the number of elements given");
+  told(p, "does not contain the number of elements given");
   Setup images;
   images.symmetry = C2D_SYMMETRY_IMAGES;
   told(load("block.dat"), "symmetry", images);
@@ -695,7 +695,7 @@ TEST_CASE("symmetry: the keyword card") {
   refused(deck + "*SYMMETRY X\n", "expected place of the line of symmetry");
   refused(deck + "*SYMMETRY X zero\n", "place of the line of symmetry");
   refused(deck + "*SYMMETRY X 0 0\n", "expected");
-  refused(deck + "*SYMMETRY X 0\n*SYMMETRY X 1\n", "stands in the deck twice");
+  refused(deck + "*SYMMETRY X 0\n*SYMMETRY X 1\n", "appears twice in the deck");
   // A quarter of a plate in tension without elements on its axes: 7 elements, 8 points.
   const std::string quarter = "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
                               "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"

@@ -504,5 +504,5 @@ TEST_CASE("ties: a tie and a contact on one node are refused") {
   CHECK(r.status == C2D_ERR_INPUT);
   CHECK(r.told_of("node 15 of body 1")); // x = 2
   CHECK(r.told_of("node 5 of body 2"));
-  CHECK(r.told_of("expected in one"));
+  CHECK(r.told_of("expected in one pair only"));
 }

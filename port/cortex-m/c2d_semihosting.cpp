@@ -20,11 +20,11 @@ int32_t close_tape(void* context, int32_t tape) {
   return closed == 0 ? 0 : C2D_SEMIHOSTING_HOST;
 }
 
-// A file that is there keeps its contents: the library knows its own blocks from those of another run.
+// An existing file keeps its contents: the library recognises blocks of another run.
 int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   c2d_semihosting_store* s = self(context);
   if (tape < 0 || tape >= C2D_TAPES) return C2D_SEMIHOSTING_TAPE;
-  // (Divided in 32 bits: division of 64-bit numbers is long, and nothing else on a board needs it.)
+  // (32-bit division: the 64-bit one is long code that nothing else on a board needs.)
   if (blocks > UINT32_MAX || (blocks != 0 && block_bytes > UINT32_MAX / static_cast<uint32_t>(blocks)))
     return C2D_SEMIHOSTING_RANGE;
   if (is_open(s, tape)) {

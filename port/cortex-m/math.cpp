@@ -1,5 +1,5 @@
 // The C library's mathematics for images without errno: its wrappers keep an error number in a struct for
-// every thread (some 100 bytes of RAM and a kilobyte of code), which nobody here reads, and what lies behind
+// every thread (some 100 bytes of RAM and a kilobyte of code), which is not used here, and the functions behind
 // them is long. Names of the C library, so that the core needs no other. Errors of log, exp, sin and cos are
 // below 1.5 units in the last place, those of hypot and atan2 below 3.5; fmod is exact. Arguments are as the core
 // has them: finite, in the domain.
@@ -23,7 +23,7 @@ double hypot(double x, double y) {
 }
 
 // The angle in the first octant, of tangent t <= 1, is halved twice: tan(a/2) = t / (1 + sqrt(1 + t^2)). Then
-// thirteen terms of the series do.
+// thirteen terms of the series suffice.
 double atan2(double y, double x) {
   const double width = fabs(x), height = fabs(y);
   const bool steep = height > width;
@@ -50,7 +50,7 @@ double ldexp(double x, int power) {
   return x * power_of_two(half) * power_of_two(power - half);
 }
 
-// Takes off the largest multiple by a power of two, again and again: no difference is rounded.
+// Subtracts the largest multiple by a power of two repeatedly: no difference is rounded.
 double fmod(double x, double y) {
   const double step = fabs(y);
   double rest = fabs(x);
@@ -87,7 +87,7 @@ double log(double x) {
 
 // x = power log 2 + r, |r| <= 0.347: fourteen terms.
 double exp(double x) {
-  if (x < -700.0) return 0.0; // where no argument of the core lies
+  if (x < -700.0) return 0.0; // the core has no such arguments
   if (x > 709.0) x = 709.0;
   const int power = static_cast<int>(x * 1.44269504088896340736 + (x < 0.0 ? -0.5 : 0.5));
   const double r = (x - power * kLog2High) - power * kLog2Low;

@@ -12,7 +12,7 @@
 
 #include <string.h>
 
-#ifndef RUN_DECK_BYTES // of workspace: by default what examples/hertz.dat needs
+#ifndef RUN_DECK_BYTES // of workspace: default for examples/hertz.dat
 #define RUN_DECK_BYTES C2D_MEMORY_BYTES(2, 46, 58, 46, 58, 1, 1, 1, 15, 14, 0, 2, 14, 1)
 #endif
 #ifndef RUN_DECK_BODIES // at most
@@ -86,7 +86,7 @@ int failed(const char* what, c2d_status status) {
   return status;
 }
 
-// What of the board was used, to the host's messages.
+// Reports the memory used on the board to the host.
 void tell_memory() {
   c2d::Text text = c2d::text_in(line);
   c2d::put(text, "memory: workspace ");

@@ -1,6 +1,6 @@
 #pragma once
-// What a debugger or an emulator does for a Cortex-M program that has no operating system (Arm's
-// "semihosting"): files of the host, its console, the command line, the end of the program. Without a
+// Services of a debugger or emulator for a Cortex-M program without operating system (Arm
+// semihosting): files of the host, its console, the command line, the end of the program. Without a
 // debugger the first call faults.
 #include <stdint.h>
 
@@ -11,7 +11,7 @@ enum class Mode : int32_t { read = 1, update = 3, write = 5, create = 7 }; // fo
 // A handle, or -1. The name ":tt" is the console.
 int32_t open(const char* name, Mode mode);
 int32_t close(int32_t file); // 0, or -1
-// Bytes that could not be transferred: 0 if all went well.
+// Returns the bytes that could not be transferred: 0 on success.
 uint32_t read(int32_t file, void* data, uint32_t bytes);
 uint32_t write(int32_t file, const void* data, uint32_t bytes);
 int32_t seek(int32_t file, uint32_t offset); // from the start of the file; 0, or a negative number

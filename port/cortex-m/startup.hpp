@@ -1,5 +1,5 @@
 #pragma once
-// What a board's program needs around main, and what the stack has been used for.
+// Startup of a board program around main, and measurement of its stack.
 #include <stdint.h>
 
 // Bytes between the end of the static data and the top of RAM, and how many of them were ever written to.

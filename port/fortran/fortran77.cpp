@@ -1,4 +1,4 @@
-// Numbers and texts at any address, and the way from WORK to the solver in it.
+// Numbers and texts at any address, and access to the solver in WORK.
 #include "fortran77.hpp"
 
 #include <string.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint64_t kMark = UINT64_C(0x3737467232644332); // the bytes 2Cd2rF77
 
-// The first two words of WORK; memory behind them need not be looked at to know whether WORK is open.
+// The first two words of WORK; they alone show whether WORK is open.
 struct Mark {
   uint64_t magic, host_at;
 };
@@ -61,7 +61,7 @@ Reals::Reals(In from, int32_t count) : data_(copy_), ok_(true) {
   } else if (count > 0 && count <= 64) {
     memcpy(copy_, from, static_cast<size_t>(count) * sizeof(double));
   } else {
-    ok_ = count <= 0; // the library says what is wrong with such a count
+    ok_ = count <= 0; // the library reports such a count
   }
 }
 
@@ -127,7 +127,7 @@ bool Call::ready() {
   return solver != nullptr;
 }
 
-// What the solver knows of its last failure, if it is this one or the one that broke it; else the number and its words.
+// The last error of the solver, if it is this failure or the one that broke it; else the code and its message.
 void Call::keep_failure() {
   c2d_error error = blank_error();
   if (solver) c2d_last_error(solver, &error);
@@ -161,8 +161,8 @@ using namespace c2d::fortran;
 
 namespace {
 
-// The check values of README.md: INTEGER ICHECK(2), and a literal. Options that change the length of 0.3D0 leave that of
-// REAL*8 alone, or change both: the literal tells of either. No number of 16 bytes begins like one of 8.
+// The check values of README.md: INTEGER ICHECK(2), and a literal. Options that change the length of 0.3D0 may keep that of
+// REAL*8 or change it too: the literal detects both. No number of 16 bytes begins like one of 8.
 constexpr int32_t kIntegers[2] = {1987, 64};
 constexpr double kLiteral = 1987.015625;
 
@@ -213,7 +213,7 @@ void close_work(Work work, Out ierr, bool drop) {
   Call call(work);
   if (call.solver) call.status = c2d_close(call.solver);
   if (call.status == C2D_ERR_BUSY || !call.host) return call.leave(ierr);
-  call.solver = nullptr; // there is nobody left to ask
+  call.solver = nullptr; // no solver is left
   if (drop && call.host->store_kind == kFileStore && c2d_stdio_store_remove(&call.host->store.files) != 0 &&
       call.status == C2D_OK)
     call.status = C2D_ERR_STORE_CLOSE;

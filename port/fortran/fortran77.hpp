@@ -1,8 +1,8 @@
-// The FORTRAN 77 names (README.md has a page on each) and what their bodies share.
+// The FORTRAN 77 names (described in README.md) and their common helpers.
 //
-// An argument may stand at any address: COMMON blocks are laid out without gaps by some compilers, so that a
+// Arguments may have any address: some compilers lay out COMMON blocks without gaps, so that a
 // REAL*8 need not be a multiple of 8. Every number is therefore moved byte by byte. CHARACTER arguments come
-// with an explicit length; the one that compilers append behind the last argument is not looked at.
+// with an explicit length; the hidden length that compilers append is ignored.
 #pragma once
 
 #include "c2d_memory.h"
@@ -14,27 +14,27 @@ namespace fortran {
 
 using In = const void*;   // INTEGER*4 or REAL*8, or an array of them, read
 using Out = void*;        // the same, written
-using Work = void*;       // REAL*8 WORK(NWORDS): all that is kept from call to call
+using Work = void*;       // REAL*8 WORK(NWORDS): all state between calls
 using Text = const void*; // CHARACTER*(*)
 
 // Values of IERR besides those of c2d_status.
 enum {
-  kBadInteger = 51, // the caller's INTEGER is not 4 bytes long
-  kBadReal = 52,    // the caller's literal is not 8 bytes long, or another
+  kBadInteger = 51, // the INTEGER of the caller does not have 4 bytes
+  kBadReal = 52,    // the literal of the caller does not have 8 bytes, or a wrong value
   kBadCheck = 53,   // the check values are not those of README.md
   kNotOpen = 54,    // C2OPEN has not been called for this array, or it was moved
   kBadName = 55     // a name that is empty or too long
 };
 const char* message(int32_t status); // for any of them
 
-// A fault, warning or note, as C2WHY and C2NOTE tell it.
+// A fault, warning or note, as returned by C2WHY and C2NOTE.
 constexpr int32_t kInfo = 13;
 struct Entry {
   int32_t info[kInfo];
   char text[sizeof(c2d_error::text)];
 };
 
-// What stands in front of the solver in WORK. The block store is its first member, because c2d_port has one
+// The data before the solver in WORK. The block store is the first member, because c2d_port has one
 // context for the store and for the log.
 constexpr int32_t kEntriesKept = 6;
 struct Host {
@@ -43,16 +43,16 @@ struct Host {
     c2d_stdio_store files;
   } store;
   uint64_t address, bytes; // of WORK as it was opened
-  uint64_t solver_at;      // bytes from WORK to the solver; 0: there is none yet
+  uint64_t solver_at;      // bytes from WORK to the solver; 0: no solver yet
   c2d_options options;
   int32_t store_kind; // kNoStore ...
-  int32_t entries;    // told by the solver since it was made; the first kEntriesKept are kept
+  int32_t entries;    // messages of the solver since its creation; the first kEntriesKept are kept
   Entry error;        // of the last call that failed
   Entry entry[kEntriesKept];
 };
 enum { kNoStore = 0, kMemoryStore = 1, kFileStore = 2 };
-// Bytes in front of the memory that the solver is given. The host stands at the first multiple of 64 behind
-// the mark; the solver's memory has a fixed place, so that WORK may be moved (C2ATCH).
+// Bytes before the memory of the solver. The host is at the first multiple of 64 after
+// the mark; the memory of the solver has a fixed offset, so that WORK may be moved (C2ATCH).
 constexpr uint64_t kHostSlack = 16 + 64 + sizeof(Host);
 
 int32_t integer_at(In from, int32_t i = 0);
@@ -60,11 +60,11 @@ double real_at(In from, int32_t i = 0);
 void put_integer(Out to, int32_t value, int32_t i = 0);
 void put_real(Out to, double value, int32_t i = 0);
 void put_text(Out to, int32_t length, const char* text); // padded with blanks
-// A zero byte instead of the blanks behind the last word; false if there is no room or no word.
+// Replaces the blanks after the last word by a zero byte; false if there is no room or no word.
 bool get_text(Text from, int32_t length, char* to, int32_t room);
 
 bool is_aligned(In reals);
-// At most 64 numbers at an address that C likes; more only where they stand at such an address already.
+// At most 64 numbers at an aligned address; more only if they are aligned already.
 class Reals {
 public:
   Reals(In from, int32_t count);
@@ -77,14 +77,14 @@ private:
   bool ok_;
 };
 
-// A call between its first and its last line.
+// State of a call.
 class Call {
 public:
-  explicit Call(Work work); // looks for the host and the solver in WORK
+  explicit Call(Work work); // finds the host and the solver in WORK
   bool has_host() const { return host != nullptr; }
-  bool ready();                      // has a solver; else the status says so
-  void tell(const c2d_error& error); // why it failed, if the solver cannot say
-  void leave(Out ierr);              // writes IERR and keeps what is known of a failure
+  bool ready();                      // has a solver; else the status is set
+  void tell(const c2d_error& error); // records the failure, if the solver cannot
+  void leave(Out ierr);              // writes IERR and stores the failure
   void forget_solver() { solver = nullptr, host->solver_at = 0; }
 
   Host* host = nullptr;
@@ -97,21 +97,21 @@ private:
 };
 
 Host* host_of(Work work); // null: not open
-// Finds the host in WORK also when it was opened at another address, and puts it where it belongs now; null:
+// Finds the host in WORK also if it was opened at another address, and moves it to its place for this address; null:
 // none.
 Host* moved_host_of(Work work);
-// Were these the check values of C2OPEN? Else IERR says what is wrong with the caller's numbers.
+// Are these the check values of C2OPEN? If not, IERR is set to the reason.
 bool check_caller(In icheck, In rlit, Out ierr);
 Entry entry_of(const c2d_error& error);
 c2d_error blank_error();
-// Words of so many bytes, and words of WORK for a solver of so many; 0 if INTEGER*4 cannot count them.
+// Words of so many bytes, and words of WORK for a solver of so many bytes; 0 if they exceed INTEGER*4.
 int32_t words_of(uint64_t bytes);
 int32_t words_for(uint64_t solver_bytes);
 int32_t at_most(uint64_t count); // the count, or the largest INTEGER*4
 c2d_port port_of(Host* host);
-// Makes the solver with these limits; call.status says how it went.
+// Creates the solver with these limits; sets call.status.
 void make_solver(Call& call, Work work, const c2d_limits& limits);
-// Limits and their list of bodies, which lies on the stack: nothing but WORK is kept.
+// Limits and their list of bodies, on the stack: only WORK is kept between calls.
 constexpr int32_t kMostBodies = 200;
 struct Limits : c2d_limits {
   Limits();

@@ -1,4 +1,4 @@
-// A deck from a file or from an array of cards, sizes, and the solver made for them.
+// Reads a deck from a file or an array of cards, finds its sizes, and creates the solver.
 #include "fortran77.hpp"
 
 #include <errno.h>
@@ -10,7 +10,7 @@ namespace fortran {
 
 namespace {
 
-// Where cards come from. One of the two: a file, or CHARACTER*(length) CARDS(count).
+// Source of cards: a file, or CHARACTER*(length) CARDS(count).
 struct Cards {
   FILE* file;
   const char* first;
@@ -36,7 +36,7 @@ int32_t next_card(void* context, char* text, int32_t size) {
   if (cards.next >= cards.count) return -1;
   const char* card = cards.first + cards.next++ * cards.length;
   int32_t length = static_cast<int32_t>(cards.length);
-  while (length > 0 && card[length - 1] == ' ') --length; // what follows the last word
+  while (length > 0 && card[length - 1] == ' ') --length; // trailing blanks
   const int32_t kept = length < size ? length : size - 1;
   if (kept > 0) memcpy(text, card, static_cast<size_t>(kept));
   text[kept] = '\0';
@@ -75,7 +75,7 @@ c2d_status sizes_of(Call& call, Cards& cards, c2d_limits& limits) {
   return call.status;
 }
 
-// Read the deck, and forget the solver again if that fails: the next deck has other sizes.
+// Reads the deck, and discards the solver if that fails: the next deck has other sizes.
 void read_cards(Call& call, Work work, Cards& cards) {
   Limits limits;
   if (call.solver) call.status = C2D_ERR_STATE;
@@ -136,7 +136,7 @@ void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   put_integer(nall, at_most((most + kHostSlack + 7) / 8));
 }
 
-// For a solver that is made in the array as it was opened, with the options given so far.
+// For a solver created in the array as opened, with the current options.
 void tell_tape(Call& call, const c2d_limits& limits, int32_t tape, Out nblock, Out nwords) {
   uint64_t blocks = 0, bytes = 0;
   if (call.status != C2D_OK) return;
@@ -149,7 +149,7 @@ void tell_tape(Call& call, const c2d_limits& limits, int32_t tape, Out nblock, O
   put_integer(nwords, words_of(bytes));
 }
 
-// For the solver that is there, and for those to come.
+// For the current solver and later ones.
 void take_options(Call& call, const c2d_options& options) {
   if (call.solver) call.status = c2d_set_options(call.solver, &options);
   if (call.status == C2D_OK) call.host->options = options;

@@ -1,4 +1,4 @@
-// Save, restore, and a workspace that was moved.
+// Save, restore, and attach to a moved workspace.
 #include "fortran77.hpp"
 
 #include <string.h>
@@ -17,7 +17,7 @@ void c2rest_(Work work, Out ierr) {
   call.leave(ierr);
 }
 
-// Files and arrays are where they are now: what the block store knew of them is of another process, perhaps.
+// Files and arrays have new handles and addresses: those in the block store may belong to another process.
 void c2atch_(Work work, In nwords, In icheck, In rlit, Out store, Out ierr) {
   if (!check_caller(icheck, rlit, ierr)) return;
   Host* host = moved_host_of(work);

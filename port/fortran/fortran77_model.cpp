@@ -1,4 +1,4 @@
-// A model by calls: section 5 of contact2d.h in FORTRAN's clothes.
+// A model by calls: section 5 of contact2d.h for FORTRAN.
 #include "fortran77.hpp"
 
 #include <string.h>
@@ -40,7 +40,7 @@ void c2regn_(Work work, In ibody, In ifirst, In ilast, Out ierr) {
   call.leave(ierr);
 }
 
-// The last node goes first: if there are too many, nothing has been changed when that is found.
+// The last node is set first: if there are too many, the call fails before anything has changed.
 void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr) {
   Call call(work);
   if (call.ready()) {

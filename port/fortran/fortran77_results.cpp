@@ -1,4 +1,4 @@
-// Answers: fields, points inside, summary, the model's lists.
+// Results: fields, interior points, summary, lists of the model.
 #include "fortran77.hpp"
 
 #include <cmath>
@@ -11,11 +11,11 @@ namespace {
 const char* behind(In from, int64_t reals) { return static_cast<const char*>(from) + reals * 8; }
 char* behind(Out to, int64_t reals) { return static_cast<char*>(to) + reals * 8; }
 
-constexpr int32_t kChunk = 32; // entries fetched at a time where the caller's array stands at an odd address
+constexpr int32_t kChunk = 32; // entries fetched at a time if the array of the caller is not aligned
 
 c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
   double some[kChunk] = {};
-  // The last entry goes first: if there are fewer, nothing has been written when that is found.
+  // The last entry is read first: if there are fewer, the call fails before anything is written.
   if (first < 1 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
   c2d_status status = c2d_get(solver, field, body, count > 0 ? first + count - 1 : first, count > 0 ? 1 : 0, some, 1);
   for (int32_t done = 0; done < count && status == C2D_OK; done += kChunk) {
@@ -28,7 +28,7 @@ c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_
 
 c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a, int64_t stride) {
   double row[C2D_POINT_FIELDS];
-  for (int32_t i = 0; i < count; ++i) { // one that is refused is so before anything is written
+  for (int32_t i = 0; i < count; ++i) { // a wrong one is refused before anything is written
     const double point[2] = {real_at(behind(xy, i * xy_stride)), real_at(behind(xy, i * xy_stride), 1)};
     if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
       return c2d_interior(solver, body, 1, point, 2, row, C2D_POINT_FIELDS);
@@ -42,7 +42,7 @@ c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In
   return C2D_OK;
 }
 
-// The last element goes first: if there are fewer, nothing has been written when that is found.
+// The last element is read first: if there are fewer, the call fails before anything is written.
 c2d_status indicators_one_by_one(c2d_solver* solver, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
   double row[C2D_OFF_FIELDS];
   if (first < 1 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
@@ -54,7 +54,7 @@ c2d_status indicators_one_by_one(c2d_solver* solver, int32_t body, int32_t first
   return C2D_OK;
 }
 
-// The last point goes first: if there are fewer, nothing has been written when that is found.
+// The last point is read first: if there are fewer, the call fails before anything is written.
 c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t count, Out xy, int64_t stride, int32_t& total) {
   double point[2];
   if (count < 0 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
@@ -66,7 +66,7 @@ c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t co
   return status;
 }
 
-// All counts and reals of an answer.
+// All counts and reals of a result.
 template <size_t N, size_t M> void put_numbers(const int32_t (&counts)[N], Out icount, const double (&reals)[M], Out r) {
   memcpy(icount, counts, sizeof counts);
   memcpy(r, reals, sizeof reals);

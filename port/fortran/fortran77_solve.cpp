@@ -1,4 +1,4 @@
-// Prepare, other loads, follow the load, the deck's own path.
+// Prepare, new loads, load steps, the path of the deck.
 #include "fortran77.hpp"
 
 using namespace c2d::fortran;
@@ -13,7 +13,7 @@ int32_t pass_on(void* context, const c2d_step* step) {
   const int32_t stride = static_cast<int32_t>(step->stride);
   const double energy[] = {step->work, step->dissipated, step->elastic, step->energy_defect};
   int32_t stop = 0;
-  // What came later stands last: a routine that does not name it is none the worse for it.
+  // Later additions come last: routines with shorter argument lists keep working.
   static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome, &step->mu, step->loads,
                                            &step->pairs, step->table, &stride, &stop, &step->cases, step->work_by_case, energy);
   return stop;

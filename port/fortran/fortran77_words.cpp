@@ -1,4 +1,4 @@
-// What went wrong, in numbers and in words.
+// Error codes and messages.
 #include "fortran77.hpp"
 
 #include <string.h>
@@ -10,7 +10,7 @@ const char* message(int32_t status) {
   switch (status) {
   case kBadInteger: return "INTEGER has 8 bytes here: compile the calling program with INTEGER*4";
   case kBadReal: return "the literal given to C2OPEN is not 1987.015625D0 of 8 bytes: compile without -fdefault-real-8";
-  case kBadCheck: return "ICHECK does not hold the values that C2OPEN asks for";
+  case kBadCheck: return "ICHECK does not contain the values required by C2OPEN";
   case kNotOpen: return "C2OPEN has not been called for this array, or it has been moved or overwritten";
   case kBadName: return "a name is empty or too long";
   default: return c2d_message(status);
@@ -51,7 +51,7 @@ void c2note_(Work work, In i, Out info, In ninfo, Out text, In ltext, Out ierr) 
   if (!host)
     status = kNotOpen;
   else if (which < 1 || which > kept)
-    status = C2D_ERR_ARGUMENT; // no failure: this is how a program learns that there are no more
+    status = C2D_ERR_ARGUMENT; // not recorded as a failure: it is the end of the list
   else
     put_entry(host->entry[which - 1], info, integer_at(ninfo), text, integer_at(ltext));
   put_integer(ierr, status);

@@ -1,7 +1,7 @@
 #include "c2d_memory.h"
 #include <string.h>
 
-// (A checker of memory would object to looking at bytes that nobody has written.)
+// (Memory checkers report reads of bytes that were never written.)
 #if defined(__has_feature)
 #if __has_feature(memory_sanitizer)
 #define C2D_MEMORY_IS_WATCHED 1
@@ -16,12 +16,12 @@ c2d_memory_store* self(void* context) { return static_cast<c2d_memory_store*>(co
 
 bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
-// Saturating, so that an absurd size is merely more than there is.
+// Saturating, so that an absurd size is simply larger than the region.
 uint64_t product(uint64_t a, uint64_t b) { return a != 0 && b > UINT64_MAX / a ? UINT64_MAX : a * b; }
 uint64_t sum(uint64_t a, uint64_t b) { return b > UINT64_MAX - a ? UINT64_MAX : a + b; }
 
-// Find room for `bytes` bytes: the tape's own piece, if need be grown at the end of what is used, or a new
-// piece.
+// Finds room for `bytes` bytes: the part of the tape, extended if it is the last one, or a new
+// part.
 bool carve(c2d_memory_store* s, int32_t tape, uint64_t bytes) {
   if (bytes <= s->room[tape]) return true;
   const bool last = s->offset[tape] + s->room[tape] == s->used;
@@ -33,7 +33,7 @@ bool carve(c2d_memory_store* s, int32_t tape, uint64_t bytes) {
   return true;
 }
 
-// Memory that has never been written takes no room on systems that hand it out page by page: what is zero is only read.
+// Systems allocate memory page by page on the first write, so memory that is zero already is only read.
 void clear(unsigned char* at, uint64_t bytes) {
 #if !defined(C2D_MEMORY_IS_WATCHED)
   uint64_t i = 0;
@@ -53,7 +53,7 @@ int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_b
     if (!carve(s, tape, s->wanted[tape])) return C2D_MEMORY_STORE_FULL;
     s->blocks[tape] = blocks;
     s->block_bytes[tape] = block_bytes;
-    // What stands here belonged to other blocks. Without its head none of it passes for one.
+    // The contents belonged to other blocks. Without their headers they cannot be taken for valid ones.
     const uint64_t head = block_bytes < kMark ? block_bytes : kMark;
     unsigned char* start = s->region + s->offset[tape];
     for (uint64_t i = 0; i < blocks; ++i) clear(start + i * block_bytes, head);
@@ -62,7 +62,7 @@ int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_b
   return 0;
 }
 
-// Where a transfer takes place, or null and *code.
+// Address of a transfer, or null and *code.
 unsigned char* place(c2d_memory_store* s, int32_t tape, uint64_t block, uint64_t bytes, int32_t* code) {
   *code = !is_tape(tape) || !s->is_open[tape] ? C2D_MEMORY_STORE_TAPE : 0;
   if (*code != 0) return nullptr;

@@ -1,4 +1,4 @@
-/* A block store in a region of memory that the caller hands over. No heap, no system calls: usable anywhere.
+/* A block store in a memory region supplied by the caller. No heap, no system calls: usable anywhere.
 
      static unsigned char region[1 << 20];
      c2d_memory_store store;
@@ -17,18 +17,18 @@
 extern "C" {
 #endif
 
-/* What the store's functions return, seen in c2d_error.host_code. */
+/* Return values of the functions of the store, seen in c2d_error.host_code. */
 enum {
-  C2D_MEMORY_STORE_FULL = 1, /* open: the region is too small; c2d_memory_store_need tells what would do  */
+  C2D_MEMORY_STORE_FULL = 1, /* open: the region is too small; see c2d_memory_store_need                  */
   C2D_MEMORY_STORE_TAPE = 2, /* no such tape, or it is not open                                           */
   C2D_MEMORY_STORE_RANGE = 3 /* a block beyond the end of the tape, or too many bytes                     */
 };
 
-/* Members are the store's own; do not touch. Offsets are from the start of the region. */
+/* Members are private. Offsets are from the start of the region. */
 typedef struct c2d_memory_store {
   unsigned char* region;
   uint64_t bytes, used;
-  uint64_t offset[C2D_TAPES], room[C2D_TAPES];        /* the piece carved for a tape            */
+  uint64_t offset[C2D_TAPES], room[C2D_TAPES];        /* the part used by a tape               */
   uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES]; /* as opened last                         */
   uint64_t wanted[C2D_TAPES];                         /* bytes asked for by the last open       */
   int32_t is_open[C2D_TAPES];
@@ -36,11 +36,10 @@ typedef struct c2d_memory_store {
 
 /* Empty the store and give it region[0 .. bytes); any alignment. */
 void c2d_memory_store_init(c2d_memory_store* store, void* region, uint64_t bytes);
-/* Bytes that a region must have for all tapes opened so far, the one that failed for want of room included. A tape
-   opened again with another size may need more than this if the region was not emptied by _init. UINT64_MAX if the
-   count does not fit. */
+/* Bytes that a region needs for all tapes opened so far, including one that failed for lack of room. A tape reopened with
+   another size may need more than this unless _init emptied the region. UINT64_MAX if the number does not fit. */
 uint64_t c2d_memory_store_need(const c2d_memory_store* store);
-/* Set context, open, read, write, sync and close of *out; the rest of it is left alone. */
+/* Set context, open, read, write, sync and close of *out; other members are unchanged. */
 void c2d_memory_store_port(c2d_memory_store* store, c2d_port* out);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// All sources named on the command line as one, for those who vendor the library:
+// Joins all sources named on the command line into one file, for vendoring the library:
 //   amalgamate VERSION SOURCE... > contact2d.cpp          (from the root of the sources)
 // Private headers are inlined where they are first needed. Two files may use one name in their unnamed
 // namespaces; in one file that would be a clash, or worse another overload, so such names get the name of their
@@ -30,14 +30,14 @@ std::vector<std::string> lines_of(const std::string& path) {
 
 bool begins(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
 
-// Where a header named in an #include stands; empty: not one of ours.
+// Path of a header named in an #include; empty: not one of this library.
 std::string header_path(const std::string& name) {
   for (const char* folder : {"src/", "port/memory/"})
     if (std::ifstream(folder + name)) return folder + name;
   return "";
 }
 
-// What a line declares that begins at the margin: a type, a function, a constant. Empty: nothing.
+// The name declared by a line that begins at the margin: a type, a function, a constant. Empty: none.
 std::string declared(const std::string& whole) {
   static const std::regex attributes("^(?:\\[\\[[^\\]]*\\]\\] ?)+");
   const std::string line = std::regex_replace(whole, attributes, "");
@@ -68,7 +68,7 @@ Names names_of(const std::string& path, bool only_own) {
   return out;
 }
 
-// The line with every word of `names` followed by `tag`, but for members (`x.name`, `x->name`), text and comments.
+// The line with `tag` appended to every word of `names`, except members (`x.name`, `x->name`), text and comments.
 std::string renamed(const std::string& line, const Names& names, const std::string& tag) {
   std::string out;
   for (size_t i = 0; i < line.size();) {
@@ -148,7 +148,7 @@ void Amalgamation::source(const std::string& path) {
   for (const std::string& name : names_of(path, true))
     if (declared_in[name] > 1) names.insert(name);
   if (path.find("/kernel_avx") == std::string::npos) return put(path, names, tag);
-  // Other instruction sets need other flags, which one file cannot have: what says that there are none.
+  // Other instruction sets need other flags, which one file cannot have: define that there are none.
   std::cout << "\n/* ---- " << path << " */\n";
   bool otherwise = false;
   for (const std::string& line : lines_of(path)) {

@@ -1,6 +1,6 @@
 // Public headers as one page of HTML:
 //   header_page VERSION HEADER... > contact2d.html
-// What stands in comments at the margin becomes text, the rest stays code; every name that is declared is a link to its
+// Comments at the margin become text, the rest stays code; every declared name is a link to its
 // declaration, and the functions are listed first.
 #include <fstream>
 #include <iostream>
@@ -11,7 +11,7 @@
 
 namespace {
 
-using Names = std::map<std::string, bool>; // what is declared: has it its anchor yet? (some names have two declarations)
+using Names = std::map<std::string, bool>; // declared names: has its anchor been written? (some names have two declarations)
 
 struct Header {
   std::string name;
@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-// What a line outside of comments declares: functions and types at the margin, macros, constants of enums; not what it uses.
+// Names declared by a line outside comments: functions and types at the margin, macros, enum constants; not used names.
 std::vector<std::string> declared(const std::string& line) {
   static const std::regex function("^[a-z][A-Za-z0-9_ *]*\\b(c2d_[a-z0-9_]+)\\("),
       type("^typedef .*\\b(c2d_[a-z0-9_]+)( \\{|;)"), macro("^#define (C2D_[A-Za-z0-9_]+)"), constant("\\b(C2D_[A-Z0-9_]+) = "),
@@ -39,7 +39,7 @@ std::vector<std::string> declared(const std::string& line) {
   return out;
 }
 
-// The text with a link, or where `here` says so an anchor, at every name that is known.
+// The text with a link at every known name, or with an anchor if `here` is set.
 std::string linked(const std::string& text, Names& known, const std::vector<std::string>& here) {
   static const std::regex word("\\b[cC]2[dD]_[A-Za-z0-9_]+");
   std::string out;

@@ -14,7 +14,7 @@
 
 namespace {
 
-// The most that is handed to the system at once: some systems refuse more than 2^31 - 1 bytes.
+// Largest single transfer: some systems refuse more than 2^31 - 1 bytes.
 constexpr uint64_t kTransferBytes = uint64_t(1) << 30;
 
 c2d_posix_store* self(void* context) { return static_cast<c2d_posix_store*>(context); }
@@ -22,7 +22,7 @@ c2d_posix_store* self(void* context) { return static_cast<c2d_posix_store*>(cont
 bool is_open(const c2d_posix_store* s, int32_t tape) { return tape >= 0 && tape < C2D_TAPES && s->file[tape] >= 0; }
 
 constexpr char kOwnFolder[] = C2D_POSIX_STORE_FOLDER, kLock[] = "lock";
-constexpr char kMark[] = "contact2d block store\n"; // the contents of the lock's file
+constexpr char kMark[] = "contact2d block store\n"; // contents of the lock file
 constexpr uint64_t kMarkBytes = sizeof kMark - 1;
 
 struct FileName {
@@ -34,7 +34,7 @@ FileName file_name(int32_t tape) {
   return name;
 }
 
-// Never through a link, which would lead to somebody else's file.
+// Never through a link, which could lead to a foreign file.
 int open_at(int folder, const char* name, int flags) {
   int file;
   do {
@@ -61,14 +61,15 @@ int32_t sync_file(int file) {
   return result == 0 ? 0 : errno;
 }
 
-// A new name must be found again after a crash. Some file systems cannot sync folders; theirs need no help.
+// A new name must survive a crash. File systems that cannot sync folders do not need it.
 int32_t sync_folder(int folder) {
   const int32_t code = sync_file(folder);
   return code == EINVAL || code == ENOTSUP ? 0 : code;
 }
 
-// Room for the whole tape, so that a full disk is found before the work and not after it. Its length stays what has been
-// written. File systems that cannot say are believed to have room; what cannot be had is not tried for, and not kept in part.
+// Reserves space for the whole tape, so that a full disk is detected before the work. The length of the file stays what has
+// been written. File systems that do not report free space are assumed to have enough; if the space is insufficient none is
+// kept.
 int32_t reserve(int file, uint64_t bytes) {
 #ifdef FALLOC_FL_KEEP_SIZE
   constexpr uint64_t kUnit = 512; // of st_blocks
@@ -76,7 +77,7 @@ int32_t reserve(int file, uint64_t bytes) {
   struct statvfs disk;
   if (fstat(file, &about) != 0) return errno;
   const uint64_t has = static_cast<uint64_t>(about.st_blocks) * kUnit;
-  if (has >= bytes) return 0; // not even its time is touched
+  if (has >= bytes) return 0; // not even its time changes
   if (fstatvfs(file, &disk) == 0 && disk.f_blocks > 0 && bytes - has > uint64_t(disk.f_bavail) * disk.f_frsize) return ENOSPC;
   int result;
   do {
@@ -84,7 +85,7 @@ int32_t reserve(int file, uint64_t bytes) {
   } while (result != 0 && errno == EINTR);
   const int32_t code = result == 0 ? 0 : errno;
   if (code != ENOSPC && code != EDQUOT && code != EFBIG) return 0;
-  while (ftruncate(file, about.st_size) != 0 && errno == EINTR) { // what was found of it is given back
+  while (ftruncate(file, about.st_size) != 0 && errno == EINTR) { // release the reserved part
   }
   return code;
 #else
@@ -93,7 +94,7 @@ int32_t reserve(int file, uint64_t bytes) {
 #endif
 }
 
-// Close once, whatever happens: after EINTR the descriptor may belong to someone else already.
+// Close only once: after EINTR the descriptor may already belong to another thread.
 int32_t close_file(int32_t* file) {
   if (*file < 0) return 0;
   const int32_t code = close(*file) == 0 || errno == EINTR ? 0 : errno;
@@ -198,7 +199,7 @@ int32_t start_write(void* context, int32_t tape, uint64_t block, const void* dat
 }
 int32_t wait(void* context, int32_t ticket) { return wait_posix_transfer(self(context), ticket); }
 
-// 0: locked; C2D_POSIX_STORE_LOCKED: by someone else; or errno.
+// 0: locked; C2D_POSIX_STORE_LOCKED: locked by another store; or errno.
 int32_t lock_file(int file) {
   int result;
   do {
@@ -208,7 +209,7 @@ int32_t lock_file(int file) {
   return errno == EWOULDBLOCK || errno == EACCES ? C2D_POSIX_STORE_LOCKED : errno;
 }
 
-// 0: nothing is in it, or the lock alone; C2D_POSIX_STORE_FOREIGN or errno.
+// 0: empty, or only the lock; C2D_POSIX_STORE_FOREIGN or errno.
 int32_t check_lone(int folder) {
   const int copy = open_at(folder, ".", O_RDONLY | O_DIRECTORY); // fdopendir takes it over
   DIR* list = copy < 0 ? nullptr : fdopendir(copy);
@@ -224,7 +225,7 @@ int32_t check_lone(int folder) {
   return lone ? 0 : C2D_POSIX_STORE_FOREIGN;
 }
 
-// The lock's file is new: the mark, and then the names, last.
+// The lock file is new: write the mark, then sync the names.
 int32_t write_mark(c2d_posix_store* s) {
   for (uint64_t done = 0; done < kMarkBytes;) {
     const ssize_t put = pwrite(s->lock, kMark + done, kMarkBytes - done, static_cast<off_t>(done));
@@ -238,8 +239,8 @@ int32_t write_mark(c2d_posix_store* s) {
   return 0;
 }
 
-// Under the lock: is the mark in its file? A store that was cut off before the mark was safe has left its beginning, with zeros
-// for what the disk had not got yet, and nothing else: it was never begun.
+// Under the lock: is the mark in its file? A store that was interrupted before the mark was on disk leaves its beginning,
+// followed by zeros, and no other file: it was never used.
 int32_t check_mark(c2d_posix_store* s) {
   char found[kMarkBytes + 1];
   uint64_t bytes = 0;
@@ -258,7 +259,7 @@ int32_t check_mark(c2d_posix_store* s) {
   return code == 0 ? write_mark(s) : code;
 }
 
-// The folder of our own in `parent`, and its lock's file, which a folder that is not empty must have. ENOENT: its holder has
+// The folder of the store in `parent`, and its lock file, which a folder that is not empty must have. ENOENT: its owner has
 // just removed it.
 int32_t open_own(c2d_posix_store* s) {
   if (mkdirat(s->parent, kOwnFolder, 0777) != 0 && errno != EEXIST) return errno;
@@ -273,8 +274,8 @@ int32_t open_own(c2d_posix_store* s) {
   return s->lock < 0 ? open_code(errno) : check_own(s->lock);
 }
 
-// A lock's file may be deleted by its holder between our opening and locking it: such a lock keeps nobody
-// out. Then the next one is tried; each turn means that another store has come and gone.
+// The owner may delete the lock file between our opening and locking it: such a lock protects nothing. Then
+// try again; every retry means that another store was created and removed.
 int32_t lock_own(c2d_posix_store* s) {
   for (int32_t turn = 0; turn < 10; ++turn) {
     int32_t code = open_own(s);
@@ -356,7 +357,7 @@ int32_t c2d_posix_store_done(c2d_posix_store* store) {
     const int32_t code = close_file(&store->file[tape]);
     if (first == 0) first = code;
   }
-  int32_t* const rest[] = {&store->folder, &store->parent, &store->lock}; // the last lets go of the lock
+  int32_t* const rest[] = {&store->folder, &store->parent, &store->lock}; // closing the last one unlocks
   for (int32_t* file : rest) {
     const int32_t code = close_file(file);
     if (first == 0) first = code;
@@ -366,10 +367,10 @@ int32_t c2d_posix_store_done(c2d_posix_store* store) {
 
 int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder) {
   int32_t first = c2d_posix_store_remove(store);
-  const auto note = [&first](int result) { // what somebody else has put there stays
+  const auto note = [&first](int result) { // foreign files stay
     if (result != 0 && errno != ENOENT && errno != ENOTEMPTY && errno != EEXIST && first == 0) first = errno;
   };
-  // The mark goes last, also after a crash: without it what is left would be nobody's.
+  // Remove the mark last, also after a crash: without it the remaining files could not be identified.
   if (first == 0) first = sync_folder(store->folder);
   if (first == 0) {
     note(unlinkat(store->folder, kLock, 0));

@@ -1,11 +1,11 @@
-/* A block store in files for POSIX systems: transfers at given offsets that go on after interruptions, fsync, and a lock that
-   keeps a second solver, in this or another process, out. In the folder that it is given the store makes one of its own,
-   contact2d.store, with the files `lock`, which bears its mark, and tape0.c2d ... tape3.c2d; it opens, writes and removes
-   nothing else, follows no links, and takes no folder of that name without the mark (a lock that was cut off, its rest
-   missing or zeros, beside nothing else, gets it). Room for a tape is reserved when it is opened, where the file system can;
-   of a tape most of which will not be written, what c2d_posix_store_expect says. Blocks are read ahead and written behind by
-   a thread of the store's, from the first such transfer on until the last tape is closed; it blocks all signals. (Before
-   glibc 2.34 programs then link with -pthread.)
+/* A block store in files for POSIX systems: transfers at given offsets, continued after interruptions, fsync, and a lock against
+   a second solver in this or another process. In the given folder the store creates a folder of its own, contact2d.store, with
+   the files `lock`, which contains its mark, and tape0.c2d ... tape3.c2d. It opens, writes and removes nothing else, follows no
+   links, and refuses a folder of that name without the mark (a truncated lock file, missing or zero at its end, alone in the
+   folder, is completed). Disk space for a tape is reserved when it is opened, if the file system supports it; for a tape that
+   will be written in part only, as much as c2d_posix_store_expect states. A thread of the store reads blocks ahead and writes
+   them behind, from the first such transfer until the last tape is closed; it blocks all signals. (Before glibc 2.34 programs
+   link with -pthread.)
 
      c2d_posix_store store;
      c2d_port port = C2D_INIT(c2d_port);
@@ -25,19 +25,18 @@ extern "C" {
 
 #define C2D_POSIX_STORE_FOLDER "contact2d.store"
 
-/* What the store's functions return, seen in c2d_error.host_code: a positive number is errno, a negative one is one
-   of these. */
+/* Return values of the functions of the store, seen in c2d_error.host_code: positive: errno, negative: one of these. */
 enum {
   C2D_POSIX_STORE_TAPE = -1,   /* no such tape, or it is not open                                        */
   C2D_POSIX_STORE_RANGE = -2,  /* a block beyond the end of the tape, too many bytes, an offset too large */
-  C2D_POSIX_STORE_END = -3,    /* read: the file ends before the block does                              */
+  C2D_POSIX_STORE_END = -3,    /* read: the file ends within the block                                   */
   C2D_POSIX_STORE_LOCKED = -4, /* init: the folder is in use by another store                            */
-  C2D_POSIX_STORE_STUCK = -5,  /* write: the system takes no more bytes without saying why               */
-  C2D_POSIX_STORE_TICKET = -6, /* start: four transfers are under way; wait: no such transfer is          */
-  C2D_POSIX_STORE_FOREIGN = -7 /* init, open: what has our name is not ours, or a link, or no file         */
+  C2D_POSIX_STORE_STUCK = -5,  /* write: the system accepts no more bytes, without a reason              */
+  C2D_POSIX_STORE_TICKET = -6, /* start: four transfers are active; wait: there is no such transfer       */
+  C2D_POSIX_STORE_FOREIGN = -7 /* init, open: a foreign object of this name, or a link, or not a file      */
 };
 
-/* Members are the store's own; do not touch. They are file descriptors, -1: none. */
+/* Members are private. File descriptors, -1: none. */
 typedef struct c2d_posix_store {
   int32_t parent, folder, lock;
   int32_t file[C2D_TAPES];
@@ -46,21 +45,20 @@ typedef struct c2d_posix_store {
   uint64_t expected[C2D_TAPES];
 } c2d_posix_store;
 
-/* Make the folder unless it is there (its parent must be), and in it the store's own; lock it until _done or the end of the
-   process. Returns 0, C2D_POSIX_STORE_LOCKED, _FOREIGN or errno; after a failure nothing is held. */
+/* Create the folder unless it exists (its parent must exist), and in it the folder of the store; lock it until _done or the end
+   of the process. Returns 0, C2D_POSIX_STORE_LOCKED, _FOREIGN or errno; after a failure nothing is locked or open. */
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder);
-/* Set context, open, read, write, sync, close, start_read, start_write and wait of *out; the rest of it is left alone. */
+/* Set context, open, read, write, sync, close, start_read, start_write and wait of *out; other members are unchanged. */
 void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
-/* Of this tape, when it is opened next, no more than so many bytes are reserved (all of it unless this is called: bounds of
-   compressed elimination are ten times what it writes, and more). No such tape: nothing is done. */
+/* Reserve at most so many bytes when this tape is opened next (default: all of it; the bounds of compressed elimination are ten
+   times its actual size and more). Does nothing if there is no such tape. */
 void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes);
-/* Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a file that is not there is
-   no failure. */
+/* Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a missing file is no failure. */
 int32_t c2d_posix_store_remove(c2d_posix_store* store);
-/* Close what is open and let go of the folder. Returns 0 or the first errno. The lock's file stays. */
+/* Close all files and unlock the folder. Returns 0 or the first errno. The lock file stays. */
 int32_t c2d_posix_store_done(c2d_posix_store* store);
-/* The same after _remove, and the lock's file and the store's own folder go too. `folder`, the name given to _init, is removed
-   if nothing else is in it; null: it stays. */
+/* The same after _remove, and delete the lock file and the folder of the store. `folder`, the name given to _init, is removed if
+   it is empty then; null: it stays. */
 int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder);
 
 #ifdef __cplusplus

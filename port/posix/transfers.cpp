@@ -20,10 +20,10 @@ struct Slot {
   std::atomic<int32_t> state;
 };
 
-// The caller alone adds to the queue. The thread takes from it, and so does a caller who has to wait: on a machine with
-// more to do than processors the thread may not have got one yet. A thread that found no news for a while says so
-// and sleeps; who has news looks, after telling them, whether the other sleeps: with both in one order for all
-// (sequentially consistent), at least one sees what the other did.
+// Only the caller adds to the queue. The thread takes from it, and so does a caller that has to wait: on a busy machine
+// the thread may not have a processor yet. A thread without work for a while sets a flag and sleeps; whoever adds
+// work checks, after publishing it, whether the other sleeps. With sequentially consistent operations at least one
+// of them sees the change of the other.
 struct Helper {
   c2d_posix_store* store;
   pthread_t thread;
@@ -73,7 +73,7 @@ void* work(void* argument) {
   }
 }
 
-// Nothing of that block is under way elsewhere.
+// Is no transfer of this block active?
 bool is_alone(const Helper* h, int32_t i) {
   const PosixTransfer& own = h->slot[i].transfer;
   for (int32_t other = 0; other < kSlots; ++other) {
@@ -83,7 +83,7 @@ bool is_alone(const Helper* h, int32_t i) {
   return true;
 }
 
-// The caller takes its turn at the queue's head. False: there is nothing to be done but waiting.
+// The caller executes the first transfer of the queue. False: none is left, only waiting.
 bool lend_a_hand(Helper* h) {
   uint32_t mine = h->taken.load();
   if (h->put.load() == mine) return false;
@@ -94,7 +94,7 @@ bool lend_a_hand(Helper* h) {
   return true;
 }
 
-// Signals are the caller's business.
+// Signals are left to the threads of the caller.
 bool start_thread(Helper* h) {
   sigset_t all, before;
   sigfillset(&all);

@@ -1,4 +1,4 @@
-// Offsets of 64 bits where the C library has them.
+// 64-bit offsets if the C library supports them.
 #ifndef _FILE_OFFSET_BITS
 #define _FILE_OFFSET_BITS 64
 #endif
@@ -22,7 +22,7 @@ bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
 FILE* file_of(const c2d_stdio_store* s, int32_t tape) { return is_tape(tape) ? static_cast<FILE*>(s->file[tape]) : nullptr; }
 
-// errno of a call that failed just now; the C standard does not promise that it is set.
+// errno of the last failed call; the C standard does not guarantee that it is set.
 int32_t failure() { return errno > 0 ? static_cast<int32_t>(errno) : C2D_STDIO_STORE_FAILED; }
 
 void file_name(const c2d_stdio_store* s, int32_t tape, char name[kNameBytes]) {
@@ -62,7 +62,7 @@ int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_b
   file_name(s, tape, name);
   errno = 0;
   FILE* file = fopen(name, "r+b");
-  // Only a missing file may be made: "w+b" empties one that is merely out of reach at the moment.
+  // Create only missing files: "w+b" would empty one that could not be opened for another reason.
   if (!file && errno == ENOENT) file = fopen(name, "w+b");
   if (!file) return failure();
   s->file[tape] = file;
@@ -71,7 +71,7 @@ int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_b
   return 0;
 }
 
-// Go to the place of a transfer.
+// Seek to the offset of a transfer.
 int32_t go_to(c2d_stdio_store* s, int32_t tape, uint64_t block, uint64_t bytes) {
   FILE* file = file_of(s, tape);
   if (!file) return C2D_STDIO_STORE_TAPE;

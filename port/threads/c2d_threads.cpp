@@ -8,16 +8,16 @@
 
 namespace {
 
-// A ticket tells which call of parallel_for it is, of how many tasks, and which is the next to be taken: one number, so
-// that whoever takes a task knows that the call it belongs to is still on, and so that its fields stand.
+// A ticket encodes the call of parallel_for, its number of tasks and the next task in one number: whoever takes a task
+// atomically knows that its call is still active and its fields are valid.
 constexpr uint64_t kTaskBits = 20, kMostTasks = (uint64_t(1) << kTaskBits) - 1;
 uint64_t ticket_of(uint64_t call, uint64_t tasks) { return call << (2 * kTaskBits) | tasks << kTaskBits; }
 uint64_t tasks_of(uint64_t ticket) { return ticket >> kTaskBits & kMostTasks; }
 uint64_t next_of(uint64_t ticket) { return ticket & kMostTasks; }
 bool has_task(uint64_t ticket) { return next_of(ticket) < tasks_of(ticket); }
 
-// Questions before a waiting thread goes to sleep: some hundred microseconds, where a pause takes some tens of cycles. To wake
-// it takes thirty, and between two steps of an elimination of some hundred unknowns one thread works alone for as long.
+// Polls before a waiting thread sleeps: some hundred microseconds, with a pause of some tens of cycles. Waking it takes thirty
+// microseconds, and between two steps of an elimination of some hundred unknowns one thread works alone for as long.
 constexpr int32_t kQuestions = 5000;
 
 struct Pool {
@@ -28,7 +28,7 @@ struct Pool {
   void (*task)(void*, int32_t);
   void* argument;
   fenv_t environment;
-  int32_t asleep, waits, ended; // atomic: threads that sleep; the caller does; the threads shall end
+  int32_t asleep, waits, ended; // atomic: sleeping threads; the caller waits; the threads must end
   pthread_mutex_t mutex;
   pthread_cond_t work, done;
   c2d_port inner;
@@ -47,7 +47,7 @@ void pause() {
 #endif
 }
 
-// One task of the present call, if there is one left. Threads other than the caller take over its environment.
+// Runs one task of the current call, if one is left. Other threads use the floating-point environment of the caller.
 bool take_task(Pool& pool, bool caller) {
   uint64_t ticket = look(pool.ticket);
   while (has_task(ticket)) {
@@ -117,7 +117,7 @@ void run(Pool& pool, int32_t first, int32_t n, void (*task)(void*, int32_t), voi
   wait_for_tasks(pool);
 }
 
-// ---- a port inside the pool's ---------------------------------------------------------------------------------------
+// ---- a port wrapped by the pool ---------------------------------------------------------------------------------------
 
 c2d_port& inner(void* context) { return pool_of(context).inner; }
 int32_t open(void* c, int32_t tape, uint64_t blocks, uint64_t bytes) {

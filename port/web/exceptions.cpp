@@ -1,6 +1,6 @@
-// C++ exceptions in WebAssembly: what the compiler's code calls under -fwasm-exceptions. The C++ library that Debian has for
-// wasm32 is built without. One thread; caught exceptions form a stack. An exception travels as the address of its Header,
-// which stands before the object.
+// C++ exceptions in WebAssembly: the functions called by compiled code under -fwasm-exceptions. The C++ library of Debian for
+// wasm32 lacks them. One thread; caught exceptions form a stack. An exception is passed as the address of its Header,
+// which precedes the object.
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -11,16 +11,16 @@ namespace {
 
 struct alignas(16) Header {
   const std::type_info* type;
-  void* (*destroy)(void*); // destructors return what they were given here
-  Header* below;           // on the stack of what is caught
+  void* (*destroy)(void*); // destructors return their argument on this target
+  Header* below;           // on the stack of caught exceptions
   void* adjusted;          // the object as the handler sees it
-  int32_t handlers;        // that are at work on it
+  int32_t handlers;        // number of active handlers
 };
 Header* caught = nullptr;
 
 void* object_of(Header* header) { return header + 1; }
 
-// A type of libc++abi: whether a handler for it catches an exception of another type, and where the part lies that it sees.
+// A type of libc++abi: does a handler for it catch an exception of another type, and at which address?
 class Catcher : public std::type_info {
 public:
   virtual void noop1() const = 0;
@@ -62,7 +62,7 @@ struct Table {
       const uintptr_t offset = read_unsigned(at);
       types_end = reinterpret_cast<const uintptr_t*>(at + offset);
     }
-    ++at; // how sites are written: always so
+    ++at; // encoding of call sites: always the same
     const uintptr_t bytes = read_unsigned(at);
     sites = at, actions = at + bytes;
   }
@@ -75,7 +75,7 @@ struct Table {
   }
 };
 
-// The number of the first type that catches it; 0: none does.
+// The number of the first type that catches it; 0: none.
 intptr_t find_handler(Header* header, uintptr_t pad, const uint8_t* lsda) {
   const Table table(lsda);
   const uint8_t* at = table.first_action(pad);
@@ -97,7 +97,7 @@ intptr_t find_handler(Header* header, uintptr_t pad, const uint8_t* lsda) {
 
 extern "C" {
 
-// Where a landing pad asks, and is answered.
+// Request and answer of a landing pad.
 struct LandingPad {
   uintptr_t pad;
   const uint8_t* lsda;
@@ -148,7 +148,7 @@ void __cxa_rethrow() {
 }
 }
 
-// The library's own would end the program where memory does.
+// That of the library would end the program when memory is exhausted.
 void* operator new(size_t bytes) {
   void* memory = std::malloc(bytes == 0 ? 1 : bytes);
   if (memory == nullptr) throw std::bad_alloc();

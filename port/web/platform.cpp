@@ -1,4 +1,4 @@
-// What a page lacks and the program asks for: threads, the thread of a store's transfers, signals.
+// Replacements for features that a page lacks: threads, the transfer thread of the store, signals.
 #include "../posix/transfers.hpp"
 
 #include <c2d_threads.h>
@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstddef>
 
-// Tasks run one after the other; results are the same with any number of threads.
+// Tasks run one after another; results do not depend on the number of threads.
 int32_t c2d_threads_start(c2d_threads*, int32_t threads) { return threads < 1 || threads > C2D_THREADS_MOST ? EINVAL : 0; }
 void c2d_threads_port(c2d_threads*, c2d_port*) {}
 void c2d_threads_run(c2d_threads*, int32_t n, c2d_threads_task task, void* argument) {
@@ -14,7 +14,7 @@ void c2d_threads_run(c2d_threads*, int32_t n, c2d_threads_task task, void* argum
 }
 void c2d_threads_stop(c2d_threads*) {}
 
-// Transfers are done where they are asked for.
+// Transfers are executed immediately.
 namespace {
 int32_t results[4];
 int32_t next = 0;
@@ -29,7 +29,7 @@ int32_t wait_posix_transfer(c2d_posix_store*, int32_t ticket) { return results[t
 void settle_posix_transfers(c2d_posix_store*, int32_t, uint64_t) {}
 void stop_posix_transfers(c2d_posix_store*) {}
 
-// Nobody else is there to be kept out, and memory has no pages to advise about.
+// No lock is needed, and memory has no pages to advise about.
 extern "C" int flock(int, int) { return 0; }
 extern "C" int madvise(void*, size_t, int) { return 0; }
 // The one thread ends with the program, and its memory with it.

@@ -1,5 +1,5 @@
-// What the C and C++ libraries that Debian has for wasm32 lack, included before everything else: signals, of which none ever
-// comes; links and permissions of files, which a page has not; std::from_chars for double.
+// Features missing in the C and C++ libraries of Debian for wasm32, included before everything else: signals, which never
+// occur; links and permissions of files, which a page has not; std::from_chars for double.
 #pragma once
 #include <charconv>
 #include <cmath>
@@ -18,7 +18,7 @@ inline int sigemptyset(int*) { return 0; }
 inline int sigaction(int, const struct sigaction*, struct sigaction*) { return 0; }
 inline char* realpath(const char* name, char*) { return strdup(name); }
 inline int fchmod(int, mode_t) { return 0; }
-inline char* mkdtemp(char* name) { return mkdir(name, 0700) == 0 ? name : nullptr; } // nobody else makes one
+inline char* mkdtemp(char* name) { return mkdir(name, 0700) == 0 ? name : nullptr; } // no other process exists
 
 namespace web {
 
@@ -31,7 +31,7 @@ inline const char* word(const char* at, const char* end, const char* expected) {
     if (at == end || (*at | 0x20) != *expected) return nullptr;
   return at;
 }
-// The end of the longest number that begins there; null: none does.
+// The end of the longest number that begins there; null: none.
 inline const char* end_of_number(const char* at, const char* end) {
   if (at != end && *at == '-') ++at;
   for (const char* each : {"infinity", "inf", "nan"})
@@ -52,7 +52,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const char* end = web::end_of_number(first, last);
   if (end == nullptr) return {first, errc::invalid_argument};
   const string text(first, end);
-  const double read = strtod(text.c_str(), nullptr); // of the C library: correctly rounded, and it has no locales
+  const double read = strtod(text.c_str(), nullptr); // strtod is correctly rounded and has no locales here
   const bool told = text.find_first_of("iInN") != string::npos;
   const bool zero = text.find_first_of("123456789") >= text.find_first_of("eE");
   if (!told && (std::isinf(read) || (read == 0 && !zero))) return {end, errc::result_out_of_range};

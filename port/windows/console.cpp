@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kSignals = 32;
 std::atomic<void (*)(int)> handlers[kSignals];
-bool once[kSignals]; // the next of this kind ends the program
+bool once[kSignals]; // the next signal of this kind ends the program
 std::atomic<bool> waiting{false};
 HANDLE first_thread = nullptr;
 
@@ -36,7 +36,7 @@ BOOL WINAPI on_event(DWORD event) {
   return TRUE;
 }
 
-// Does it take escapes? Where it must be asked for, this does.
+// Does the terminal support escape sequences? Enables them if necessary.
 bool is_terminal(HANDLE file) {
   DWORD mode = 0;
   return GetConsoleMode(file, &mode) != 0 &&
@@ -55,7 +55,7 @@ std::string folder_for_temporary_files() {
   return windows::narrow(name);
 }
 
-void ignore(const wchar_t*, const wchar_t*, const wchar_t*, unsigned, uintptr_t) {} // it is an error as others, in errno
+void ignore(const wchar_t*, const wchar_t*, const wchar_t*, unsigned, uintptr_t) {} // reported like other errors, in errno
 
 UINT code_page = 0;
 void restore_console() { SetConsoleOutputCP(code_page); }

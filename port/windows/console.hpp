@@ -1,9 +1,9 @@
-// What the console interrupts.
+// Interrupts from the console.
 #pragma once
 
 namespace windows {
 
-// While there is one for standard input, the first thread waits: the system is told to wait no longer when a signal comes.
+// While there is one for standard input, the first thread waits: a signal ends that wait.
 class Waiting {
 public:
   explicit Waiting(bool for_input);

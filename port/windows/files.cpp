@@ -1,4 +1,4 @@
-// Calls of POSIX on open files, by those of Windows.
+// POSIX calls on open files, implemented by Windows calls.
 #include "wide.hpp"
 
 #include "console.hpp"
@@ -27,7 +27,7 @@ OVERLAPPED place_of(uint64_t at) {
   return place;
 }
 
-// Transfers at a given place move where the next one without would go; here it is put back.
+// Transfers at a given offset move the file position; it is restored here.
 class Kept {
 public:
   explicit Kept(HANDLE file) : file_(file) { SetFilePointerEx(file_, LARGE_INTEGER{}, &place_, FILE_CURRENT); }
@@ -47,7 +47,7 @@ ssize_t read_code() {
 
 } // namespace
 
-// The console ends it with no bytes when it is interrupted.
+// An interrupted console read returns no bytes.
 ssize_t read(int file, void* data, size_t bytes) {
   const windows::Waiting waiting(file == 0);
   DWORD got = 0;
@@ -75,7 +75,7 @@ ssize_t pwrite(int file, const void* data, size_t bytes, off_t at) {
   return WriteFile(handle, data, part(bytes), &put, &place) != 0 ? static_cast<ssize_t>(put) : fail();
 }
 
-// Folders need none: the system keeps a journal of names.
+// Folders need no sync: the system keeps a journal of names.
 int fsync(int file) {
   struct stat about;
   if (fstat(file, &about) != 0) return -1;
@@ -83,7 +83,7 @@ int fsync(int file) {
   return FlushFileBuffers(handle_of(file)) != 0 ? 0 : fail();
 }
 
-// A byte that no file has: locks keep others from the bytes themselves here.
+// A byte beyond any file: locks block access to the locked bytes here.
 int flock(int file, int how) {
   OVERLAPPED place = place_of(uint64_t{1} << 62);
   const DWORD flags = LOCKFILE_EXCLUSIVE_LOCK | ((how & LOCK_NB) != 0 ? LOCKFILE_FAIL_IMMEDIATELY : 0);
@@ -95,7 +95,7 @@ int flock(int file, int how) {
 int fallocate(int file, int, off_t, off_t bytes) {
   struct stat about;
   if (fstat(file, &about) != 0) return -1;
-  if (bytes <= about.st_size) return 0; // less would cut it off
+  if (bytes <= about.st_size) return 0; // smaller sizes would truncate it
   FILE_ALLOCATION_INFO room;
   room.AllocationSize.QuadPart = bytes;
   return SetFileInformationByHandle(handle_of(file), FileAllocationInfo, &room, sizeof room) != 0 ? 0 : fail();

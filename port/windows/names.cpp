@@ -1,4 +1,4 @@
-// Calls of POSIX on names of files, in UTF-8, by those of Windows.
+// POSIX calls on file names, in UTF-8, implemented by Windows calls.
 #include "wide.hpp"
 
 #include <cerrno>
@@ -24,7 +24,7 @@ bool is_folder(HANDLE file) {
   return GetFileInformationByHandleEx(file, FileStandardInfo, &about, sizeof about) != 0 && about.Directory;
 }
 
-// A name that leads elsewhere; what else is stored in an unusual way (in a cloud, compressed) is a file as any other.
+// A link; other specially stored files (in a cloud, compressed) are ordinary files.
 bool is_link(const std::wstring& name) {
   const Handle file(open_shared(name, FILE_READ_ATTRIBUTES, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT));
   FILE_ATTRIBUTE_TAG_INFO about = {};
@@ -49,13 +49,13 @@ int open_wide(const std::wstring& name, int flags) {
   Handle file(open_shared(name, access_of(flags), creation_of(flags)));
   if (!file.is_open()) {
     fail();
-    if ((flags & O_CREAT) != 0 && errno == ENOENT && GetLastError() == ERROR_ACCESS_DENIED) errno = EEXIST; // still going
+    if ((flags & O_CREAT) != 0 && errno == ENOENT && GetLastError() == ERROR_ACCESS_DENIED) errno = EEXIST; // deletion pending
     return -1;
   }
   const bool folder = GetFileType(file) == FILE_TYPE_DISK && is_folder(file), expected = (flags & O_DIRECTORY) != 0;
   if (folder != expected) return fail(folder ? EISDIR : ENOTDIR);
   const int number = _open_osfhandle(reinterpret_cast<intptr_t>(static_cast<HANDLE>(file)), flags & (O_APPEND | O_CLOEXEC));
-  if (number >= 0) file.release(); // it is the number's now
+  if (number >= 0) file.release(); // the number owns it now
   return number;
 }
 
@@ -68,10 +68,10 @@ std::wstring name_in(int folder, const char* name) {
   return path + wide(name);
 }
 
-// The name goes at once, also of what is open, where the system can do that; else when the last who has it open closes it.
+// Removes the name at once, even of an open file, if the system supports it; else when it is closed for the last time.
 bool discard(HANDLE file, bool& at_once) {
   constexpr auto kDispositionEx = static_cast<FILE_INFO_BY_HANDLE_CLASS>(21);
-  DWORD how = 1 | 2 | 16; // delete, as in POSIX, also what may not be written
+  DWORD how = 1 | 2 | 16; // delete with POSIX semantics, also read-only files
   at_once = SetFileInformationByHandle(file, kDispositionEx, &how, sizeof how) != 0;
   if (at_once) return true;
   if (GetLastError() == ERROR_DIR_NOT_EMPTY || GetLastError() == ERROR_ACCESS_DENIED) return false;
@@ -79,7 +79,7 @@ bool discard(HANDLE file, bool& at_once) {
   return SetFileInformationByHandle(file, FileDispositionInfo, &old, sizeof old) != 0;
 }
 
-// Out of its folder, so that this can be removed.
+// Moves it out of its folder, so that the folder can be removed.
 void move_up(HANDLE file) {
   std::wstring name = windows::name_of(file), folder = name.substr(0, name.rfind(L'\\'));
   name = folder + L"-" + std::to_wstring(GetCurrentProcessId()) + L"-" + std::to_wstring(GetTickCount64());
@@ -112,7 +112,7 @@ int describe(HANDLE file, struct windows_stat* about) {
   if (type != FILE_TYPE_DISK) return 0;
   FILE_STANDARD_INFO more;
   if (GetFileInformationByHandleEx(file, FileStandardInfo, &more, sizeof more) == 0) return fail();
-  BY_HANDLE_FILE_INFORMATION found = {}; // an output that came with the program may have none of it (wine)
+  BY_HANDLE_FILE_INFORMATION found = {}; // may be unavailable for inherited handles (wine)
   GetFileInformationByHandle(file, &found);
   const bool fixed = (found.dwFileAttributes & FILE_ATTRIBUTE_READONLY) != 0;
   about->st_mode = more.Directory ? S_IFDIR | 0777u : S_IFREG | (fixed ? 0444u : 0666u);
@@ -143,7 +143,7 @@ int unlinkat(int folder, const char* name, int flags) {
   return path.empty() ? fail() : remove_wide(path, of_folder, !of_folder);
 }
 
-// Over what has that name; what looks for viruses or indexes may have it open for a moment.
+// Replaces an existing name; virus scanners or indexers may have it open for a moment.
 extern "C" int rename(const char* from, const char* to) {
   const std::wstring old = wide(from), now = wide(to);
   for (int turn = 0;; ++turn) {
@@ -167,7 +167,7 @@ int windows_stat(const char* name, struct windows_stat* about) {
   return file.is_open() ? describe(file, about) : fail();
 }
 int fstat(int file, struct windows_stat* about) { return describe(handle_of(file), about); }
-int fchmod(int, unsigned) { return 0; } // what may be written was; the rest is inherited from the folder
+int fchmod(int, unsigned) { return 0; } // permissions are inherited from the folder
 
 int mkdir(const char* name, int) { return make_folder(wide(name)); }
 int mkdirat(int folder, const char* name, int) {

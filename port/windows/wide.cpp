@@ -8,7 +8,7 @@ extern "C" __declspec(dllimport) long __stdcall RtlGetLastNtStatus();
 namespace windows {
 namespace {
 
-constexpr long kDeletePending = static_cast<long>(0xC0000056u); // for names it is no error of its own
+constexpr long kDeletePending = static_cast<long>(0xC0000056u); // not a separate error for names
 
 int code_of(DWORD error) {
   switch (error) {
@@ -48,7 +48,7 @@ int code_of(DWORD error) {
   }
 }
 
-// Names longer than a page of 1987 are taken in their whole form alone.
+// Longer names are accepted only in their full form.
 std::wstring whole(const std::wstring& name) {
   constexpr size_t kShort = 240; // a folder's may have 247
   if (name.size() < kShort || name.compare(0, 4, L"\\\\?\\") == 0) return name;

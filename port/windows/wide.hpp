@@ -1,4 +1,4 @@
-// Names and errors as Windows has them, and as the program has them.
+// Conversion of names and errors between Windows and the program.
 #pragma once
 
 #ifndef WIN32_LEAN_AND_MEAN
@@ -13,14 +13,14 @@
 
 namespace windows {
 
-// A name as the system takes it, of any length.
+// A name in the form of the system, of any length.
 std::wstring wide(const char* name);
 std::string narrow(const std::wstring& text);
-// Sets errno to what the last error of the system means. Returns -1.
+// Sets errno from the last error of the system. Returns -1.
 int fail();
 int fail(int code);
 HANDLE handle_of(int file);
-// The whole name under which a file or folder that is open can be found now; empty, and the last error is set: none.
+// The full current name of an open file or folder; empty, with the last error set, if there is none.
 std::wstring name_of(HANDLE file);
 
 // A handle that is closed at the end of the scope.
@@ -44,7 +44,7 @@ private:
   HANDLE handle_;
 };
 
-// Everybody may read, write, rename and remove it meanwhile, as on other systems; folders can be opened, too.
+// Others may read, write, rename and remove it meanwhile, as on POSIX systems; folders can be opened, too.
 HANDLE open_shared(const std::wstring& name, DWORD access, DWORD how = OPEN_EXISTING, DWORD flags = 0);
 
 } // namespace windows

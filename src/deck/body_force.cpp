@@ -1,5 +1,5 @@
-// *BODY FORCE body load_case bx by [rho_omega2 x0 y0]: force per area of a body, and what its rotation about (x0, y0) adds.
-// The load case may be one more than the deck has otherwise.
+// *BODY FORCE body load_case bx by [rho_omega2 x0 y0]: force per area of a body, and centrifugal force of rotation about (x0,
+// y0). The load case may be one more than the deck otherwise has.
 #include "deck/keywords.hpp"
 
 namespace c2d {
@@ -20,8 +20,8 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
   const int64_t place = int64_t{load_case - 1} * deck.sizes.bodies + body;
   const bool noted = cards.faults == old_faults && place <= NumbersSeen::kNoted;
   if (noted && deck.body_forces.again(static_cast<int32_t>(place)))
-    word_fault(cards, keyword_card, 1, "body ", body, " has a body force in load case ", load_case,
-               " twice, expected one card for a body and load case");
+    word_fault(cards, keyword_card, 1, "body ", body, " has two body forces in load case ", load_case,
+               ", expected one card per body and load case");
   if (!ended || cards.faults != old_faults || deck.sink == nullptr) return;
   place_words(deck, keyword_card);
   accept(deck, deck.sink->set_body_force(deck.sink->solver, body, load_case, value, value[2], value + 3));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kDosEnd = 0x1a; // ends text files of old systems
 
-// Bytes of the line as it came, without its line end; -1 at the end of the deck and after a failure.
+// Bytes of the line as read, without its line end; -1 at the end of the deck and after a failure.
 int32_t fetch(Cards& cards) {
   const int32_t size = static_cast<int32_t>(sizeof cards.text);
   const int32_t length = cards.read(cards.context, cards.text, size);
@@ -26,11 +26,11 @@ int32_t fetch(Cards& cards) {
   int32_t used = length < size ? length : size - 1;
   while (used > 0 && (cards.text[used - 1] == '\r' || cards.text[used - 1] == '\n')) --used;
   if (used == 1 && cards.text[0] == kDosEnd) return -1;
-  if (!C2D_NEVER(cards.line == INT32_MAX)) ++cards.line; // (no test reads so long)
+  if (!C2D_NEVER(cards.line == INT32_MAX)) ++cards.line; // no test reads that many lines
   return used;
 }
 
-// Remarks of the free form may be in any script. Its first card is not yet known to be of that form.
+// Comments of the free form may use any script. When the first card is read the form is not yet known.
 bool may_hold_remark(const Cards& cards, int32_t used) {
   if (!cards.is_heading) return cards.free_form;
   if (cards.line != 1) return false;
@@ -39,7 +39,7 @@ bool may_hold_remark(const Cards& cards, int32_t used) {
   return first < used && cards.text[first] == '*';
 }
 
-// Names may be in any script; their keyword looks at them closely.
+// Names may use any script; their keyword checks them.
 bool may_hold_name(const Cards& cards, int32_t used) {
   Words words;
   if (!cards.in_extensions) return false;
@@ -47,7 +47,7 @@ bool may_hold_name(const Cards& cards, int32_t used) {
   return word_is(words, 0, "*NAME");
 }
 
-// Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
+// A card has printable ASCII and tabs only. The first fault ends the reading: a binary file would give thousands.
 bool is_text(Cards& cards, int32_t used) {
   if (may_hold_remark(cards, used)) used = before_comment(cards.text, used);
   for (int32_t i = 0; i < used; ++i) {
@@ -55,7 +55,7 @@ bool is_text(Cards& cards, int32_t used) {
     if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;
     if (byte >= 0x80 && may_hold_name(cards, used)) continue;
     const bool mark = cards.line == 1 && i == 0 && byte == 0xef;
-    fault(cards, i + 1, i + 1, "column ", i + 1, " holds the byte ", static_cast<int32_t>(byte),
+    fault(cards, i + 1, i + 1, "column ", i + 1, " contains the byte ", static_cast<int32_t>(byte),
           mark ? ", a byte order mark; expected plain ASCII text" : ", expected plain ASCII text");
     return false;
   }
@@ -75,14 +75,14 @@ bool next_line(Cards& cards) {
   return true;
 }
 
-// A C in column 1 makes a comment, unless columns 2-5 hold an integer: then it looks like a node card.
+// A C in column 1 begins a comment, unless columns 2-5 contain an integer: then the card looks like a node card.
 bool is_comment(Cards& cards) {
   if (cards.text[0] != 'C') return false;
   int32_t number;
   if (is_blank(cards.text + 1, 4) || integer_field(cards.text + 1, 4, &number) != FieldFault::none) return true;
-  fault(cards, 1, 1, "column 1 holds 'C' before the number ", number,
+  fault(cards, 1, 1, "column 1 contains 'C' before the number ", number,
         ", expected a coordinate letter, which is blank or P (or a comment without a number in columns 2-5)");
-  return !cards.holds_nodes;
+  return !cards.is_node_section;
 }
 
 bool is_free_comment(const Cards& cards) {
@@ -111,7 +111,7 @@ void refuse_tabs(Cards& cards) {
   const int32_t column = place_of('\t', cards.text, kCardColumns) + 1;
   if (column > kCardColumns) return;
   fault(cards, column, column, "column ", column,
-        " holds a tab, expected blanks: fields stand in fixed columns, and a tab does not say how many");
+        " contains a tab, expected blanks: fields are in fixed columns, and a tab has no defined width");
   cards.refused = true;
 }
 
@@ -137,7 +137,7 @@ bool next_fixed_card(Cards& cards) {
   return !cards.ended;
 }
 
-// Comments are told in front of the card on which, or above which, they stand.
+// Comments are passed on before the card on which, or above which, they stand.
 void tell_comment(Cards& cards, const Words& words) {
   const bool has_c = is_free_comment(cards);
   if (cards.in_extensions && words.count > 0 && !has_c) return;
@@ -153,7 +153,7 @@ bool next_card(Cards& cards, const char* what) {
   if (cards.free_form ? next_free_card(cards, cards.words) : next_fixed_card(cards)) {
     cards.taken = 0;
     if (!cards.free_form || cards.text[cards.words.word[0].column - 1] != '*') return true;
-    word_fault(cards, cards.words, 0, "a keyword card stands here, expected ", what);
+    word_fault(cards, cards.words, 0, "found a keyword card, expected ", what);
     cards.ended = true;
     return false;
   }
@@ -163,8 +163,8 @@ bool next_card(Cards& cards, const char* what) {
 
 bool next_free_card(Cards& cards, Words& words) {
   cards.free_form = true;
-  if (cards.held) { // its faults have been told
-    cards.held = false;
+  if (cards.reread) { // its faults have been reported
+    cards.reread = false;
     split_words(cards.text, cards.length, words);
     return !cards.ended;
   }
@@ -177,14 +177,14 @@ bool next_free_card(Cards& cards, Words& words) {
   if (cards.in_extensions) tell_field(cards, C2D_CARD_EXTENSION, 0, 0, cards.text, cards.length, 0);
   const int32_t used = words.word[words.count - 1].column_end;
   if (used > kFreeColumns)
-    fault(cards, kFreeColumns + 1, used, "the card goes beyond column ", kFreeColumns,
-          ", expected at most so many columns in front of a comment");
+    fault(cards, kFreeColumns + 1, used, "the card extends beyond column ", kFreeColumns,
+          ", expected all fields within these columns");
   else if (!complete)
     fault(cards, 0, 0, "the card has more than ", kMaximumWords, " fields");
   return !cards.ended;
 }
 
-void hold_card(Cards& cards) { cards.held = true; }
+void reread_card(Cards& cards) { cards.reread = true; }
 
 Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
   c2d_error& entry = cards.entry;
@@ -201,10 +201,10 @@ Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
 }
 
 void end_fault(Cards& cards) {
-  if (cards.miscounted) return; // what else seems wrong follows from it
-  if (cards.vital || cards.counting) put(cards.text_of_entry, "; what follows cannot be read without it");
-  if (cards.faults >= kMaximumFaults) {                        // counted all the same: what has faults is not passed on
-    if (!C2D_NEVER(cards.faults == INT32_MAX)) ++cards.faults; // (nor that)
+  if (cards.miscounted) return; // further faults follow from it
+  if (cards.vital || cards.counting) put(cards.text_of_entry, "; the rest cannot be read without it");
+  if (cards.faults >= kMaximumFaults) {                        // still counted: a deck with faults is not passed on
+    if (!C2D_NEVER(cards.faults == INT32_MAX)) ++cards.faults; // nor that many faults
     if (!cards.ended && cards.report != nullptr) {
       cards.text_of_entry = text_in(cards.entry.text);
       put(cards.text_of_entry, "too many faults, the rest of the deck was not read");

@@ -5,7 +5,7 @@ namespace c2d {
 namespace {
 
 struct ConditionCard {
-  bool sound;             // element and local node are known
+  bool sound;             // element and local node are valid
   bool is_generated;      // I1 = 1: for all ends since the card before
   int32_t element, local; // within the body; local functional node from 1
   int32_t codes[4];
@@ -13,12 +13,12 @@ struct ConditionCard {
   bool values_sound;
 };
 
-// On a card of the free form the flag may be missing and the codes may be one field; the number of fields tells.
+// On a free-form card the flag may be missing and the codes may be one field; the number of fields decides.
 struct FieldCount {
   bool has_flag, codes_apart;
 };
 constexpr int32_t kFields = 7;     // element, node, codes, four values
-constexpr int32_t kMoreFields = 3; // where each code is a field
+constexpr int32_t kMoreFields = 3; // more, if each code is a field
 
 bool count_fields(Cards& cards, FieldCount& count) {
   count.has_flag = count.codes_apart = true;
@@ -43,7 +43,7 @@ bool read_joined_codes(Cards& cards, int32_t codes[4]) {
   if (!sound) {
     char shown[12] = {};
     copy_word(cards.words, cards.taken - 1, shown, sizeof shown);
-    field_fault(cards, 12, 15, "codes are '", shown,
+    field_fault(cards, 12, 15, "the codes are '", shown,
                 "', expected four digits 0 (known) or 1 (unknown): x and y traction, x and y displacement");
     return false;
   }
@@ -54,7 +54,7 @@ bool read_joined_codes(Cards& cards, int32_t codes[4]) {
   return true;
 }
 
-// A value of something unknown would be ignored: it is meant to be known, or belongs to another field.
+// A value of an unknown quantity would be ignored: the code or the field is probably wrong.
 bool read_value(Cards& cards, int32_t column, const char* name, int32_t code, double* value) {
   if (!real(cards, column, name, value)) return false;
   if (code == 0 || *value == 0.0) return true;
@@ -91,7 +91,7 @@ ConditionCard read_condition(Deck& deck, int b) {
   return card;
 }
 
-// Give this card's condition to all ends after `previous` up to its own; without generation to its own alone.
+// Applies the condition of this card to all ends after `previous` up to its own; without generation only to its own.
 bool set_conditions(Deck& deck, int b, const ConditionCard& previous, const ConditionCard& card) {
   if (deck.sink == nullptr || !card.values_sound) return true;
   place(deck, 1, 56);
@@ -130,7 +130,7 @@ bool read_point_load(Deck& deck, int b, int32_t i) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "a point load card")) return false;
   if (!fits_count(deck, may_be_point_load(cards), i)) return false;
-  int32_t number; // the cards count anyway
+  int32_t number; // read, but not used: the cards are counted
   any_integer(cards, 1, "number of the point load", &number);
   unused_column(cards, 6);
   double data[4] = {0, 0, 0, 0};
@@ -162,11 +162,11 @@ bool read_conditions(Deck& deck, int b) {
     if (cards.ended) return false;
     const bool follows = !card.is_generated || previous.sound;
     if (card.sound && card.is_generated && i == 0)
-      field_fault(cards, 1, 1, "conditions are to be generated from a card before this one, expected one");
+      field_fault(cards, 1, 1, "this card generates conditions from the card before it, expected such a card");
     else if (card.sound && follows && card.is_generated && is_behind(card, previous))
       field_fault(cards, 2, 10, "conditions are generated up to element ", card.element + element_offset(deck, b), " node ",
-                  card.local, ", expected an end behind the card before (element ", previous.element + element_offset(deck, b),
-                  " node ", previous.local, ")");
+                  card.local, ", expected an end after that of the card before (element ",
+                  previous.element + element_offset(deck, b), " node ", previous.local, ")");
     else if (card.sound && follows && !set_conditions(deck, b, previous, card))
       return false;
     previous = card;

@@ -13,7 +13,7 @@ bool read_problem_type(Deck& deck) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the type of problem")) return false;
   int32_t plane = 0;
-  int32_t output = C2D_ANALYSIS_CONTACT; // where it is unreadable: with this any number of zones is legal
+  int32_t output = C2D_ANALYSIS_CONTACT; // default if unreadable: it allows any number of zones
   integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress)", 0, 1, &plane);
   any_integer(cards, 6, "type of output (IOUT)", &output);
   end_of_fields(cards, 11);
@@ -24,7 +24,7 @@ bool read_problem_type(Deck& deck) {
   return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
 }
 
-// What the workspace was made for cannot be changed by a deck.
+// A deck cannot change the sizes for which the workspace was created.
 bool fits_workspace(Deck& deck) {
   if (deck.sink == nullptr) return true;
   const int32_t bodies = deck.sink->bodies, nodes = deck.sink->function_nodes;
@@ -37,11 +37,11 @@ bool fits_workspace(Deck& deck) {
   return deck.cards.faults == old_faults;
 }
 
-// The list of bodies is the caller's. If it is too short, how many there are is the only answer.
+// The caller owns the list of bodies. If it is too short, only the number of bodies is returned.
 bool fits_list(Deck& deck) {
   Cards& cards = deck.cards;
   if (deck.sizes.bodies <= deck.room) return true;
-  cards.counting = false; // no fault of the deck
+  cards.counting = false; // not a fault of the deck
   put_all(begin_field_fault(cards, 1, 5), "c2d_limits.body has room for ", deck.room, ", the deck has ", deck.sizes.bodies,
           deck.sizes.bodies == 1 ? " body" : " bodies");
   cards.entry.status = C2D_ERR_LIMIT;
@@ -106,8 +106,8 @@ bool read_body(Deck& deck, int b) {
   return !cards.ended && set_body(deck, b, 1.0, 0.0);
 }
 
-// Whether the elements of a body are numbered on from those before: the first region card of body 2 says so for all. Where that
-// card is wrong, the guess that makes the fewest faults further on.
+// Does the numbering of elements continue from body to body? The first region card of body 2 decides for all. If it is
+// wrong, the guess that causes the fewest later faults is used.
 bool continues(const Deck& deck, bool first_known, int32_t first, int32_t last) {
   if (first_known && first == deck.body[0].elements + 1) return true;
   if (first_known && first == 1) return false;
@@ -160,7 +160,7 @@ bool read_elastic_constants(Deck& deck, int b) {
   return !cards.ended;
 }
 
-// Coefficient i stands on a further card? In the fixed form after every seventh, in the free form where the card ends.
+// Is coefficient i on a further card? In the fixed form after every seventh, in the free form where the card ends.
 bool go_to_coefficient(Cards& cards, int32_t i) {
   if (cards.free_form) return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
   if (i == 0 || i % kCoefficientsPerCard != 0) return true;
@@ -190,13 +190,13 @@ bool read_friction(Deck& deck) {
       if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
     }
   }
-  cards.counting = true; // more than were counted: then so is what follows
+  cards.counting = true; // more cards than counted: then the next cards are misread as well
   end_of_fields(cards, 7 + 10 * kCoefficientsPerCard);
   cards.counting = false;
   return !cards.ended;
 }
 
-// The card with the number of heading cards is the first, but for *FREE.
+// The card with the number of heading cards is the first, except *FREE.
 bool read_first_card(Cards& cards) {
   static const char* const kName = "the card with the number of heading cards";
   if (!next_heading(cards, kName)) return false;

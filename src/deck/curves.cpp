@@ -1,4 +1,4 @@
-// *CURVE kind body first last: what the surface is over elements of a body.
+// *CURVE kind body first last: given surface over elements of a body.
 //   *CURVE LINE body first last
 //   *CURVE ARC body first last x0 y0 radius      in global coordinates
 //   *CURVE SPLINE body first last

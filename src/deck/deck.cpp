@@ -5,9 +5,9 @@
 namespace c2d {
 namespace {
 
-constexpr int32_t kSequenceColumn = 72; // behind it cards carry their sequence numbers
+constexpr int32_t kSequenceColumn = 72; // columns after it contain sequence numbers
 
-// Whether regions may be open is known at the end of the deck only.
+// Whether open regions are legal is known only at the end of the deck, after *SYMMETRY.
 void check_open_regions(Deck& deck) {
   Cards& cards = deck.cards;
   const int32_t line = cards.line;
@@ -18,7 +18,7 @@ void check_open_regions(Deck& deck) {
     const int32_t points = deck.body[b].points;
     fault(cards, 0, 0, "number of boundary points is ", points, ", expected ", points - open_regions(deck, b), ": ",
           deck.body[b].elements, " elements of ", element_nodes(deck, b),
-          " nodes; more only with *SYMMETRY, one for each open region"); // (the card itself is gone, with its fields' places)
+          " nodes; more only with *SYMMETRY, one for each open region"); // columns unknown: the card is no longer in memory
   }
   cards.line = line;
   cards.body = 0;
@@ -111,11 +111,12 @@ bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
   const int32_t line = cards.line, body = cards.body;
   cards.line = deck.counted_line;
   cards.body = deck.counted_body;
-  const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
+  const bool fixed = !cards.free_form; // the card is no longer in memory, nor the columns of its fields
   const int32_t column = deck.counted_line == deck.zones_line ? 6 : 1;
   fault(cards, fixed ? column : 0, fixed ? column + 4 : 0, deck.counted, " is ", deck.counted_cards, ", but line ", line,
-        read_so_far < deck.counted_cards ? " holds another kind of card after " : " holds one more, or a wrong card, after ",
-        read_so_far, " of them; what follows cannot be read without it");
+        read_so_far < deck.counted_cards ? " contains another kind of card after "
+                                         : " contains one more, or a wrong card, after ",
+        read_so_far, " of them; the rest cannot be read without it");
   cards.line = line;
   cards.body = body;
   cards.ended = true;

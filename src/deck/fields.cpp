@@ -1,4 +1,4 @@
-// Fields of cards: numbers where the format puts them, and the faults in them.
+// Fields of cards: numbers in the columns of the format, and their faults.
 #include "deck/cards.hpp"
 
 #include "deck/number.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLargest = 1e100;
 
-// The text of a field without outer blanks, in quotes. (It is not blank: that is 0, and well formed.)
+// The text of a field without outer blanks, in quotes. It is not blank: a blank field is a valid 0.
 void put_field(Text& text, const char* field, int32_t width) {
   while (field[width - 1] == ' ') --width;
   while (field[0] == ' ') {
@@ -30,13 +30,13 @@ void malformed_field(Cards& cards, int32_t column, int32_t width, const char* ex
     put_character(text, '-');
     put(text, column_end);
   }
-  put(text, width == 1 ? " holds " : " hold ");
+  put(text, width == 1 ? " contains " : " contain ");
   put_field(text, cards.text + column - 1, width);
   put_all(text, ", expected ", expected, ": ", name);
   end_fault(cards);
 }
 
-// An integer in these columns, blanks around it allowed; width 0: a field with nothing in it.
+// An integer in these columns, with blanks around it; width 0: an empty field.
 bool integer_at(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most, int32_t* value) {
   int32_t found;
   const FieldFault why = integer_field(cards.text + column - 1, width, &found);
@@ -72,7 +72,7 @@ bool real_at(Cards& cards, int32_t column, int32_t width, const char* name, doub
 
 int32_t width_of(const Word& word) { return word.column_end - word.column + 1; }
 
-// Where the field in these columns of the fixed form stands on the card at hand.
+// Position on the current card of the field with these columns in the fixed form.
 bool find_field(Cards& cards, int32_t column, int32_t width, const char* name, Word& at) {
   at = {static_cast<int16_t>(column), static_cast<int16_t>(column + width - 1)};
   if (!cards.free_form) return true;
@@ -114,7 +114,7 @@ bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
 int32_t words_left(const Cards& cards) { return cards.words.count - cards.taken; }
 
 int32_t take_word(Cards& cards, int32_t column, int32_t width) {
-  if (C2D_NEVER(cards.taken >= kMaximumWords)) return kMaximumWords; // no card has so many fields
+  if (C2D_NEVER(cards.taken >= kMaximumWords)) return kMaximumWords; // no card has that many fields
   Word& place = cards.place[cards.taken];
   place.column = static_cast<int16_t>(column);
   place.column_end = static_cast<int16_t>(column + width - 1);
@@ -179,11 +179,11 @@ bool real(Cards& cards, int32_t column, const char* name, double* value) {
 
 void unused_column(Cards& cards, int32_t column) {
   if (cards.refused || cards.free_form || cards.text[column - 1] == ' ') return;
-  malformed_field(cards, column, 1, "a blank", "this column belongs to no field");
+  malformed_field(cards, column, 1, "a blank", "this column is outside all fields");
 }
 
 void end_of_fields(Cards& cards, int32_t column) {
-  constexpr int32_t kLastColumn = 72; // behind it cards carry their sequence numbers
+  constexpr int32_t kLastColumn = 72; // columns after it contain sequence numbers
   if (cards.refused) return;
   if (cards.free_form) {
     end_of_words(cards, cards.words, cards.taken);
@@ -196,7 +196,7 @@ void end_of_fields(Cards& cards, int32_t column) {
   if (first > kLastColumn || !one_of(cards.text[first - 1], "+-.0123456789")) return;
   int32_t last = first;
   while (last < kLastColumn && cards.text[last] != ' ') ++last;
-  malformed_field(cards, first, last - first + 1, "blanks", "no number belongs there, are the columns right?");
+  malformed_field(cards, first, last - first + 1, "blanks", "these columns are outside all fields");
 }
 
 bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most, int32_t* value) {

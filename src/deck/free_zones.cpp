@@ -1,6 +1,6 @@
-// *ZONE first1 last1 first2 last2 [count1 count2]: elements of bodies 1 and 2 between which there may be
-// contact, meshed independently of each other. Counts serve ranges that go round the end of their region.
-// BODIES b1 b2, in front of these numbers or behind them, names other bodies.
+// *ZONE first1 last1 first2 last2 [count1 count2]: ranges of elements of bodies 1 and 2 that may come into
+// contact, with independent meshes. Counts are needed for ranges across the end of their region.
+// BODIES b1 b2, before or after these numbers, selects other bodies.
 #include "deck/keywords.hpp"
 
 namespace c2d {
@@ -9,7 +9,7 @@ namespace {
 
 int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
 
-// Where the words BODIES b1 b2 stand; -1: they do not.
+// Position of the words BODIES b1 b2; -1: absent.
 int32_t place_of_bodies(const Words& words) {
   for (int32_t i = 0; i < words.count; ++i)
     if (word_is(words, i, "BODIES")) return i;
@@ -22,26 +22,26 @@ bool read_bodies(Deck& deck, const Words& words, int32_t at, c2d_zone& zone) {
   Cards& cards = deck.cards;
   zone.side1.body = 1, zone.side2.body = 2;
   if (at < 0 && deck.sizes.bodies < 2) {
-    fault(cards, 0, 0, "a contact zone with one body only, expected two bodies, or BODIES 1 -1 for a body that meets itself");
+    fault(cards, 0, 0, "a contact zone in a deck of one body, expected two bodies, or BODIES 1 -1 for self-contact");
     return false;
   }
   if (at < 0) return true;
   const int32_t bodies = deck.sizes.bodies;
   if (!integer_word(cards, words, at + 1, "first body of the zone", 1, bodies, &zone.side1.body)) return false;
   if (!integer_word(cards, words, at + 2, "second body of the zone", INT32_MIN, INT32_MAX, &zone.side2.body)) return false;
-  if (zone.side2.body == -zone.side1.body) { // a body that meets itself
+  if (zone.side2.body == -zone.side1.body) { // self-contact
     zone.side2.body = zone.side1.body;
     zone.kind |= C2D_ZONE_SELF;
     return true;
   }
   if (zone.side2.body < 1 || zone.side2.body > bodies) {
     word_fault(cards, words, at + 2, "second body of the zone is ", zone.side2.body, ", expected 1 to ", bodies, ", or -",
-               zone.side1.body, " for a body that meets itself");
+               zone.side1.body, " for self-contact");
     return false;
   }
   if (zone.side1.body != zone.side2.body) return true;
   word_fault(cards, words, at + 2, "bodies of the zone are ", zone.side1.body, " and ", zone.side2.body,
-             ", expected two different ones, or the second as -", zone.side1.body, " for a body that meets itself");
+             ", expected two different ones, or the second as -", zone.side1.body, " for self-contact");
   return false;
 }
 

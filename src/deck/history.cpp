@@ -1,10 +1,10 @@
-// *CASES n: what load cases 1 ... n carry beside the deck's own cards, which are case 1. Below it, cards
-//   case k                                        the cards that follow are of case k
+// *CASES n: values of load cases 1 ... n in addition to the other cards of the deck, which are case 1. Below it, cards
+//   case k                                        the following cards belong to case k
 //   condition body elements local tx ty ux uy     elements: e or e1-e2, numbered as on the condition cards; local 0:
 //                                                 all ends; known quantities only, the codes are the deck's
 //   load body x y fx fy                           a point load, in global coordinates
-// *PATH: instead of the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
-//   a straight piece of path, which begins where the last one ended (at zero at first).
+// *PATH: replaces the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
+//   a straight path segment, which begins at the end of the last one (the first at zero).
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
@@ -79,7 +79,7 @@ void read_case_load(Deck& deck, const Words& words, int32_t load_case) {
   accept(deck, deck.sink->add_point_load(deck.sink->solver, body, load_case, v[0], v[1], v[2], v[3]));
 }
 
-// The card at hand may be another keyword by now.
+// The current card may already be the next keyword.
 void no_cards(Cards& cards, int32_t keyword_line, const char* text) {
   const int32_t line = cards.line;
   cards.line = keyword_line;
@@ -100,7 +100,7 @@ void read_cases(Deck& deck, const Words& keyword_card) {
   for (Words words; next_data_card(deck, words) && known;) {
     if (word_is(words, 0, "CASE")) {
       if (integer_word(cards, words, 1, "load case", 1, cases, &load_case) && seen.again(load_case))
-        word_fault(cards, words, 1, "case ", load_case, " stands below *CASES twice, expected it once");
+        word_fault(cards, words, 1, "case ", load_case, " appears twice below *CASES, expected it once");
       end_of_words(cards, words, 2);
     } else if (load_case == 0) {
       word_fault(cards, words, 0, "expected a card `case k` before the first values of a load case");
@@ -126,7 +126,7 @@ void read_path(Deck& deck, const Words& keyword_card) {
     bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
     const int32_t factors = words.count - 1;
     for (int32_t k = 0; k < factors; ++k) sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
-    if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one for every load case");
+    if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one per load case");
     ++pieces;
     if (!sound || factors == 0 || deck.sink == nullptr) continue;
     place_words(deck, words);
@@ -148,7 +148,7 @@ void read_friction(Deck& deck, const Words& keyword_card) {
     any = true;
     if (!integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone)) continue;
     if (seen.again(zone)) {
-      word_fault(cards, words, 0, "zone ", zone, " stands below *FRICTION twice, expected it once");
+      word_fault(cards, words, 0, "zone ", zone, " appears twice below *FRICTION, expected it once");
       continue;
     }
     for (int32_t i = 1; i <= deck.sizes.coefficients; ++i) {

@@ -1,5 +1,5 @@
-// *INTERFERENCE load_case: bodies may overlap before any load; the factor of this case closes the overlaps. It may be one
-// case more than the deck has otherwise.
+// *INTERFERENCE load_case: bodies may overlap before any load; the factor of this case removes the overlaps. It may be one
+// case more than the deck otherwise has.
 #include "deck/keywords.hpp"
 
 namespace c2d {

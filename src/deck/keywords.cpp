@@ -9,29 +9,29 @@ namespace {
 struct Keyword {
   const char* name; // capitals, without the star; at most one blank inside
   KeywordHandler read;
-  bool repeats; // may stand in a deck more than once
-  // The call that declares the part of the library which the keyword needs, null: it needs none; is it linked?
+  bool repeats; // may appear more than once in a deck
+  // The call that links the part of the library that the keyword needs, null: none; is it linked?
   const char* call = nullptr;
   bool (*has_part)(const DeckSink& sink) = nullptr;
 };
 
-// The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
-// must allow for either order. Keywords and where they are read:
-//   *UNITS length force      units.cpp      names of the units, for titles of axes
-//   *CASES n                 history.cpp    load cases beside the deck's own
-//   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
+// New keywords are added here. Keywords may come in any order, so a handler that needs data of another
+// must work in either order. Keywords and their source files:
+//   *UNITS length force      units.cpp      names of the units, for axis titles
+//   *CASES n                 history.cpp    further load cases
+//   *PATH                    history.cpp    path segments by their load factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
-//   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
-//   *ZONE e1 e1 e2 e2 ...    free_zones.cpp contact between elements of two bodies, meshed independently
+//   *SYMMETRY X value        symmetry.cpp   line of symmetry x = value (Y: y = value)
+//   *ZONE e1 e1 e2 e2 ...    free_zones.cpp contact between elements of two bodies with independent meshes
 //   *TIE zone                tie.cpp        a zone is bonded
 //   *PLATEN body e e x y     platen.cpp     elements move as one rigid body, with motions and loads by load case
-//   *NAME BODY body text     names.cpp      what a body is called (ZONE: a zone)
-//   *CURVE kind body e e     curves.cpp     what the surface is over elements of a body
-//   *RIGID LOAD body x y ... rigid.cpp      motions of a rigid body are free, with forces and a moment by load case
-//   *RIGID [body]            rigid.cpp      a body is a rigid obstacle, with motions by load case
-//   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
+//   *NAME BODY body text     names.cpp      name of a body (ZONE: of a zone)
+//   *CURVE kind body e e     curves.cpp     given surface over elements of a body
+//   *RIGID LOAD body x y ... rigid.cpp      free motions of a rigid body, with forces and a moment by load case
+//   *RIGID [body]            rigid.cpp      a rigid body, with prescribed motions by load case
+//   *INTERFERENCE load_case  interference.cpp   initial overlaps are removed by a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-//   *POINTS                  points.cpp     where interior results are wanted
+//   *POINTS                  points.cpp     points for interior results
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
@@ -56,7 +56,7 @@ static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
 constexpr int32_t kMaximumName = 24;
 
 bool is_keyword_card(const Words& words) {
-  if (C2D_NEVER(words.count == 0)) return false; // (cards without words are passed over)
+  if (C2D_NEVER(words.count == 0)) return false; // cards without words are skipped
   return words.text[words.word[0].column - 1] == '*';
 }
 
@@ -75,7 +75,7 @@ int32_t words_in(const char* name) { return name[place_of(' ', name, text_length
 
 int32_t least_of(int32_t a, int32_t b) { return a < b ? a : b; }
 
-// How many letters must be put in, taken out or changed to turn one name into the other.
+// Edit distance (Levenshtein) of two names: insertions, deletions and changes of letters.
 int32_t edit_distance(const char* a, const char* b) {
   int32_t row[kMaximumName];
   const int32_t length = text_length(b);
@@ -92,7 +92,7 @@ int32_t edit_distance(const char* a, const char* b) {
   return row[length];
 }
 
-// The known name nearest to what the card begins with; null if none is near.
+// The known keyword nearest to the first words of the card; null if none is near.
 const char* nearest(const Words& words) {
   const char* found = nullptr;
   int32_t least = kMaximumName;
@@ -142,12 +142,12 @@ void drop_words(Words& words, int32_t count) {
   for (int32_t i = 0; i < words.count; ++i) words.word[i] = words.word[i + count];
 }
 
-// What a handler has left of its cards; told unless the keyword had faults anyway.
-void leave_cards(Deck& deck, const char* name, bool told) {
+// Cards that the handler did not read; reported unless the keyword has faults already.
+void leave_cards(Deck& deck, const char* name, bool reported) {
   Words words;
-  for (; next_data_card(deck, words); told = true)
-    if (!told)
-      fault(deck.cards, 0, 0, "the card does not belong to *", name,
+  for (; next_data_card(deck, words); reported = true)
+    if (!reported)
+      fault(deck.cards, 0, 0, "the card does not belong to the keyword *", name,
             " above it, expected a keyword card or the end of the deck");
 }
 
@@ -162,15 +162,14 @@ void read_keyword(Deck& deck, Words& words) {
   const Keyword& keyword = kKeywords[found];
   const uint32_t bit = uint32_t{1} << found;
   if ((deck.keywords_seen & bit) != 0 && !keyword.repeats) {
-    word_fault(cards, words, 0, "*", keyword.name, " stands in the deck twice, expected it once");
+    word_fault(cards, words, 0, "*", keyword.name, " appears twice in the deck, expected it once");
     leave_cards(deck, keyword.name, true);
     return;
   }
   deck.keywords_seen |= bit;
   if (deck.sink != nullptr && keyword.call != nullptr && !keyword.has_part(*deck.sink)) {
     word_fault(cards, words, 0, "*", keyword.name,
-               " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): ", keyword.call,
-               " links it");
+               " needs a part of the library that this program does not link (C2D_PARTS_BY_CALL): ", keyword.call, " links it");
     leave_cards(deck, keyword.name, true);
     return;
   }
@@ -185,7 +184,7 @@ void read_keyword(Deck& deck, Words& words) {
 bool next_data_card(Deck& deck, Words& words) {
   if (!next_free_card(deck.cards, words)) return false;
   if (!is_keyword_card(words)) return true;
-  hold_card(deck.cards);
+  reread_card(deck.cards);
   return false;
 }
 

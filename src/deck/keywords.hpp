@@ -1,23 +1,23 @@
 #pragma once
-// Extension cards: what follows the last load card, each part begun by a keyword card `*NAME fields`. They
-// are always of the free form, in a deck of either form.
+// Extension cards, after the last load card; each part begins with a keyword card `*NAME fields`. They
+// are always free-form, in a deck of either form.
 #include "deck/deck.hpp"
 
 namespace c2d {
 
-// Reads the fields of the keyword card (those behind the name, from 0) and, with next_data_card, the cards
-// below it. Report faults with integer_word, real_word, word_fault ... and go on; hand what is sound to
-// deck.sink unless that is null (then only count into deck.sizes and check). What the handler leaves of its
-// cards is a fault. `keyword_card` is gone once the next card has been read.
+// Reads the fields of the keyword card (after the name, from 0) and, with next_data_card, the cards
+// below it. Report faults with integer_word, real_word, word_fault ... and continue; pass valid data to
+// deck.sink unless that is null (then only count into deck.sizes and check). Cards of the keyword that the
+// handler does not read are a fault. `keyword_card` is invalid once the next card has been read.
 using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
 
-// The next card below the keyword at hand; false at the next keyword and at the end of the deck.
+// The next card below the current keyword; false at the next keyword and at the end of the deck.
 bool next_data_card(Deck& deck, Words& words);
 
-// A zone of this kind that a keyword adds, of so many elements: its sizes, as far as the deck tells which elements face others.
+// Counts a zone of this kind with so many elements: its sizes, as far as the deck determines which elements face each other.
 void count_zone(Deck& deck, int32_t elements, int32_t kind); // free_zones.cpp
 
-// One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they read.
+// One handler per keyword; the table is in keywords.cpp, the handlers in files named after their keywords.
 void read_units(Deck& deck, const Words& keyword_card);     // units.cpp
 void read_cases(Deck& deck, const Words& keyword_card);     // history.cpp
 void read_path(Deck& deck, const Words& keyword_card);      //

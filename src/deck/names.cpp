@@ -1,4 +1,4 @@
-// *NAME BODY number text, *NAME ZONE number text: what a body or a zone is called. The text is all that stands behind the
+// *NAME BODY number text, *NAME ZONE number text: name of a body or a zone. The name is the rest of the card after the
 // number, in any script.
 #include "deck/keywords.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 bool is_blank_or_tab(char c) { return c == ' ' || c == '\t'; }
 
-// From the first word of the name to the comment; false if it was told to be no name.
+// The text from the first word of the name to the comment; false if it is invalid, which was reported.
 bool read_text(Cards& cards, const Words& words, char (&name)[kLongestName + 1]) {
   constexpr int32_t kFirst = 2;
   if (!is_there(cards, words, kFirst, "a name")) return false;
@@ -40,13 +40,13 @@ void read_name(Deck& deck, const Words& keyword_card) {
   if (!zone && !word_is(keyword_card, 0, "BODY"))
     return void(word_fault(cards, keyword_card, 0, "expected BODY or ZONE, its number and its name"));
   if (zone && deck.sizes.zones == 0)
-    return void(word_fault(cards, keyword_card, 1, "there is no contact zone yet, expected zones before their names"));
+    return void(word_fault(cards, keyword_card, 1, "no contact zone is defined yet, expected *NAME ZONE after the zones"));
   char name[kLongestName + 1];
   const bool known = zone ? integer_word(cards, keyword_card, 1, "contact zone", 1, deck.sizes.zones, &i)
                           : integer_word(cards, keyword_card, 1, "body number", 1, deck.sizes.bodies + deck.sizes.platens, &i);
   if (!known || !read_text(cards, keyword_card, name)) return;
   if (i <= NumbersSeen::kNoted / 2 && deck.names.again(2 * i - (zone ? 0 : 1)))
-    return void(word_fault(cards, keyword_card, 1, zone ? "zone " : "body ", i, " is named twice, expected one name"));
+    return void(word_fault(cards, keyword_card, 1, zone ? "zone " : "body ", i, " has two names, expected one"));
   if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
   accept(deck, deck.sink->set_name(deck.sink->solver, zone ? C2D_NAME_ZONE : C2D_NAME_BODY, i, name));

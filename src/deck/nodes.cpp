@@ -24,8 +24,8 @@ bool read_origin(Deck& deck, double origin[2]) {
   return !cards.ended;
 }
 
-// The coordinate letter of the card, blank without one. In the free form it is a field of its own that begins
-// with a letter, in front of the others.
+// The coordinate letter of the card, blank if absent. In the free form it is a separate field that begins
+// with a letter, before the others.
 char read_letter(Cards& cards) {
   char letter = cards.text[0];
   if (cards.free_form) {
@@ -39,7 +39,7 @@ char read_letter(Cards& cards) {
 }
 
 void refuse_letter(Cards& cards, char letter) {
-  if (letter == 'C') return; // has been reported as what might be a comment
+  if (letter == 'C') return; // reported already as a possible comment
   char shown[12] = {letter, '\0'};
   if (cards.free_form) copy_word(cards.words, 0, shown, sizeof shown);
   const Word at = columns_of(cards, 1, 1);
@@ -50,7 +50,7 @@ void refuse_letter(Cards& cards, char letter) {
     put_character(text, '-');
     put(text, int32_t{at.column_end});
   }
-  put_all(text, is_one ? " holds '" : " hold '", shown, "', expected a coordinate letter, which is blank or P");
+  put_all(text, is_one ? " contains '" : " contain '", shown, "', expected a coordinate letter, which is blank or P");
   end_fault(cards);
 }
 
@@ -113,14 +113,14 @@ bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
   return true;
 }
 
-// The node's number on the card, turned into that within the body. False: it cannot be right, which has been
-// reported unless it is doubtful that this is a node card.
+// Converts the node number of the card to that within the body. False: it is wrong, which has been
+// reported unless this is probably not a node card.
 bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previous, int32_t* node) {
   Cards& cards = deck.cards;
   int32_t number = 0;
   if (doubtful && !peek_integer(cards, 2, 4, &number)) return false;
   if (!integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number)) return false;
-  // Body 2's first card decides whether nodes are numbered on from those of the bodies before.
+  // The first card of body 2 decides whether node numbers continue from body to body.
   if (b == 1 && is_first) deck.nodes_continue = number > deck.body[0].points;
   const int32_t offset = point_offset(deck, b);
   const int32_t nodes = deck.body[b].points;
@@ -139,16 +139,16 @@ bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previo
 }
 
 bool next_node_card(Cards& cards) {
-  cards.holds_nodes = true;
+  cards.is_node_section = true;
   const bool found = next_card(cards, "a node card");
-  cards.holds_nodes = false;
+  cards.is_node_section = false;
   return found;
 }
 
 } // namespace
 
-// A card whose number cannot be right is skipped; after two of them in succession it is no longer sure that
-// node cards are being read at all, and the reading ends.
+// A card with a wrong number is skipped; after two in succession the reader is probably not reading
+// node cards at all, and the reading ends.
 bool read_nodes(Deck& deck, int b) {
   Cards& cards = deck.cards;
   cards.body = b + 1;
@@ -173,7 +173,7 @@ bool read_nodes(Deck& deck, int b) {
       if (card.sound && !set_node(deck, b, card.node, card.x, card.y)) return false;
       previous = card;
     } else {
-      // A first node that is not number 1 still counts the nodes on.
+      // A first node that is not number 1 still continues the numbering.
       if (is_first && card.node > 0 && card.node <= nodes) previous.node = card.node;
       previous.sound = false;
     }

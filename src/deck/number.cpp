@@ -11,7 +11,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Take the outer blanks off; the rest is text[0 .. width).
+// Removes outer blanks; the rest is text[0 .. width).
 void trim(const char*& text, int32_t& width) {
   while (width > 0 && text[width - 1] == ' ') --width;
   while (width > 0 && text[0] == ' ') {
@@ -21,7 +21,7 @@ void trim(const char*& text, int32_t& width) {
 }
 
 FieldFault malformed(const char* text, int32_t width) {
-  // "1 2" has a blank inside a number; "abc def" is no number in the first place.
+  // "1 2" is a number with a blank inside; "abc def" is not a number at all.
   bool numeric = true, blank = false;
   for (int32_t i = 0; i < width; ++i) {
     blank = blank || text[i] == ' ';
@@ -30,16 +30,16 @@ FieldFault malformed(const char* text, int32_t width) {
   return numeric && blank ? FieldFault::blank_inside : FieldFault::not_a_number;
 }
 
-// A decimal number taken apart: the digits of first[0 .. length) read as an integer, times 10^exponent.
+// A decimal number: the digits of first[0 .. length) as an integer, times 10^exponent.
 struct Parts {
   bool negative;
-  const char* first; // digits and perhaps a point among them
+  const char* first; // digits, possibly with a point
   int32_t length;
   int32_t exponent;
 };
 
-// The exponent part text[at .. width), which may be missing. Large exponents are held at +-100000: they are
-// out of range by far, whatever 80 columns of digits precede them.
+// The exponent part text[at .. width), which may be missing. Large exponents are limited to +-100000: they are
+// far out of range, whatever 80 columns of digits precede them.
 bool exponent_part(const char* text, int32_t at, int32_t width, int32_t* exponent) {
   *exponent = 0;
   if (at == width) return true;
@@ -127,8 +127,8 @@ FieldFault convert(WideInteger& digits, int32_t count, int32_t exponent, double*
   return assemble(quotient, bits, exponent - shift, digits.used != 0, value);
 }
 
-// As convert(), in single words, where the digits and the power of five are so few; most numbers are of that kind. Small code
-// does without.
+// As convert(), in single words, for few digits and small powers of five, as most numbers have. Small code
+// omits it.
 constexpr int32_t kNarrowDigits = 18, kNarrowPower = 27;
 
 int32_t raise_to_bit_62(uint64_t& a) {
@@ -159,7 +159,7 @@ FieldFault convert(const Parts& parts, double* value) {
   int32_t count = 0; // without leading zeros
   for (int32_t i = 0; i < parts.length; ++i) {
     if (parts.first[i] == '.') continue;
-    narrow = 10 * narrow + static_cast<uint64_t>(parts.first[i] - '0'); // (of no use if there are too many)
+    narrow = 10 * narrow + static_cast<uint64_t>(parts.first[i] - '0'); // unused if there are too many digits
     if (narrow != 0 || count > 0) ++count;
   }
   if (!kSmallCode && count <= kNarrowDigits && parts.exponent <= 0 && parts.exponent >= -kNarrowPower)

@@ -24,7 +24,7 @@ FieldFault real_field(const char* text, int32_t width, double* value);
 // True if every column is blank.
 bool is_blank(const char* text, int32_t width);
 
-// What was expected where a fault was found: "a number", "an integer" ...
+// The expected kind of value for a fault: "a number", "an integer" ...
 const char* expectation(FieldFault fault, bool integer);
 
 } // namespace c2d

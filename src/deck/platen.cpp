@@ -1,33 +1,33 @@
-// *PLATEN body first last x y [elements]: these elements move as one rigid body. Below it, cards `load_case word value ...`:
-// UX, UY and TURN are motions of the point (x, y), FX, FY and MOMENT what acts where no motion is given.
+// *PLATEN body first last x y [elements]: elements that move as one rigid body. Below it, cards `load_case word value ...`:
+// UX, UY and TURN prescribe motions of the point (x, y), FX, FY and MOMENT loads on motions that are not prescribed.
 #include "deck/keywords.hpp"
 
 namespace c2d {
 
 namespace {
 
-// Of each component whether cards gave its motion or its load.
+// For each component: was its motion or its load given?
 enum class Known { nothing, motion, load };
 struct PlatenCards {
   Known known[3];
   NumbersSeen cases;
 };
 
-// The words of a card behind the load case: value[0 ... 3) motions, [3 ... 6) loads; `has`: such there are.
+// The words of a card after the load case: value[0 ... 3) motions, [3 ... 6) loads; `has`: which are present.
 bool read_words(Cards& cards, const Words& words, PlatenCards& platen, double value[6], bool has[2]) {
   static const char* const kWords[6] = {"UX", "UY", "TURN", "FX", "FY", "MOMENT"};
   for (int32_t i = 1; i < words.count; i += 2) {
     int k = 0;
     while (k < 6 && !word_is(words, i, kWords[k])) ++k;
     if (k == 6) {
-      word_fault(cards, words, i, "expected UX, UY, TURN (motions that are given), FX, FY or MOMENT, and its value");
+      word_fault(cards, words, i, "expected UX, UY, TURN (prescribed motions), FX, FY or MOMENT, and its value");
       return false;
     }
     const Known found = k < 3 ? Known::motion : Known::load;
     Known& known = platen.known[k % 3];
     if (known != Known::nothing && known != found) {
       word_fault(cards, words, i, kWords[k], " of a platen whose ", kWords[(k + 3) % 6],
-                 " is given on this card or above, expected one of the two in all load cases");
+                 " is prescribed on this card or an earlier one, expected one of the two in all load cases");
       return false;
     }
     known = found;
@@ -44,7 +44,7 @@ bool read_card(Deck& deck, const Words& words, PlatenCards& platen, int32_t body
   bool has[2] = {false, false};
   if (!integer_word(cards, words, 0, "load case", 1, 10000, &load_case)) return !cards.ended;
   if (platen.cases.again(load_case)) {
-    word_fault(cards, words, 0, "load case ", load_case, " of this platen stands on two cards, expected one");
+    word_fault(cards, words, 0, "load case ", load_case, " of this platen has two cards, expected one");
     return !cards.ended;
   }
   if (!read_words(cards, words, platen, value, has)) return !cards.ended;
@@ -61,7 +61,7 @@ bool read_card(Deck& deck, const Words& words, PlatenCards& platen, int32_t body
 void read_platen(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   if (deck.problem.analysis == C2D_ANALYSIS_STRESS)
-    return void(fault(cards, 0, 0, "a platen in a stress analysis (IOUT 0), expected IOUT 1 or 2: it is tied like a zone"));
+    return void(fault(cards, 0, 0, "a platen in a stress analysis (IOUT 0), expected IOUT 1 or 2: a platen is a tied zone"));
   const int32_t old_faults = cards.faults;
   int32_t body = 1, range[2] = {1, 1}, elements = 0;
   double point[2] = {0.0, 0.0};
@@ -75,7 +75,7 @@ void read_platen(Deck& deck, const Words& keyword_card) {
   end_of_words(cards, keyword_card, 6);
   if (cards.faults == old_faults && elements == 0 && range[1] < range[0])
     word_fault(cards, keyword_card, 2, "last element of the platen is ", range[1], ", expected ", range[0],
-               " or more, or the number of elements behind the point, for a range that goes round its curve");
+               " or more; for a range across the end of its curve give the number of elements after the point");
   const bool sound = cards.faults == old_faults;
   const int32_t number = deck.sizes.bodies + ++deck.sizes.platens;
   if (sound) count_zone(deck, elements > 0 ? elements : range[1] - range[0] + 1, 0);

@@ -1,4 +1,4 @@
-// *POINTS: where interior results are wanted, in global coordinates. Below it, cards
+// *POINTS: points for interior results, in global coordinates. Below it, cards
 //   point body x y
 //   line body x1 y1 x2 y2 n            n points from one end to the other
 //   grid body x1 y1 x2 y2 nx ny        nx by ny points between opposite corners
@@ -7,10 +7,10 @@
 namespace c2d {
 namespace {
 
-// The most points of one card: their number, and twice that, are 32-bit.
+// Largest number of points of one card: it and its double fit in 32 bits.
 constexpr int32_t kMostPoints = INT32_MAX / 2;
 
-// The card's numbers behind its word; false after any fault.
+// The numbers of the card after its word; false after any fault.
 bool read_numbers(Deck& deck, const Words& words, c2d_points& points) {
   static const char* const kNames[] = {"x", "y", "x at the other end", "y at the other end"};
   Cards& cards = deck.cards;

@@ -1,12 +1,12 @@
-// *RIGID [body]: the body, 1 without a number, is a rigid obstacle. Below it, cards `load_case ux uy rotation x0 y0`: how it
-// moves, rotation in radians about (x0, y0); a case may be one more than the deck has otherwise.
+// *RIGID [body]: the body (default 1) is rigid. Below it, cards `load_case ux uy rotation x0 y0`: prescribed
+// motion, rotation in radians about (x0, y0); a case may be one more than the deck otherwise has.
 #include "deck/keywords.hpp"
 
 namespace c2d {
 
 namespace {
 
-// A card `load_case value ...` below a keyword. False if it has faults, or nothing is to be called.
+// A card `load_case value ...` below a keyword. False if it has faults, or there is no sink to call.
 bool read_case(Deck& deck, const Words& words, const char* const names[], int32_t count, int32_t* load_case, double* value) {
   Cards& cards = deck.cards;
   bool sound = integer_word(cards, words, 0, "load case", 1, 10000, load_case);
@@ -29,7 +29,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
   if (keyword_card.count > 0) integer_word(cards, keyword_card, 0, "body number", 1, deck.sizes.bodies, &body);
   end_of_words(cards, keyword_card, 1);
   if (cards.faults == old_faults && deck.rigid.again(body))
-    word_fault(cards, keyword_card, 0, "body ", body, " is named by *RIGID twice, expected it once");
+    word_fault(cards, keyword_card, 0, "body ", body, " has two *RIGID keywords, expected one");
   const bool named = cards.faults == old_faults;
   if (named && deck.sink != nullptr) {
     place_words(deck, keyword_card);
@@ -45,14 +45,14 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
 
 namespace {
 
-// X, Y, TURN: motions that are free; none of them: all.
+// X, Y, TURN: free motions; if none is named, all are free.
 bool read_free_motions(Cards& cards, const Words& words, int32_t from, int32_t is_free[3]) {
   static const char* const kMotions[] = {"X", "Y", "TURN"};
   for (int32_t i = from; i < words.count; ++i) {
     int32_t k = 0;
     while (k < 3 && !word_is(words, i, kMotions[k])) ++k;
     if (k == 3 || is_free[k] != 0) {
-      word_fault(cards, words, i, "expected X, Y or TURN, each at most once: motions that are free; none: all of them");
+      word_fault(cards, words, i, "expected the free motions X, Y or TURN, each at most once, or none of them if all are free");
       return false;
     }
     is_free[k] = 1;
@@ -63,8 +63,8 @@ bool read_free_motions(Cards& cards, const Words& words, int32_t from, int32_t i
 
 } // namespace
 
-// *RIGID LOAD body x y [X] [Y] [TURN]: the body is rigid, and these motions of the point (x, y), or all, are free. Below it,
-// cards `load_case fx fy moment`: what acts on it, the moment about the point.
+// *RIGID LOAD body x y [X] [Y] [TURN]: the body is rigid; these motions of the point (x, y), or all, are free. Below it,
+// cards `load_case fx fy moment`: load on the body, the moment about the point.
 void read_rigid_load(Deck& deck, const Words& keyword_card) {
   static const char* const kNames[] = {"force fx", "force fy", "moment"};
   Cards& cards = deck.cards;

@@ -1,4 +1,4 @@
-// Sizes and faults of a deck without any workspace.
+// c2d_scan_deck, c2d_check_deck: sizes and faults of a deck without a workspace.
 #include "deck/deck.hpp"
 #include "memory/structs.hpp"
 
@@ -21,7 +21,7 @@ c2d_error fault_with(c2d_status status) {
   return e;
 }
 
-// (Not put into scan: its frame would stand below that of the reader.)
+// Not part of scan: its frame would add to that of the reader.
 [[gnu::noinline]] c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
   c2d_error e = fault_with(C2D_ERR_ARGUMENT);
   Text text = text_in(e.text);
@@ -37,7 +37,7 @@ c2d_status scan(c2d_read_line read, void* context, c2d_limits* out, c2d_report r
   copy_in(out, &theirs, sizeof theirs);
   sizes = theirs;
   const c2d_status status = read_deck_cards(nullptr, read, context, report, report_context, &sizes);
-  if (status == C2D_ERR_LIMIT) { // of the list of bodies: how many there are is the only answer
+  if (status == C2D_ERR_LIMIT) { // the list of bodies is too short: only their number is returned
     theirs.bodies = sizes.bodies;
     copy_out(&theirs, sizeof theirs, out);
   }
@@ -54,7 +54,7 @@ c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2
 
 c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why) {
   if (why == nullptr) return c2d::scan(read, context, out, nullptr, nullptr);
-  // `why` must hold at least its status, by which the first fault is recognised.
+  // `why` must have room for its status at least, by which the first fault is recognised.
   if (!c2d::is_begun(why) || why->struct_size < 2 * sizeof(uint32_t)) return C2D_ERR_ARGUMENT;
   why->status = C2D_OK;
   return c2d::scan(read, context, out, c2d::keep_first, why);

@@ -17,7 +17,7 @@ void read_symmetry(Deck& deck, const Words& keyword_card) {
   if (!ended || cards.faults != old_faults) return;
   const int32_t bit = is_x ? 1 : 2;
   if ((deck.symmetry & bit) != 0) {
-    word_fault(cards, keyword_card, 0, "*SYMMETRY ", letter, " stands in the deck twice, expected it once");
+    word_fault(cards, keyword_card, 0, "*SYMMETRY ", letter, " appears twice in the deck, expected it once");
     return;
   }
   deck.symmetry |= bit;

@@ -1,40 +1,40 @@
 #pragma once
-// A free-form card taken apart: fields separated by blanks or commas, `!` begins a comment.
+// Fields of a free-form card, separated by blanks or commas; `!` begins a comment.
 #include <stdint.h>
 
 namespace c2d {
 
-constexpr int32_t kFreeColumns = 160; // of a free-form card; a comment may go on beyond
+constexpr int32_t kFreeColumns = 160; // of a free-form card; a comment may extend beyond
 constexpr int32_t kMaximumWords = 32;
 
-// Columns of a field, from 1. A field with nothing in it (a comma that follows no field) has
+// Columns of a field, from 1. An empty field (a comma that follows no field) has
 // column_end < column; as a number it is 0, like a blank field of the fixed form.
 struct Word {
   int16_t column, column_end;
 };
 
-// Refers to the card's own text, so it is of use until the next card is read.
+// Refers to the text of the card, so it is valid until the next card is read.
 struct Words {
   const char* text; // of the card, column 1 first
   int32_t count;
-  int32_t end; // the column behind the last field
+  int32_t end; // the column after the last field
   Word word[kMaximumWords];
 };
 
 // Fields of text[0 .. length): false if there are more than kMaximumWords (the first ones are there). Blanks
 // and tabs separate fields, and so does a comma with or without blanks around it: `1 2`, `1,2` and `1 , 2`
-// are the same, `1,,2` has a field with nothing in it, and a comma behind the last field is of no account.
+// are the same, `1,,2` has an empty field, and a comma after the last field is ignored.
 bool split_words(const char* text, int32_t length, Words& words);
 
-// Columns of text[0 .. length) in front of the comment: length if there is none.
+// Columns of text[0 .. length) before the comment: length if there is none.
 int32_t before_comment(const char* text, int32_t length);
 
 // Is field i (from 0) this word? `word` is in capitals; the field may be in small letters.
 bool word_is(const Words& words, int32_t i, const char* word);
-// Copy field i, cut off where it does not fit, ended by a zero byte; nothing if there is no such field.
+// Copies field i, truncated if it does not fit, ended by a zero byte; empty if there is no such field.
 void copy_word(const Words& words, int32_t i, char* text, int32_t size);
 
-// Letters of ASCII alone.
+// ASCII letters only.
 char capital(char c);
 
 } // namespace c2d

@@ -51,12 +51,11 @@ bool read_bodies(Deck& deck, c2d_zone& zone) {
     field_fault(cards, 6, 10, "upper body of the zone is ", zone.side2.body, ", expected 1 to ", deck.sizes.bodies);
   else if (known && zone.side1.body == zone.side2.body)
     field_fault(cards, 6, 10, "both bodies of the zone are ", zone.side2.body, ", expected two different ones, or -",
-                zone.side2.body, " for a body that meets itself");
+                zone.side2.body, " for self-contact");
   return known && zone.side2.body >= 1 && zone.side2.body <= deck.sizes.bodies;
 }
 
-// How many nodes and elements are in contact, which are added to those of the zones before. `pairs`: 0 where a fault was told
-// of them.
+// Numbers of contact nodes and elements of a zone, which are added to those of earlier zones. `pairs`: 0 if it was refused.
 struct ZoneSizes {
   int32_t pairs, elements;
 };

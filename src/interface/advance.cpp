@@ -1,4 +1,4 @@
-// Begin and advance.
+// c2d_begin, c2d_advance and c2d_next_event.
 #include "interface/advance.hpp"
 
 #include "interface/model/refuse.hpp"
@@ -18,25 +18,26 @@ C2D_MEETS(WarningPart, c2d_link_warnings);
 c2d_status finish(Session& session, c2d_status status) {
   c2d_solver* s = session.solver;
   close_session(session);
-  if (status == C2D_OK) return C2D_OK; // a cancel that came too late stops the next call
+  if (status == C2D_OK) return C2D_OK; // a cancel that arrives too late stops the next call
   if (is_store_error(status)) return fail_store(s, status);
   if (!kSmallCode && status == C2D_ERR_MEMORY) return kCompressedPart.tell_touching(s);
-  return status == C2D_ERR_CALLBACK ? status : fail(s, status, status_text(status)); // what the callback said is told
+  return status == C2D_ERR_CALLBACK ? status : fail(s, status, status_text(status)); // the callback's fault is recorded
 }
 
 c2d_status begin(Session& session) {
   c2d_solver* s = session.solver;
-  const double start = kSmallCode ? 0.0 : clock_now(s); // (boards have no room for it)
+  const double start = kSmallCode ? 0.0 : clock_now(s); // not in small code
   s->state = C2D_STATE_RUNNING;
   c2d_status status = kSmallCode ? c2d_status{C2D_OK} : allow_friction(s);
   if (status == C2D_OK) status = begin_path(session);
-  if (!kSmallCode && status == C2D_ERR_MEMORY) s->state = C2D_STATE_PREPARED; // on demand: there is no tableau to go on with
+  if (!kSmallCode && status == C2D_ERR_MEMORY)
+    s->state = C2D_STATE_PREPARED; // lazy columns: no tableau exists to continue with
   if (!kSmallCode) s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   return status;
 }
 
 c2d_status advance(Session& session, const double* target, Moment moment) {
-  if (asked_to_stop(session.solver)) return C2D_ERR_CANCELLED; // also where no event gives a chance to
+  if (asked_to_stop(session.solver)) return C2D_ERR_CANCELLED; // also on paths without events
   session.may_stop = true;
   const c2d_status status = advance_path(session, target);
   kWarningPart.warn_not_unique(session);
@@ -46,7 +47,7 @@ c2d_status advance(Session& session, const double* target, Moment moment) {
 
 namespace {
 
-// A number for every load case.
+// One finite factor per load case.
 c2d_status check_factors(c2d_solver* s, const char* name, const double* factors, int32_t cases) {
   if (cases != s->model.load_cases)
     return refuse_number(s, C2D_ERR_ARGUMENT, "cases", cases, s->model.load_cases, s->model.load_cases);
@@ -86,7 +87,7 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
   status = check_factors(s, "load", load, cases);
   if (status == C2D_OK && !outcome) status = fail(s, C2D_ERR_ARGUMENT, "outcome is null");
   if (status != C2D_OK) return status;
-  s->run_step = 0; // c2d_run would go on elsewhere
+  s->run_step = 0; // the position of c2d_run is no longer valid
   Session session;
   open_session(s, session);
   status = finish(session, advance(session, load, Moment::end));
@@ -109,11 +110,11 @@ extern "C" c2d_status c2d_next_event(c2d_solver* s, const double* direction, int
   open_session(s, session);
   for (int32_t k = 0; k < cases; ++k) session.follower.direction[k] = direction[k];
   c2d_outcome outcome = C2D_REACHED;
-  constexpr double kReach = 1e30; // further than any load, and no product with it overflows
+  constexpr double kReach = 1e30; // beyond any load, and products with it do not overflow
   double part = 0.0;
   const double start = kSmallCode ? 0.0 : clock_now(s);
   status = find_event(session.follower, kReach, &part, &outcome);
-  if (status == C2D_ERR_SINGULAR) { // the limits do not admit what goes with the direction: no way on
+  if (status == C2D_ERR_SINGULAR) { // no admissible rates in this direction: the path cannot continue
     status = return_to_good(session);
     part = 0.0;
   }

@@ -1,4 +1,4 @@
-// A solver that was moved, or dumped and reloaded, is taken up again.
+// Attaching to a solver whose memory was moved, or stored and reloaded.
 #include <stddef.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@
 
 namespace c2d {
 
-// A model may come in that no call of this program declared.
+// The solver may use parts of the library that no call of this program links.
 C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 C2D_MEETS(HolePart, c2d_link_holes);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
@@ -31,16 +31,16 @@ template <class T> T member_at(const char* solver, size_t offset) {
 }
 #define C2D_MEMBER(name) member_at<decltype(c2d_solver::name)>(at, offsetof(c2d_solver, name))
 
-// The list of bodies' limits is the first behind the struct.
+// The list of body limits is the first array after the struct.
 constexpr uint64_t list_place() { return sizeof(c2d_solver); }
 
-// Bytes from `at` to the end of that list, as the struct at `at` counts it; 0: no struct counts so.
+// Bytes from `at` to the end of that list according to the struct at `at`; 0: impossible for a valid struct.
 uint64_t list_end(const char* at) {
   const int32_t bodies = C2D_MEMBER(sizes).bodies;
   return bodies < 1 ? 0 : list_place() + static_cast<uint64_t>(bodies) * sizeof(c2d_body_limits);
 }
 
-// Everything but the list of bodies, which no struct holds the address of.
+// All sizes except the pointer to the list of bodies, which is not stored.
 bool same_sizes(const Sizes& a, const Sizes& b) {
   constexpr size_t kRest = offsetof(Sizes, zones);
   static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 13 * 8, "no padding");
@@ -48,7 +48,7 @@ bool same_sizes(const Sizes& a, const Sizes& b) {
   return same_bytes(first, other, offsetof(Sizes, body)) && same_bytes(first + kRest, other + kRest, sizeof(Sizes) - kRest);
 }
 
-// The struct at `at`, of any alignment, says of itself what only a whole one with these limits of bodies can say.
+// Is the struct at `at`, of any alignment, consistent with these body limits, as only a complete solver can be?
 bool says_the_same(const char* at, c2d_body_limits* body) {
   const int32_t state = C2D_MEMBER(state);
   if (state < C2D_STATE_EMPTY || state > C2D_STATE_BROKEN) return false;
@@ -64,12 +64,12 @@ bool says_the_same(const char* at, c2d_body_limits* body) {
     return false;
   Layout expected;
   static_assert(sizeof(Layout) == 8 * (kArrays + 1), "no padding");
-  lay_out(sizes, sizeof(c2d_solver), expected); // what has a need has a layout
+  lay_out(sizes, sizeof(c2d_solver), expected); // sizes with a computable need have a layout
   return same_bytes(&layout, &expected, sizeof layout);
 }
 
-// The list is within the memory. It is looked at where it is aligned, a few bytes further down if need be; then everything is
-// back in its place.
+// The list lies within the memory. To read it at an aligned address it is moved down by a few bytes if necessary, and moved
+// back afterwards.
 template <class Check> bool look_at(char* at, Check check) {
   char* const list = at + list_place();
   const size_t bytes = static_cast<size_t>(list_end(at) - list_place());
@@ -83,7 +83,7 @@ template <class Check> bool look_at(char* at, Check check) {
   return consistent;
 }
 
-// Has platen b, `found`, the mesh of one of the bodies before, from one of its regions on, and else arrays of its own?
+// Does platen b (`found`) share the mesh of an earlier body from one of its regions on, with other arrays of its own?
 bool borrows(const char* at, int32_t b, const Body& found, int64_t place[kBodyArrays]) {
   const char* const bodies = at + C2D_MEMBER(layout).offset[kBodies];
   for (int32_t i = 0; i < b; ++i) {
@@ -98,7 +98,7 @@ bool borrows(const char* at, int32_t b, const Body& found, int64_t place[kBodyAr
   return false;
 }
 
-// Are the bodies' arrays where these limits put them? For memory that holds the list of bodies.
+// Are the arrays of the bodies at the offsets that these limits imply? The memory must contain the list of bodies.
 bool has_its_arrays(const char* at, c2d_body_limits* body) {
   Sizes sizes = C2D_MEMBER(sizes);
   const Layout layout = C2D_MEMBER(layout);
@@ -119,12 +119,12 @@ bool has_its_arrays(const char* at, c2d_body_limits* body) {
 }
 
 const char kOtherMaker[] = "the solver in this memory is of another version of the library, size of pointers or number type";
-const char kNoEnergies[] = "the solver in this memory was prepared by a program that is linked without energies: "
-                           "c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program links them";
-const char kNoPart[] = "the solver in this memory uses a part of the library that this program is linked without "
-                       "(C2D_PARTS_BY_CALL), it is linked by ";
+const char kNoEnergies[] = "the solver in this memory was prepared by a program linked without energies: "
+                           "call c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program to link them";
+const char kNoPart[] = "the solver in this memory needs a part of the library that this program does not link "
+                       "(C2D_PARTS_BY_CALL); it is linked by ";
 
-// The call that links a part which the consistent solver at `at` uses and the program has not; null: there is none.
+// The call that links a part that the consistent solver at `at` uses and this program lacks; null: none.
 const char* missing_part(const char* at) {
   const ModelHeader head = C2D_MEMBER(model);
   const Layout layout = C2D_MEMBER(layout);
@@ -146,12 +146,12 @@ const char* missing_part(const char* at) {
   return !kEnergyPart.linked && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;
 }
 
-// Why a solver is refused: a text, and what it ends with.
+// Reason for refusing a solver: a text and its ending.
 struct Reason {
   const char *text, *end;
 };
 
-// Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early; MISMATCH with
+// Offset of the solver in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early; MISMATCH with
 // the reason.
 c2d_status find_solver(char* memory, size_t bytes, uint32_t* slack, uint64_t* needed, Reason& why) {
   c2d_status status = C2D_ERR_ARGUMENT;
@@ -168,7 +168,7 @@ c2d_status find_solver(char* memory, size_t bytes, uint32_t* slack, uint64_t* ne
     if (end <= room && !look_at(at, says_the_same)) continue;
     *slack = i;
     *needed = claimed + kAlignment - 1;
-    if (end > room) { // too little of it to tell more
+    if (end > room) { // too little memory to examine the rest
       why = Reason{nullptr, nullptr};
       return C2D_ERR_MEMORY;
     }
@@ -192,24 +192,24 @@ c2d_status find_solver(char* memory, size_t bytes, uint32_t* slack, uint64_t* ne
 }
 #undef C2D_MEMBER
 
-const char kOtherSum[] = "the memory differs from what its checksum was made of";
+const char kOtherSum[] = "the memory does not match its checksum";
 
-// Of all that stands in the image of a solver at `at`, but for a cancel, which may come at any moment.
+// Checksum of the image of a solver at `at`, except the cancel flag, which may change at any moment.
 uint64_t sum_of(const char* at, uint64_t bytes) {
   constexpr size_t kCancel = offsetof(c2d_solver, cancelled), kBehind = kCancel + sizeof(c2d_solver::cancelled);
   return checksum(checksum(0, at, kCancel), at + kBehind, bytes - kBehind);
 }
 
-// Into its place for this memory's alignment: how far behind the beginning.
+// Moves the solver to the aligned address in this memory; returns its offset.
 uint32_t move_into_place(char* memory, uint32_t found, uint64_t bytes) {
   const uint32_t slack = static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
   if (slack == found) return slack;
   memmove(memory + slack, memory + found, static_cast<size_t>(bytes));
-  if (slack > found) memset(memory + found, 0, slack - found); // no second beginning is left behind
+  if (slack > found) memset(memory + found, 0, slack - found); // erase the old beginning, so that it is not found again
   return slack;
 }
 
-// `sum`: what the image must have; null: anything.
+// `sum`: required checksum; null: not checked.
 c2d_status attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, const uint64_t* sum, c2d_error* why) {
   if (!out) return C2D_ERR_ARGUMENT;
   *out = nullptr;
@@ -238,7 +238,7 @@ c2d_status attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* 
   s->port = our_port;
   s->instructions = best_instructions();
   connect_port(s);
-  if (s->state == C2D_STATE_BROKEN) memset(s->tapes.is_open, 0, sizeof s->tapes.is_open); // c2d_restore opens anew
+  if (s->state == C2D_STATE_BROKEN) memset(s->tapes.is_open, 0, sizeof s->tapes.is_open); // c2d_restore opens the tapes again
   status = reopen_tapes(s->tapes);
   if (status != C2D_OK) {
     if (why) copy_out(&s->tapes.error, sizeof s->tapes.error, why);

@@ -1,4 +1,4 @@
-// How a body stands at the load reached.
+// State of a body at the load reached.
 #include <string.h>
 
 #include "interface/entry.hpp"
@@ -13,7 +13,7 @@ C2D_USES(RigidPart);
 
 namespace {
 
-// Of a rigid body with free motions: force, and moment about the origin.
+// Load on the free motions of a rigid body: force, and moment about the origin.
 void add_rigid_load(const Session& session, int b, double out[3]) {
   const Body& body = session.model.body[b];
   double load[3] = {0.0, 0.0, 0.0};
@@ -52,8 +52,8 @@ using namespace c2d;
 extern "C" c2d_status c2d_get_body_state(c2d_solver* s, int32_t body, c2d_body_state* out) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy && s->busy != kInStepCallback) return C2D_ERR_BUSY;
-  const bool inside = s->busy != 0; // of a step callback: nothing is changed, not even what c2d_last_error tells
-  if (inside && s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE; // its store broke there
+  const bool inside = s->busy != 0; // in a step callback: nothing may change, not even the last error
+  if (inside && s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE; // the store failed during the callback
   C2D_ASSERT(!inside || s->table_is_current != 0);
   c2d_status status = inside ? c2d_status{C2D_OK} : enter(s, state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
@@ -65,7 +65,7 @@ extern "C" c2d_status c2d_get_body_state(c2d_solver* s, int32_t body, c2d_body_s
   Session session;
   open_session(s, session);
   status = fill_body_state(session, body - 1, ours);
-  if (status != C2D_OK) return fail_store(s, status); // (a step callback is shown a table that is filled)
+  if (status != C2D_OK) return fail_store(s, status); // in a step callback the table is filled already
   copy_out(&ours, sizeof ours, out);
   return C2D_OK;
 }

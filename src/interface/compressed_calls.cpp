@@ -1,11 +1,11 @@
-// Compressed elimination by call.
+// c2d_link_compressed.
 #include "memory/parts.hpp"
 #include "results/interior/interior_cells.hpp"
 #include "solver/compressed.hpp"
 #include "solver/hold_demand.hpp"
 #include "solver/on_demand.hpp"
 
-// (Small code has none.)
+// Small code has no compressed elimination.
 const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()
                                                             : CompressedPart{true,
                                                                              elimination_by_size,

@@ -1,4 +1,4 @@
-// Conditions by calls: what is known at an element end.
+// c2d_set_condition: known and unknown quantities at an element end.
 #include "interface/model/refuse.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate/validate.hpp"
@@ -27,7 +27,7 @@ c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t
   return C2D_OK;
 }
 
-// The other end at this node may have said something else about the same displacement.
+// The other end at this node may prescribe a different displacement.
 bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int component, int32_t load_case, double value) {
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
@@ -36,7 +36,7 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
     if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) == 0) continue;
     const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component;
     const double known = m.node_disp[b][at];
-    if (load_case > 0 && known == 0.0) continue; // the codes are older than this case's values
+    if (load_case > 0 && known == 0.0) continue; // the other end set only its codes, no value in this case
     if (known != value) return false;
   }
   return true;

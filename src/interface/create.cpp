@@ -1,4 +1,4 @@
-// Memory: how much, and the solver made in it.
+// c2d_memory_need and c2d_create.
 #include <stddef.h>
 #include <string.h>
 
@@ -17,7 +17,7 @@ namespace {
 static_assert(sizeof(c2d_solver) <= C2D_SOLVER_BYTES && C2D_SOLVER_BYTES <= sizeof(c2d_solver) + 512,
               "C2D_SOLVER_BYTES of contact2d_memory.h bounds the solver's own struct, and not by much");
 
-// Bytes for these limits with the workspace at an aligned address.
+// Bytes needed for these limits if the workspace is aligned.
 c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, uint64_t* in_core) {
   c2d_status status = lay_out(sizes, sizeof(c2d_solver), layout);
   if (status != C2D_OK) return status;
@@ -39,7 +39,7 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   return C2D_OK;
 }
 
-// A copy of the caller's limits; false if they cannot be meant, with the reason.
+// Copies the caller's limits; false with the reason if they are invalid.
 bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
   if (!is_begun(limits)) {
     put_not_begun(fault, "c2d_limits", limits);
@@ -62,7 +62,7 @@ bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
   return false;
 }
 
-// What the caller's limits ask for, with the workspace at an aligned address; told to `why` where there is no such number.
+// Bytes that the caller's limits need in an aligned workspace; the fault goes to `why` if there is no such number.
 struct Need {
   Sizes sizes;
   Layout layout;
@@ -84,13 +84,13 @@ c2d_status find_need(const c2d_limits* limits, Need& out, c2d_error* why) {
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& sizes, const Layout& layout) {
-  memset(static_cast<void*>(s), 0, static_cast<size_t>(layout.offset[kBodies])); // with the list of limits
+  memset(static_cast<void*>(s), 0, static_cast<size_t>(layout.offset[kBodies])); // including the list of limits
   s->magic = kSolverMagic;
   s->maker = solver_maker();
   s->slack = slack;
   s->bytes = bytes;
   s->sizes = sizes;
-  s->sizes.body = nullptr; // the list is the caller's
+  s->sizes.body = nullptr; // the list belongs to the caller
   s->layout = layout;
   c2d_body_limits* const kept = array_of<c2d_body_limits>(s, kBodyLimits);
   for (int b = 0; b < sizes.bodies - sizes.platens; ++b)
@@ -99,7 +99,7 @@ void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& siz
   s->error = blank_error();
 }
 
-// Where the arrays of each body are, and their values that are not zero.
+// Sets the offsets of the arrays of each body and their non-zero initial values.
 void lay_out_bodies(c2d_solver* s) {
   const Sizes sizes = sizes_of(s);
   const Model m = model_of(s);
@@ -129,8 +129,8 @@ void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* wha
 }
 
 void clear_model(c2d_solver* s) {
-  // What stands before the model stays: memory, limits, port and tapes, and what c2d_last_error tells; options do, too, and so
-  // does the list of limits of the bodies, which stands before theirs.
+  // Everything before the model is kept: memory, limits, port, tapes, last error and options, and also
+  // the list of body limits, which precedes the arrays of the bodies.
   const c2d_options options = s->options;
   const int32_t warnings = s->warnings;
   memset(static_cast<void*>(&s->model), 0, sizeof *s - offsetof(c2d_solver, model));
@@ -176,7 +176,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
     explain(why, C2D_ERR_ARGUMENT, 0, what);
     return C2D_ERR_ARGUMENT;
   }
-  if (bytes < need.least + kAlignment - 1) { // the same answer at every alignment
+  if (bytes < need.least + kAlignment - 1) { // the result does not depend on the alignment
     explain(why, C2D_ERR_MEMORY, need.least + kAlignment - 1);
     return C2D_ERR_MEMORY;
   }
@@ -185,7 +185,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   poison(memory, bytes);
   if constexpr (kHostile) make_memory_hostile(need.sizes, need.layout, bytes);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
-  fill_header(s, bytes - (kAlignment - 1), slack, need.sizes, need.layout); // so that it may move to any alignment
+  fill_header(s, bytes - (kAlignment - 1), slack, need.sizes, need.layout); // it may later move to any alignment
   s->port = our_port;
   s->instructions = best_instructions();
   connect_port(s);
@@ -199,7 +199,7 @@ extern "C" c2d_status c2d_close(c2d_solver* s) {
   if (s->busy) return C2D_ERR_BUSY;
   connect_port(s);
   const c2d_status status = s->port.close ? close_all(s->tapes) : c2d_status{C2D_OK};
-  if (status != C2D_OK) fail_store(s, status); // to the log: after this there is no solver to ask
+  if (status != C2D_OK) fail_store(s, status); // log it: there will be no solver to query
   poison(s, s->bytes);
   s->magic = 0;
   return status;

@@ -1,4 +1,4 @@
-// What every call does first and last.
+// Common entry and exit of all calls.
 #include "interface/entry.hpp"
 
 #include <string.h>
@@ -11,7 +11,7 @@ namespace c2d {
 
 namespace {
 
-// A set of functions of the port of which all are there or none. `names` stand one after another, each with its zero byte.
+// A set of port functions that must be all present or all null. `names` is a list of strings with zero bytes.
 bool is_whole(const bool* is_there, int32_t count, const char* names, Text& fault) {
   int32_t there = 0;
   for (int32_t i = 0; i < count; ++i) there += is_there[i] ? 1 : 0;
@@ -86,7 +86,7 @@ using namespace c2d;
 
 extern "C" c2d_status c2d_last_error(c2d_solver* s, c2d_error* out) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
-  if (!s->busy) s->has_fault = 1; // the fault that was asked for stays the one kept
+  if (!s->busy) s->has_fault = 1; // keep the first fault
   return give(s, "c2d_error", s->error, out);
 }
 

@@ -7,7 +7,7 @@ using namespace c2d;
 
 namespace {
 
-// Not inlined: what refusals need must not lie below the integrals on a small stack.
+// Not inlined: on a small stack the frame of the checks must not add to those of the integrals.
 [[gnu::noinline]] c2d_status check_points(c2d_solver* s, int32_t body, int32_t count, const double* xy, int64_t xy_stride,
                                           double* out, int64_t out_stride) {
   if (!in_range(body, 0, s->model.bodies)) return refuse_number(s, C2D_ERR_ARGUMENT, "body number", body, 0, s->model.bodies);

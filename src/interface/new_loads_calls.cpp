@@ -1,4 +1,4 @@
-// New right-hand sides through the factorisation that is on the tapes.
+// c2d_change_loads: new right-hand sides for the stored factorisation.
 #include "contact/reduction.hpp"
 #include "elimination/eliminate.hpp"
 #include "interface/entry.hpp"

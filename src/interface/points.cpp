@@ -1,4 +1,4 @@
-// Where interior results are wanted: kept with the model, expanded for whoever asks.
+// Sets of points for interior results: stored with the model, expanded on request.
 #include <string.h>
 
 #include "interface/model/refuse.hpp"
@@ -8,7 +8,7 @@ namespace c2d {
 
 namespace {
 
-// Points of a set, 0 if its numbers are not legal. `what` says why.
+// Number of points of a set, 0 if its data are invalid, with the reason in `what`.
 int32_t points_of(const c2d_points& p, const char** what) {
   *what = "kind of points: expected C2D_POINTS_ONE, _LINE or _GRID";
   if (p.kind < C2D_POINTS_ONE || p.kind > C2D_POINTS_GRID) return 0;
@@ -24,7 +24,7 @@ int32_t points_of(const c2d_points& p, const char** what) {
   return total > INT32_MAX ? 0 : static_cast<int32_t>(total);
 }
 
-// Both ends are met exactly.
+// Both ends are exact.
 double place_between(double from, double to, int32_t i, int32_t count) {
   if (i == 0) return from;
   if (i == count - 1) return to;

@@ -1,4 +1,4 @@
-// A deck into a solver, through the calls of the C interface.
+// c2d_read_deck: reads a deck through the calls of the C interface.
 #include <string.h>
 
 #include "deck/deck.hpp"
@@ -14,7 +14,7 @@ C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 
 namespace {
 
-// The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept here.
+// The caller's deck and the solver. Every inner call clears the last error, so the first fault is stored here.
 struct Reading {
   c2d_solver* solver;
   c2d_read_line read;
@@ -37,7 +37,7 @@ void deck_fault(void* context, const c2d_error* entry) {
   report_fault(reading.solver, *entry);
 }
 
-// Inside the caller's read_line no call of this solver is legal.
+// Inside the caller's read_line no call on this solver is legal.
 int32_t read_line(void* context, char* text, int32_t size) {
   Reading& reading = *static_cast<Reading*>(context);
   reading.solver->busy = 1;
@@ -46,7 +46,7 @@ int32_t read_line(void* context, char* text, int32_t size) {
   return length;
 }
 
-// While there are no results, their place holds what the reader notes of every body.
+// Before results exist their memory stores the notes of the reader about every body.
 static_assert(sizeof(BodyResults) >= sizeof(c2d_body_limits) + 2 * sizeof(double), "one after the other");
 
 c2d_status walk(Reading& reading) {

@@ -1,4 +1,4 @@
-// Answers: fields, lists.
+// Result fields and lists.
 #include <string.h>
 
 #include "interface/model/refuse.hpp"
@@ -46,12 +46,12 @@ c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t c
   return C2D_OK;
 }
 
-// Where a pair lies on side 1: outside free zones at its node, told as the first element that has it.
+// Position of a pair on side 1: in matching zones its node, given by the first element that has it.
 void place_on_side1(const Model& m, const Pair& pair, int32_t* element, double* eta) {
   *element = pair.element;
   *eta = pair.eta;
   if (pair.node[0] < 0) return;
-  int32_t ends[2] = {0, 0}; // (at a pair's node there is one, or two)
+  int32_t ends[2] = {0, 0}; // a pair node has one or two ends
   all_ends_at_node(m, body_on(m, pair, 0), pair.node[0], ends);
   const int32_t nf = m.head->function_nodes;
   *element = ends[0] / nf;
@@ -90,7 +90,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   case C2D_END_UY: get_displacement(session, b, node, value); return value[field - C2D_END_UX];
   case C2D_END_TX:
   case C2D_END_TY: get_traction(session, b, end, value); return value[field - C2D_END_TX];
-  default: // an element that images replace is no boundary
+  default: // elements replaced by images have no results
     return is_axis_element(m, b, element) ? 0.0 : end_stress(session, field, b, end);
   }
 }

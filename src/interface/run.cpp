@@ -1,4 +1,4 @@
-// The model's own load path.
+// c2d_run: the load path of the model.
 #include <string.h>
 
 #include "interface/advance.hpp"
@@ -16,7 +16,7 @@ C2D_MEETS(WarningPart, c2d_link_warnings);
 
 namespace {
 
-// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
+// Fills the argument of a step callback with the current state; the caller sets outcome and changes. The table is filled.
 c2d_step describe_step(const Session& session, int32_t kind) {
   c2d_solver* s = session.solver;
   c2d_step now = session.now;
@@ -40,7 +40,7 @@ c2d_status call_back(Session& session, const c2d_step& now) {
   s->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   s->busy = 0;
-  if (!kSmallCode) s->back_substituted = 0; // a state that was saved there is taken up without
+  if (!kSmallCode) s->back_substituted = 0; // a state saved in the callback is restored without back substitution
   if (code == 0) return s->state == C2D_STATE_BROKEN ? s->error.status : c2d_status{C2D_OK};
   c2d_error e = blank_error();
   e.host_code = code;
@@ -61,7 +61,7 @@ c2d_status show_step(Session& session, int32_t kind) {
   c2d_step now = describe_step(session, kind);
   now.outcome = s->outcome;
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
-  close_session(session); // so that c2d_get_summary tells the callback what is so now
+  close_session(session); // so that c2d_get_summary in the callback is current
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
   if (!kSmallCode) s->run_step = now.step;
   status = call_back(session, now);
@@ -69,12 +69,12 @@ c2d_status show_step(Session& session, int32_t kind) {
   return status;
 }
 
-// Factor of a case at the end of piece p of the path; p = -1: where it begins.
+// Factor of a case at the end of path segment p; p = -1: at the start.
 double path_load(const Model& m, int32_t p, int32_t load_case) {
   return p < 0 ? 0.0 : m.path_load[static_cast<int64_t>(p) * m.head->load_cases + load_case];
 }
 
-// The piece that ends at the largest load: the first of those where a coarse contact says most.
+// The segment that ends at the largest load, where the check for coarse contact is most meaningful; of equal ones the first.
 int32_t largest_load(const Model& m) {
   int32_t best = 0;
   double most = -1.0;
@@ -87,7 +87,7 @@ int32_t largest_load(const Model& m) {
   return best;
 }
 
-// Overlaps are closed before anything else: their load case goes from 0 to 1 and stays there.
+// Interference comes first: its load case rises from 0 to 1 and stays there.
 c2d_status close_overlaps(Session& session) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
@@ -98,7 +98,7 @@ c2d_status close_overlaps(Session& session) {
   return show_step(session, C2D_STEP_STOPPED);
 }
 
-// The whole path for the coefficients that the pairs hold, or what comes after step `shown` of it.
+// The whole path for the current coefficients of friction, or its remainder after step `shown`.
 c2d_status run_cards(Session& session, int32_t shown) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
@@ -118,7 +118,7 @@ c2d_status run_cards(Session& session, int32_t shown) {
       for (int32_t k = 0; k < s->model.load_cases; ++k) {
         const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
         target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
-        if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
+        if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // exactly zero, without round-off
       }
       if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
       c2d_status status = advance(session, target, moment);
@@ -162,7 +162,7 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
     return fail(s, C2D_ERR_ARGUMENT, "the model has no load path to run: c2d_add_path gives one, c2d_advance needs none");
   if (s->model.zones > 0 && s->model.coefficients == 0)
     return fail(s, C2D_ERR_ARGUMENT, "the model has contact but no coefficient of friction to run: c2d_add_friction gives one");
-  // Where a state brought back by c2d_restore was saved in a run.
+  // Position in the run at which the restored state was saved.
   int32_t from = !kSmallCode && s->state == C2D_STATE_RUNNING ? s->run_step : 0;
   const int32_t first = from > 0 ? s->coefficient - 1 : 0;
   c2d_outcome worst = from > 0 ? s->run_outcome : c2d_outcome{C2D_REACHED};

@@ -1,4 +1,4 @@
-// Search for statuses, and proof that there are none, by call.
+// c2d_link_search.
 #include "contact/let_go.hpp"
 #include "contact/search.hpp"
 #include "contact/start.hpp"

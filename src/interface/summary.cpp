@@ -1,4 +1,4 @@
-// The summary of model, path and work done.
+// c2d_get_summary: model, path and cost.
 #include <string.h>
 
 #include "interface/model/refuse.hpp"
@@ -14,7 +14,7 @@ const EnergyPart kEnergyPart = {true,         build_energy,  add_demanded,      
                                 begin_energy, note_turn,     add_segment,         before_jump,    after_jump,
                                 release,      close_balance, find_outcome_motion, balance_forces, add_boundary_force};
 
-C2D_BRINGS(c2d_link_warnings); // it tells the condition and the largest tension
+C2D_BRINGS(c2d_link_warnings); // the summary contains condition and tension ratio
 
 namespace {
 

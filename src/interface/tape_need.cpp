@@ -1,4 +1,4 @@
-// How large the tapes of a model within given limits become.
+// c2d_tape_need: bounds of the tapes of models within given limits.
 #include <stddef.h>
 
 #include "contact/contact_tape.hpp"
@@ -14,10 +14,10 @@ C2D_USES(CompressedPart);
 namespace {
 
 struct Tape {
-  uint64_t blocks, data_bytes; // of a block, without its header
+  uint64_t blocks, data_bytes; // data bytes of a block, without its header
 };
 
-// With room for two saved states of a path that is followed.
+// With space for two saved states of a path.
 Tape control_tape(const Sizes& sizes, const Layout& layout) {
   const uint64_t m = static_cast<uint64_t>(sizes.contact), cases = static_cast<uint64_t>(sizes.load_cases);
   const uint64_t room = static_cast<uint64_t>(columns_of(sizes));
@@ -33,7 +33,7 @@ Tape contact_tape(const Sizes& sizes) {
           contact_block_numbers(sizes.contact) * sizeof(Real)};
 }
 
-// LOWER and UPPER hold the blocks of one body after the other.
+// LOWER and UPPER contain the blocks of all bodies, one after the other.
 void factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape& out) {
   const PhaseSizes phases = phase_sizes(sizes);
   PlanRule rule;
@@ -49,8 +49,8 @@ void factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape
   }
 }
 
-// The same where bodies are compressed. Each may be one that is not: with equations of free zones, or if elements on lines of
-// symmetry cut its curves into many holes.
+// The same with compressed elimination. Any body may be dense all the same: with equations of free zones, or if elements on
+// lines of symmetry divide its curves into many holes.
 c2d_status compressed_tape(const Sizes& sizes, uint64_t bytes, const c2d_options& options, bool upper, Tape& out) {
   TapeUse use{};
   const c2d_status status = kCompressedPart.compression_tape(phase_sizes(sizes), bytes, upper, use);
@@ -62,7 +62,7 @@ c2d_status compressed_tape(const Sizes& sizes, uint64_t bytes, const c2d_options
   return C2D_OK;
 }
 
-// Which tape, and the options that are chosen: a copy of the caller's, or what stands for none.
+// Checks the tape and copies the caller's options, or the defaults.
 bool take_choice(int32_t tape, const c2d_options* options, c2d_options& chosen, c2d_error* why) {
   char what[128] = "";
   Text fault = text_in(what);
@@ -97,7 +97,7 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
   Sizes sizes;
   Layout layout;
   copy_in(limits, &ours, sizeof ours);
-  derive_sizes(ours, sizes); // what has a need has sizes, and a layout
+  derive_sizes(ours, sizes); // limits with a computable need have sizes and a layout
   lay_out(sizes, sizeof(c2d_solver), layout);
   if (!kSmallCode && chosen.elimination == C2D_ELIMINATION_BY_SIZE)
     chosen.elimination = kCompressedPart.elimination_by_size(sizes);

@@ -1,4 +1,4 @@
-// Warnings about contact states.
+// c2d_link_warnings.
 #include "memory/parts.hpp"
 #include "results/warnings/warnings.hpp"
 #include "solver/judge.hpp"

@@ -12,8 +12,8 @@ using namespace c2d;
 extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_state* out) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy && s->busy != kInStepCallback) return C2D_ERR_BUSY;
-  if (s->busy) { // inside a step callback: nothing is changed, not even what c2d_last_error tells
-    if (s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE; // its store broke there
+  if (s->busy) {                                             // in a step callback: nothing may change, not even the last error
+    if (s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE; // the store failed during the callback
     if (zone < 1 || zone > s->model.zones) return C2D_ERR_ARGUMENT;
   } else {
     const c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));

@@ -1,3 +1,9 @@
+// Finds bodies that overlap outside their contact zones.
+//
+// Phases: bounding boxes exclude most pairs of bodies; element ends of one body inside the box of the other, and in no zone
+// between the two, are tested against its boundary as a polygon of chords: crossing number for inside, smallest distance to a
+// chord for the depth. The deepest point is reported. Chords instead of curves are accurate enough because depths below a
+// fraction of an element are ignored: touching curves overlap by that much as polygons.
 #include "model/body_overlaps.hpp"
 
 #include "memory/math.hpp"
@@ -8,6 +14,7 @@ namespace c2d {
 
 namespace {
 
+// A model in its undeformed or deformed state: `start` gives the position of the first node of an element.
 struct Moved {
   const Model& m;
   ElementStart start;
@@ -15,7 +22,7 @@ struct Moved {
   void at(int b, int32_t element, double p[2]) const { start(context, m, b, element, p); }
 };
 
-// Of the elements' ends.
+// Bounding box of the element ends of a body.
 Box box_of(const Moved& moved, int b) {
   double p[2];
   moved.at(b, 0, p);
@@ -35,7 +42,7 @@ double square_to_chord(const double p[2], const double a[2], const double b[2]) 
   return x * x + y * y;
 }
 
-// A point against a body, chord after chord.
+// Even-odd test of a point, chord by chord, with the distance to the nearest chord.
 struct Inside {
   const double* p;
   bool odd = false;
@@ -51,7 +58,8 @@ struct Inside {
   }
 };
 
-// How deep a point is inside a body, 0: outside. A side on a line of symmetry closes it, and is no boundary.
+// Depth of a point inside a body, 0: outside. The straight closing of an open region along lines of symmetry counts for the
+// inside test, but not for the depth: it is no boundary of the complete body.
 double depth_in(const Moved& moved, int b, const double p[2]) {
   const Model& m = moved.m;
   Inside inside{p};
@@ -68,7 +76,7 @@ double depth_in(const Moved& moved, int b, const double p[2]) {
     double x[3], y[3];
     const int corners = closing_way(m, b, region, x, y);
     if (corners == 0) inside.add_boundary(from, first);
-    for (int i = 0; i < corners; ++i) { // by way of the lines, from the last element's end
+    for (int i = 0; i < corners; ++i) { // the last element, then the closing along the lines
       to[0] = i + 1 < corners ? x[i] : first[0], to[1] = i + 1 < corners ? y[i] : first[1];
       if (i == 0)
         inside.add_boundary(from, to);
@@ -86,7 +94,7 @@ bool have_zone(const Model& m, int a, int b) {
   return false;
 }
 
-// By more than so much.
+// Is the point inside the box by more than `by`? A point less deep in the box cannot be deeper in the body.
 bool is_within(const Box& box, const double p[2], double by) {
   return p[0] > box.x_min + by && p[0] < box.x_max - by && p[1] > box.y_min + by && p[1] < box.y_max - by;
 }
@@ -96,7 +104,8 @@ bool is_in_zone(const Model& m, int b, int32_t element, int other) {
   return find_contact_element(m, b, element, &place) && m.zone[place.zone].body[1 - place.side] == other;
 }
 
-// Points of a inside b.
+// Element ends of a inside b. Both elements at the point must be outside the zones between a and b: in a zone the contact
+// conditions decide, and small overlaps are round-off or interference.
 void look_inside(const Moved& moved, int a, int b, const Box& box, double part, double least, BodyOverlap& worst) {
   const Model& m = moved.m;
   for (int32_t region = 0; region < m.body[a].regions; ++region)
@@ -145,11 +154,11 @@ Text& put_overlap(Text& text, const Model& m, const BodyOverlap& overlap) {
   put_all(text, "bodies ", body_named(m, overlap.body[0]), " and ", body_named(m, overlap.body[1]), " overlap by ");
   put(text, overlap.depth, 3);
   return put_all(text, " at (", overlap.x, ", ", overlap.y,
-                 "), where no zone is between them: contact is looked for in zones alone");
+                 ") outside any zone between them: contact is checked in zones only; define a zone there");
 }
 
 void warn_overlapping_bodies(const Model& m, Reporter& reporter) {
-  constexpr double kMost = 0.02; // of an element: chords of curves that touch may be as deep in each other
+  constexpr double kMost = 0.02; // of an element: polygons of chords of touching curves overlap by up to this much
   if (kSmallCode) return;
   const BodyOverlap found = deepest_overlap(m, start_as_made, nullptr, kMost, 0.0, true);
   if (found.depth == 0.0) return;

@@ -1,3 +1,9 @@
+// Geometry of one boundary element: x(eta) = sum_k c_k eta^k (isoparametric Lagrange element, thesis (4.7) to (4.10); Brebbia,
+// Telles and Wrobel, Boundary Element Techniques, 1984).
+//
+// Powers of eta instead of shape functions, because the closed-form integrals need them and evaluation by Horner's rule is
+// cheaper. Collinear equally spaced nodes give a constant Jacobian; such elements are treated as straight, which selects the
+// closed-form integrals (METHOD 3.2) also for quadratic and cubic elements.
 #include "model/element.hpp"
 
 #include "memory/math.hpp"
@@ -8,7 +14,7 @@ namespace {
 
 double larger(double a, double b) { return a > b ? a : b; }
 
-// Are the coefficients of the second and third power explained by the rounding of the nodes' coordinates?
+// Are the coefficients of eta^2 and eta^3 within the rounding of the node coordinates? Then the element is straight.
 bool is_straight(const Element& e) {
   constexpr double kRounding = 16 * 2.22e-16;
   double size = e.half_length;
@@ -29,7 +35,7 @@ Element make_element(int nodes, const double* x, const double* y) {
   const int last = nodes - 1;
   const double ex = 0.5 * (x[last] - x[0]), ey = 0.5 * (y[last] - y[0]);
   e.half_length = sqrt(ex * ex + ey * ey);
-  // Coefficients relative to the first node, so that large coordinates do not spoil the small ones.
+  // Coefficients relative to the first node: with coordinates far from the origin, differences keep their digits.
   for (int i = 1; i < nodes; ++i) {
     const double* s = shape_coefficients(nodes, i);
     for (int k = 0; k < nodes; ++k) {
@@ -68,7 +74,7 @@ Point element_point(const Element& e, double eta) {
 
 namespace {
 
-struct Offset { // of a point of the element from P, with derivatives
+struct Offset { // of a point of the element from P, with its first and second derivatives by eta
   double rx, ry, dx, dy, ddx, ddy;
   double distance2() const { return rx * rx + ry * ry; }
 };
@@ -85,7 +91,9 @@ Offset offset_at(const Element& e, double eta, double x, double y) {
 
 double clamped(double eta) { return eta < -1.0 ? -1.0 : (eta > 1.0 ? 1.0 : eta); }
 
-// Newton's step on the squared distance; without curvature where that would lead to a maximum. Exact on a straight element.
+// Newton step for the minimum of |x(eta) - P|^2 / 2: slope r.x', second derivative |x'|^2 + r.x''. Where that is small or
+// negative Newton would go to a maximum; the Gauss-Newton value |x'|^2 is used instead. On a straight element one step is
+// exact.
 double newton_step(const Offset& o) {
   const double slope = o.rx * o.dx + o.ry * o.dy, speed = o.dx * o.dx + o.dy * o.dy;
   const double curvature = speed + o.rx * o.ddx + o.ry * o.ddy;
@@ -96,6 +104,8 @@ double newton_step(const Offset& o) {
 } // namespace
 
 Nearest nearest_point(const Element& e, double x, double y) {
+  // A curved element may have several local minima: begin at the best of nine equally spaced points, then only accept steps
+  // that reduce the distance.
   double best = 0.0, best2 = offset_at(e, 0.0, x, y).distance2();
   for (int i = 0; i <= 8 && !e.straight; ++i) {
     const double eta = -1.0 + 0.25 * i, d2 = offset_at(e, eta, x, y).distance2();

@@ -1,4 +1,8 @@
-// Bounds that spare most elements a look.
+// Bounds for the search for facing points (model/facing.hpp).
+//
+// A search examines all elements of a side. Building the smooth surface over an element is expensive (model/surface.cpp), a
+// distance between two points is not. These functions exclude an element by its middle point and an upper bound of its length,
+// with a strict inequality, so that the result of the search does not change.
 #include "memory/math.hpp"
 #include "model/facing.hpp"
 
@@ -8,7 +12,7 @@ namespace c2d::facing {
 
 namespace {
 
-// Of an element: where curve_point() is in its middle.
+// Middle point of an element: curve_point() at eta = 0, with the shape functions tabulated.
 void middle_of(int nodes, const double* x, const double* y, double out[2]) {
   static constexpr double kPart[3][kElementNodes] = {{0.5, 0.5}, {0, 1, 0}, {-1.0 / 16, 9.0 / 16, 9.0 / 16, -1.0 / 16}};
   out[0] = out[1] = 0;
@@ -17,8 +21,8 @@ void middle_of(int nodes, const double* x, const double* y, double out[2]) {
 
 } // namespace
 
-// Of every chord from node to node, its length times the integral of the magnitude of what it adds to the derivative by eta,
-// which is 1.25 with three nodes and up to 2.01 with four.
+// Upper bound of the length of an element. dx/deta is a linear combination of the chords between successive nodes; the integral
+// of the magnitude of each coefficient is 1.25 with three nodes and at most 2.01 with four.
 double length_at_most(int nodes, const double* x, const double* y) {
   double sum = 0;
   for (int i = 1; i < nodes; ++i) {
@@ -44,7 +48,7 @@ Closeness closeness(const Model& m, int b, int32_t element, double start, double
   const int nodes = body_of(m, b).element_nodes;
   double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
-  // Most values are not within that part even of a bound of the length.
+  // The bound of the length is cheap and excludes most elements; only near a zero the exact length is computed.
   const double most = kSnap * length_at_most(nodes, x, y);
   if (fabs(start) > most && fabs(end) > most) return Closeness{false, false};
   const double tolerance = kSnap * element_length(m, b, element);

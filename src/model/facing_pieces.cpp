@@ -1,4 +1,9 @@
-// Pieces of elements of side 1 and what they face, one after the other.
+// Splits an element of side 1 of a free zone into pieces that face a single element of side 0 (METHOD 9.2).
+//
+// Tractions of side 1 are polynomial on its elements, kernels and functions of side 0 on its own. A product is smooth only
+// between the nodes of both sides, so integrals over the transferred traction are computed piece by piece, as in segment-to-
+// segment (mortar) methods. The walk proceeds along both sides at once: the next cut is the next node of side 1 or the next
+// node of side 0, whichever comes first; the point that faces it on the other side is found by a root search.
 #include "memory/math.hpp"
 #include "model/facing.hpp"
 
@@ -24,11 +29,11 @@ using namespace facing;
 
 namespace {
 
-// What the `stop`-th of these places faces.
+// The point of side 0 that the `stop`-th cut faces. If a pair is there its facing point is stored and need not be searched.
 bool face_own_cut(const Model& m, const Zone& z, int32_t stop, const FacePoint& at2, FacePoint& out) {
   const int32_t f = m.head->function_nodes, local = z.element_step[1] > 0 ? stop : f - 1 - stop;
   const int32_t pair = f > 1 ? pair_of_end(m, z.body[1], at2.element, local).pair : -1;
-  if (pair < 0) return face_point(m, z, at2, out); // else its point has been found
+  if (pair < 0) return face_point(m, z, at2, out);
   ZonePlace faced;
   out.element = m.pair[pair].element;
   out.eta = m.pair[pair].eta;
@@ -38,7 +43,7 @@ bool face_own_cut(const Model& m, const Zone& z, int32_t stop, const FacePoint& 
   return true;
 }
 
-// The next node or end of side 0 behind `now` within its element, in the order of the zone.
+// The next node or end of the element of side 0 after `eta`, in the order of the zone.
 double next_cut(const Model& m, const Zone& z, double eta) {
   const int f = m.head->function_nodes, step = z.element_step[0];
   double next = step;
@@ -49,8 +54,8 @@ double next_cut(const Model& m, const Zone& z, double eta) {
   return next;
 }
 
-// Where between two points of an element of side 1 lies what a point of side 0 faces? (Not inlined: the search for the next
-// target would stand on its frame.)
+// Local coordinate on the element of side 1, between two known points, of the point that faces a node of side 0. Not inlined:
+// its frame must not add to that of the search for the next target.
 [[gnu::noinline]] double face_within(const PieceWalk& w, const FacePoint& at1) {
   const Model& m = *w.m;
   const Zone& z = *w.z;
@@ -74,22 +79,24 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   const Model& m = *w.m;
   const Zone& z = *w.z;
   const int32_t count = zone_elements(z, 0);
-  if (w.eta2 == w.target_eta2) { // on to the next node of its own
+  if (w.eta2 == w.target_eta2) { // the next node of side 1 becomes the target
     if (!own_cut(m, z, w.stop, &w.target_eta2)) return false;
     if (!face_own_cut(m, z, w.stop, FacePoint{w.element2, w.place2, w.target_eta2}, w.target)) return false;
     ++w.stop;
   }
-  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of side 0
+  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // continue on the next element of side 0
     w.now = point_at(m, z, 0, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
   }
   double goal = position(z, w.target);
-  if (goal < position(z, w.now) - 0.5 * count) goal += count; // round a ring
+  if (goal < position(z, w.now) - 0.5 * count) goal += count; // the target lies beyond the start of a ring
   FacePoint cut = w.now;
   cut.eta = next_cut(m, z, w.now.eta);
   const double beyond = position(z, cut) - goal;
   out.element1 = w.now.element;
   out.eta1[0] = w.now.eta;
   out.eta2[0] = w.eta2;
+  // The target comes before the next node of side 0: the piece ends at a node of side 1. Otherwise it ends at a node of side 0;
+  // if both coincide within kSnap, at both.
   if (beyond > kSnap)
     w.now.eta = w.target.eta;
   else

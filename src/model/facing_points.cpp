@@ -1,4 +1,10 @@
-// Points of two surfaces that face each other.
+// Points of two surfaces that face each other (METHOD 8.5).
+//
+// Two points p1 and p2 face each other if p2 - p1 is parallel to the mixed normal n = m n_1 - (1 - m) n_2, METHOD (8.3), with
+// normals that are continuous along each side. With the signed distance ahead = (p2 - p1) x n this is the scalar equation
+// ahead(eta) = 0 on one element. Phases of a search: order the elements from the one with the nearest middle; exclude those
+// that are farther away than the best point so far; on the others test for a change of sign between the ends and solve by
+// regula falsi; of several solutions keep the nearest.
 #include "memory/math.hpp"
 #include "model/facing.hpp"
 
@@ -10,7 +16,8 @@ namespace facing {
 
 namespace {
 
-// How far p2 lies ahead, in side 0's direction of travel, of the line through p1 along which points face each other.
+// Distance by which p2 lies ahead, in the direction of travel of side 0, of the line through p1 along the mixed normal; times
+// |n|.
 double ahead(double part, const Place& p1, const Place& p2) {
   const double n[2] = {part * p1.n[0] - (1 - part) * p2.n[0], part * p1.n[1] - (1 - part) * p2.n[1]};
   return (p2.point.y - p1.point.y) * n[0] - (p2.point.x - p1.point.x) * n[1];
@@ -28,10 +35,13 @@ Search search_in(const Model& m, const Zone& z, const Place& from, int side, int
   return Search{m, z, from, side, element, place, surface_element(m, z.body[side], element)};
 }
 
+// Illinois variant of regula falsi (Dowell and Jarratt, BIT 11, 1971): bracketing like bisection, superlinear, and without
+// derivatives, which the smooth surface does not provide.
 double zero_between(double a, double b, double fa, double fb, const Search& f) {
   const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
   double at = a;
-  for (int i = 0; i < 100 && fb != fa; ++i) { // some ten steps do, but where surfaces that will be refused jump
+  for (int i = 0; i < 100 && fb != fa;
+       ++i) { // about ten steps suffice, except on discontinuous surfaces, which are refused later
     at = b - fb * (b - a) / (fb - fa);
     const double value = f(at);
     if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
@@ -50,6 +60,8 @@ using namespace facing;
 
 namespace {
 
+// A facing point within kSnap of a node or an element end is moved onto it: so the pair uses the nodal value, and round-off
+// does not decide between two elements.
 double snapped(const Model& m, double eta) {
   for (int end = -1; end <= 1; end += 2)
     if (fabs(eta - end) <= kSnap) return end;
@@ -59,7 +71,8 @@ double snapped(const Model& m, double eta) {
   return eta;
 }
 
-// The point of one element that faces p2.
+// The point of one element of side 0 that p2 faces. The ends are tested with a tolerance, so that a point that faces the joint
+// of two elements is found on at least one of them.
 bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& p2, FacePoint& out) {
   out = point_at(m, z, 0, place, -1);
   const Search off = search_in(m, z, p2, 0, place);
@@ -75,6 +88,7 @@ bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& 
   return true;
 }
 
+// The point of side 0 that p2 faces, the nearest of all elements.
 bool face_place(const Model& m, const Zone& z, const Place& p2, FacePoint& out) {
   double nearest = -1;
   const int32_t count = zone_elements(z, 0), from = nearest_place(m, z, 0, p2.point);
@@ -100,7 +114,7 @@ bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& 
 
 namespace {
 
-// What faces p1 in one element.
+// The point of one element of side 1 that faces p1.
 bool faced_in_element(const Model& m, const Zone& z, int32_t place, const Place& p1, FacePoint& out) {
   const int32_t other = zone_element(m, z, 1, place);
   const Search off = search_in(m, z, p1, 1, place);
@@ -113,7 +127,7 @@ bool faced_in_element(const Model& m, const Zone& z, int32_t place, const Place&
   return true;
 }
 
-// How far the k-th pair lies along side 0, in elements; round a ring from the first pair on.
+// Position of the k-th pair along side 0, in elements.
 double position_of_pair(const Model& m, const Zone& z, int32_t k) {
   const Pair& pair = m.pair[z.first_pair + k];
   ZonePlace faced;
@@ -121,13 +135,15 @@ double position_of_pair(const Model& m, const Zone& z, int32_t k) {
   return C2D_NEVER(!in_zone) ? 0.0 : position(z, FacePoint{pair.element, faced.place, pair.eta}); // what a pair's node faces is
 }
 
-// The element of side 1 between the two pairs that a point of side 0 lies between.
+// The element of side 1 that a point of side 0 faces, by bisection over the pairs: their positions along side 0 increase along
+// the zone. It replaces a search over all elements when the pairs are known. On a ring positions are counted from the first
+// pair.
 int32_t place_between_pairs(const Model& m, const Zone& z, const FacePoint& at) {
   const bool ring = is_ring(m, z, 0);
   const double start = ring ? position_of_pair(m, z, 0) : 0.0, all = zone_elements(z, 0);
   const auto ahead = [&](double where) { return where < start ? where - start + all : where - start; };
   const double sought = ahead(position(z, at));
-  int32_t low = 0, high = z.pairs; // it lies behind pair `low`, and not behind pair `high`
+  int32_t low = 0, high = z.pairs; // the point lies after pair `low` and before pair `high`
   while (high - low > 1) {
     const int32_t middle = low + (high - low) / 2;
     (ahead(position_of_pair(m, z, middle)) <= sought ? low : high) = middle;
@@ -139,7 +155,7 @@ int32_t place_between_pairs(const Model& m, const Zone& z, const FacePoint& at) 
 } // namespace
 
 bool facing_point_by_pairs(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
-  if (!kSmallCode && m.head->function_nodes > 1) { // (constant functions have pairs in the middles of elements)
+  if (!kSmallCode && m.head->function_nodes > 1) { // with constant functions pairs lie in the middle of elements, not at ends
     const int32_t place = place_between_pairs(m, z, at);
     if (faced_in_element(m, z, place, place_at(m, z, 0, at), out)) return true;
   }

@@ -1,3 +1,9 @@
+// Fits free contact zones: the range of side 1 is reduced to the elements that face side 0 over their whole length.
+//
+// Every functional node of side 1 becomes a pair and needs a facing point on side 0. An element that faces side 0 only in part
+// would have nodes without one. Phases: test all nodes and both ends of every element of side 1; require one run of consecutive
+// elements whose facing points advance monotonically and whose normals oppose those of side 0; keep that run; warn about an
+// element at its ends that faces side 0 in part, because contact is not computed there; mark ends of side 0 that nothing faces.
 #include "model/free_zones.hpp"
 
 #include "memory/hostile.hpp"
@@ -14,7 +20,8 @@ namespace {
 
 enum class Cover { none, whole, averted };
 
-// Does an element of side 1 face side 0 with all its nodes and both ends?
+// Does an element of side 1 face side 0 with all its nodes and both ends? Averted: it has facing points, but
+// the outward normals differ by less than 120 degrees, or the points run in the wrong order.
 Cover cover(const Model& m, const Zone& z, int32_t place2) {
   double before = 0, eta2;
   FacePoint at;
@@ -41,9 +48,9 @@ int32_t element_faced_in_part(const Model& m, const Zone& z, int way, double par
   return size > part && p1.n[0] * p2.n[0] + p1.n[1] * p2.n[1] < 0 ? faced.element : -1;
 }
 
-// Elements at the ends of what is kept that face side 0 in part: the contact ends short of side 0's elements there.
+// Warns about the elements next to the kept range that face side 0 in part: the contact ends before the end of side 0 there.
 void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, Reporter& reporter) {
-  constexpr double kPart = 1e-3; // of an element: less is rounding
+  constexpr double kPart = 1e-3; // of an element: a smaller part is round-off of the facing point
   const Zone& z = m.zone[zone];
   int32_t left_out[2] = {-1, -1};
   if (is_ring(m, z, 0)) return;
@@ -56,11 +63,12 @@ void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, R
   for (const int32_t element : left_out) {
     if (element < 0) continue;
     warn(reporter, C2D_WARN_LEFT_OUT, in_zone(m, zone, z.body[1], element), "zone ", zone_named(m, zone), ": element ",
-         element + 1, " of body ", body_named(m, z.body[1]), " faces the elements of body ", body_named(m, z.body[0]),
-         " in part only and is left out: nothing touches there");
+         element + 1, " of body ", body_named(m, z.body[1]), " faces body ", body_named(m, z.body[0]),
+         " over part of its length only and is excluded from the zone: no contact is computed on it");
   }
 }
 
+// Sets the range of side 1, its nodes and the number of pairs.
 void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
   const int32_t f = m.head->function_nodes;
   z.first_element[1] = zone_element(m, z, 1, first);
@@ -79,7 +87,7 @@ void facing::mark_unfaced_ends(const Model& m, int32_t zone) {
     ZonePlace found;
     const int32_t element = zone_element(m, z, 0, place);
     const bool in_zone = find_contact_element(m, b, element, &found);
-    if (C2D_NEVER(!in_zone)) continue; // it is one of a zone's
+    if (C2D_NEVER(!in_zone)) continue; // elements of a zone are always found
     if (found.zone != zone) continue;
     for (int l = 0; l < f; ++l) {
       FacePoint faced;
@@ -104,16 +112,16 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
       return false;
     }
     if (first >= 0 && place != first + count) {
-      report_zone(reporter, m, zone, ": body ", one, " faces elements of body ", two,
-                  " in several places, expected one run of elements");
+      report_zone(reporter, m, zone, ": the elements of body ", two, " that face body ", one,
+                  " form several ranges, expected one range of consecutive elements");
       return false;
     }
     if (first < 0) first = place;
     ++count;
   }
   if (first < 0) {
-    report_zone(reporter, m, zone, ": body ", two, " does not face body ", one,
-                ", none of its elements does from end to end, expected ranges that face each other");
+    report_zone(reporter, m, zone, ": no element of body ", two, " faces body ", one,
+                " over its whole length, expected ranges of elements that face each other");
     return false;
   }
   warn_left_out(m, zone, first, count, reporter);

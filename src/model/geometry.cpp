@@ -1,3 +1,8 @@
+// Plane geometry of boundary elements and regions: points, lengths, areas, intersections, winding numbers.
+//
+// Curved elements are approximated by kChords chords for lengths, distances, intersections and winding numbers; positions,
+// normals and areas use the polynomials. Predicates (side of a line, crossing of chords) carry a tolerance of the rounding of
+// the coordinates, so that touching boundaries are recognised whatever the last digits of the input.
 #include "model/geometry.hpp"
 #include "memory/math.hpp"
 #include "model/symmetry.hpp"
@@ -6,10 +11,10 @@ namespace c2d {
 
 namespace {
 
-// Where chord i of an element's polyline begins.
+// Local coordinate at which chord i of an element begins.
 double chord_eta(int i, int chords) { return -1 + 2.0 * i / chords; }
 
-// Where curve_point() is, without the derivative, to the last bit.
+// Position of curve_point() without the derivative, with identical bits: lengths and chords must agree with it.
 void curve_position(int nodes, const double* x, const double* y, double eta, double out[2]) {
   double part[kElementNodes];
   shape(nodes, eta, part);
@@ -21,7 +26,7 @@ void curve_position(int nodes, const double* x, const double* y, double eta, dou
 
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
   CurvePoint p = {0, 0, 0, 0};
-  double part[kElementNodes]; // one array for both, as what looks for a facing point goes deep
+  double part[kElementNodes]; // shared by values and derivatives, to save stack in deep searches for facing points
   shape(nodes, eta, part);
   for (int i = 0; i < nodes; ++i) p.x += part[i] * x[i], p.y += part[i] * y[i];
   shape_derivative(nodes, eta, part);
@@ -48,6 +53,7 @@ void outward_normal(const Model& m, int b, int32_t element, double eta, double n
   n[1] = size > 0 ? -p.dx / size : 0;
 }
 
+// Length as the sum of the chords. It serves as a scale for tolerances and for warnings; integrals use the Jacobian.
 double element_length(const Model& m, int b, int32_t element) {
   const int nodes = body_of(m, b).element_nodes, chords = nodes == 2 ? 1 : kChords;
   double x[kElementNodes], y[kElementNodes], sum = 0;
@@ -84,7 +90,8 @@ double region_area(const Model& m, int b, int32_t region) {
   constexpr double kPoint[3] = {-0.77459666924148338, 0, 0.77459666924148338};
   constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
   const Region& r = m.region[b][region];
-  const CurvePoint origin = curve_point(m, b, r.first, -1); // near the curve: keeps the digits
+  // Relative to a point of the curve: with the global origin far away, large terms would cancel.
+  const CurvePoint origin = curve_point(m, b, r.first, -1);
   double sum = 0;
   for (int32_t e = r.first; e <= r.last; ++e) {
     for (int i = 0; i < 3; ++i) {
@@ -131,8 +138,8 @@ Box box_around(const Model& m, int b, int32_t element) {
   Box box = {x[0], x[0], y[0], y[0]};
   for (int i = 1; i < nodes; ++i) include(box, x[i], y[i]);
   if (nodes == 2) return box;
-  // Shape functions of equally spaced nodes add up to at most 1.25 (quadratic) and 1.64 (cubic) in magnitude;
-  // half of what is beyond 1 is how far the curve can leave the box of its nodes.
+  // The sum of the magnitudes of the Lagrange functions (the Lebesgue constant) is 1.25 for quadratic and 1.64 for cubic
+  // elements with equally spaced nodes. The curve leaves the box of its nodes by at most half of the excess over 1.
   const double dx = 0.33 * (box.x_max - box.x_min), dy = 0.33 * (box.y_max - box.y_min);
   return Box{box.x_min - dx, box.x_max + dx, box.y_min - dy, box.y_max + dy};
 }
@@ -157,20 +164,20 @@ bool boxes_meet(const Box& a, const Box& b) {
 
 namespace {
 
-// 1: c lies to the left of the line from a to b, -1: to the right, 0: on it.
+// Orientation test: 1: c lies to the left of the line from a to b, -1: to the right, 0: on it.
 int side(const double a[2], const double b[2], const double c[2]) {
   const double turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   return (turn > 0) - (turn < 0);
 }
 
-// Points nearer to a line than this lie on it: what rounding leaves of the coordinates of points on a curve.
+// Tolerance of the orientation test: points on a common line differ from it by the rounding of their coordinates.
 double rounding_of(const double a[2], const double b[2], const double c[2]) {
   double most = 0;
   for (int i = 0; i < 2; ++i) most = fmax(most, fmax(fabs(a[i]), fmax(fabs(b[i]), fabs(c[i]))));
   return 4e-15 * most;
 }
 
-// As side(), of a line with a breadth; *touches: c lies on the chord itself.
+// Orientation with this tolerance; *touches: c lies on the chord between a and b, ends included.
 int side_of_chord(const double a[2], const double b[2], const double c[2], bool* touches) {
   const double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
   const double breadth = rounding_of(a, b, c);
@@ -206,7 +213,8 @@ double distance_to_element(const Model& m, int b, int32_t element, double x, dou
 
 namespace {
 
-// Chords that pass the horizontal through the point upwards to its right count 1, downwards -1.
+// Signed crossing of a chord with the horizontal ray to the right of the point: upwards 1, downwards -1. The half-open
+// comparison counts a vertex on the ray once (Hormann and Agathos, Comput. Geom. 20, 2001).
 int passes(const double p[2], const double q[2], const double point[2]) {
   if (p[1] <= point[1] && q[1] > point[1] && side(p, q, point) > 0) return 1;
   return p[1] > point[1] && q[1] <= point[1] && side(p, q, point) < 0 ? -1 : 0;
@@ -237,7 +245,7 @@ int winding_number(const Model& m, int b, int32_t region, double x, double y) {
 
 namespace {
 
-// The element behind (step 1) or before (-1) in its region's order; -1 where the region ends.
+// The next (step 1) or previous (-1) element of the region; -1 at the end of an open region.
 int32_t next_in_region(const Model& m, int b, int32_t element, int32_t step) {
   const Region& r = m.region[b][region_of_element(m, b, element)];
   const int32_t next = element + step;
@@ -246,7 +254,7 @@ int32_t next_in_region(const Model& m, int b, int32_t element, int32_t step) {
 }
 
 struct Turn {
-  double angle, length; // signed, in radians; of both elements together
+  double angle, length; // signed angle between two elements in radians; sum of their lengths
 };
 
 Turn turn_at(const Model& m, int b, int32_t before, int32_t after) {
@@ -260,7 +268,7 @@ Turn turn_at(const Model& m, int b, int32_t before, int32_t after) {
 
 bool is_corner(const Turn& turn) { return fabs(turn.angle) > 0.66; } // 38 degrees
 
-// Within a half of each other, which arcs cut unevenly still are.
+// Do two turns belong to one arc? Angle over length is its curvature; a factor of 1.5 allows for unequal division of the arc.
 bool turn_alike(const Turn& a, const Turn& b) {
   const double one = a.angle * b.length, other = b.angle * a.length;
   return !is_corner(b) && one * other > 0.0 && fabs(one) < 1.5 * fabs(other) && fabs(other) < 1.5 * fabs(one);

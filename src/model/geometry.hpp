@@ -6,7 +6,7 @@
 
 namespace c2d {
 
-// Points closer than this part of their body's size are one point.
+// Points closer than this fraction of the size of their body coincide.
 constexpr double kCoincident = 1e-10;
 
 // Position and derivative with respect to the local coordinate eta in [-1, 1].
@@ -40,22 +40,21 @@ struct Box {
   double x_min, x_max, y_min, y_max;
 };
 Box box_around(const Model& m, int b,
-               int32_t element);        // encloses the whole curve, without looking at it closely
+               int32_t element);        // a box that contains the whole curve
 Box box_of_body(const Model& m, int b); // of the boundary points
-// How far apart two of a body's points may be to be one, in either coordinate: by its size, and by the last digits of its
-// coordinates. Looks at all points.
+// Tolerance of coincidence of two points of a body, in either coordinate: from its size and the round-off of its coordinates.
+// Reads all points.
 double coincidence_of(const Model& m, int b);
 bool boxes_meet(const Box& a, const Box& b);
 
 // Do the chords (p0, p1) and (q0, q1) cross or touch?
 bool chords_cross(const double p0[2], const double p1[2], const double q0[2], const double q1[2]);
 double distance_to_element(const Model& m, int b, int32_t element, double x, double y);
-// How often a region winds round a point: 1 inside a counter-clockwise curve, -1 inside a clockwise one, else
-// 0.
+// Winding number of a region about a point: 1 inside a counter-clockwise curve, -1 inside a clockwise one, else 0.
 int winding_number(const Model& m, int b, int32_t region, double x, double y);
 
-// Two elements meet at a joint of a region, `after` begins there; neither has zero length. Kinks that go on alike at the joint
-// before or behind it, in turn per length, are those of chords of an arc, up to the turn that is a corner (METHOD 8.1).
+// Is the joint at which `after` begins one of the chords of an arc? Neither element has zero length. Then the turn per length
+// at the previous or next joint is similar, and below that of a corner (METHOD 8.1).
 bool is_joint_of_arc(const Model& m, int b, int32_t before, int32_t after);
 
 // Angle in radians between two directions, 0 ... pi; neither may vanish.

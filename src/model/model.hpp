@@ -31,42 +31,42 @@ struct PointLoad {
   int32_t body, load_case, line, column;
   double x, y, fx, fy;
 };
-// Where interior results are wanted: one point, a line, a grid, as in c2d_points. Nothing is solved with it.
+// Points for interior results: a point, a line or a grid, as in c2d_points. The solution does not depend on them.
 struct PointSet {
   int32_t kind, body, count[2], line, padding;
   double from[2], to[2];
 };
-// What the surface is over elements first ... last: kind as in c2d_curve.
+// Given surface over elements first ... last; kind as in c2d_curve.
 struct Curve {
   int32_t kind, body, first, last, line, padding;
   double centre[2], radius;
 };
-// What sliding adds to the gap of a pair, where curves are given (model/slip_gap.hpp).
+// Change of the gap of a pair due to slip along given curves (model/slip_gap.hpp).
 struct SlipGap {
-  int32_t follows, padding; // 1: the curvature changes along the zone, so that it adds something
-  double even;              // curvature of both sides together along the longest stretch of the zone where it is the same
-  double now, rate;         // added so far, and its rate along the rest of the path's piece, in the length unit of the model
-  double work;              // of the pressure on what was added
-  double good, good_work;   // of the last state that was judged and found good (solver/judge.hpp)
+  int32_t follows, padding; // 1: the curvature changes along the zone, so the change is not zero
+  double even;              // curvature of both sides together on the longest stretch of the zone with constant curves
+  double now, rate;         // current change, and its rate along the current path segment, in the length unit of the model
+  double work;              // work of the pressure on the change
+  double good, good_work;   // of the last verified state (solver/judge.hpp)
 };
 struct Path {
   int32_t increments, padding;
   double load;
 };
-// A load case's body force of one body: per area (bx, by) + rho_omega2 (x - x0, y - y0).
+// Body force of one body in a load case: per area (bx, by) + rho_omega2 (x - x0, y - y0).
 struct BodyForce {
   double bx, by, rho_omega2, x0, y0;
 };
-// A load case's motion of a rigid body: (ux, uy) and a rotation about (x0, y0), linear in the angle.
-// Where some motions of it are free, the force and the moment about Body::centre that act on it.
+// Motion of a rigid body in a load case: (ux, uy) and a rotation about (x0, y0), linear in the angle; for its free motions the
+// force and the moment about Body::centre.
 struct RigidMotion {
   double ux, uy, rotation, x0, y0;
   double load[3];
 };
 // Where two bodies may touch, side 0 on body[0] and side 1 on body[1]. Element k of a zone is first_element[s] + k *
-// element_step[s] on side s; pair k joins the functional nodes zone_node(..., k). Ranges may wrap round their region. In a free
-// zone (model/free_zones.hpp) the sides are meshed independently: `elements` are those of side 1, whose nodes make the pairs;
-// side 0 has `facing` elements and no nodes.
+// element_step[s] on side s; pair k joins the functional nodes zone_node(..., k). Ranges may wrap around their region. In a
+// free zone (model/free_zones.hpp) the sides are meshed independently: `elements` are those of side 1, whose nodes make the
+// pairs; side 0 has `facing` elements and no nodes.
 struct Zone {
   int32_t pairs, elements;
   int32_t body[2];
@@ -74,13 +74,13 @@ struct Zone {
   int32_t first_element[2], element_step[2];
   int32_t first_node[2], node_step[2];
   int32_t region[2];
-  int32_t first_pair; // pairs of earlier zones; tied ones come behind the others
+  int32_t first_pair; // pairs of earlier zones; tied zones come after all others
   int32_t line;
   int32_t facing;
   int8_t is_free;
-  int8_t is_tied;     // 1: bonded: it carries tension and friction without bound
-  int8_t is_self;     // 1: both sides are meant to be on one body, which has contact unknowns for each
-  double normal_part; // of side 0's normal in the pairs' (model/surface.hpp)
+  int8_t is_tied;     // 1: bonded: it carries unlimited tension and shear
+  int8_t is_self;     // 1: self-contact: both sides are on one body, which has contact unknowns for each
+  double normal_part; // weight of the normal of side 0 in that of the pairs (model/surface.hpp)
   char name[32];
 };
 // A place on a side of a zone: its k-th element.
@@ -91,14 +91,14 @@ struct ZonePlace {
 struct PairSide {
   int32_t pair, side;
 };
-// Force of a pair on the body of a side, and that body's displacement in the pair's motion, count with this sign.
+// Sign of the force of a pair on the body of a side, and of the displacement of that body in the relative motion of the pair.
 inline double sign_of_side(int side) { return side == 1 ? 1.0 : -1.0; }
 template <class Number> Number signed_on(int side, Number x) { return side == 1 ? x : -x; } // without a product
-// What a round of changes notes of a pair, each for its own use.
+// Marks of a pair during one round of status changes.
 struct PairMarks {
-  uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand
-  uint8_t exchanged : 2;                     // contact/tableau.cpp: bit 1 << slot, that slot has left the basis
-  uint8_t changes : 1, status : 2, slip : 2; // contact/settle.cpp, increments.cpp: becomes that; the sign of its slip + 1
+  uint8_t offends : 1;                       // contact/settle.cpp: violates a condition with the current rates
+  uint8_t exchanged : 2;                     // contact/tableau.cpp: bit 1 << slot, that degree of freedom has left the basis
+  uint8_t changes : 1, status : 2, slip : 2; // contact/settle.cpp, increments.cpp: new status; sign of slip + 1
 };
 static_assert(sizeof(PairMarks) == 1, "scratch that costs nothing");
 struct Pair {
@@ -116,13 +116,13 @@ struct Pair {
   int8_t sign;       // slip: sign of the friction on side 1
   PairMarks mark;
   int8_t saved_status, saved_sign;
-  int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
-  // What every event looks at of every pair lies close together, from `dof` to here.
+  int8_t good_status, good_sign; // of the last verified state (solver/judge.hpp)
+  // The search for the next event reads these members of every pair: they are adjacent in memory, from `dof` to here.
   double gap;        // initial normal gap >= 0
   double mu;         // coefficient of friction in force
-  Real stiffness[2]; // normal and tangential, of this pair alone while those beside it rest
+  Real stiffness[2]; // normal and tangential, of this pair alone with its neighbours fixed
   // History of friction, written by src/contact alone; w_t = (u1 - u0).t of the sides in the length unit of the model.
-  // (Of a pair whose body was let go, where it was: place_of and keep_place of contact/let_go.hpp.)
+  // For a pair of a separated body they store its last position: place_of and keep_place of contact/let_go.hpp.
   Real offset;      // stick: w_t at which the pair sticks
   Real slip_from;   // slip: w_t at which this episode began
   double nx, ny;    // the frame: n from side 0 to side 1; t = (ny, -nx)
@@ -166,16 +166,16 @@ struct Body {
   int32_t columns;      // outer unknowns without rho and omega
   int32_t contact;      // contact unknowns of all its zones
   int32_t free_rows;    // those of side 0 of free zones, which have equations
-  int32_t first_motion; // free motions of the bodies before, as far as the contact has to hold them
+  int32_t first_motion; // free motions of earlier bodies that the contact must support
   int32_t first_border; // of them, those of bodies that keep no equations
   int8_t is_set;
-  int8_t free_motions;    // rigid motions that no prescribed displacement prevents
-  int8_t rigid;           // 1: it has no equations, it moves as the load cases say,
-  int8_t free_rigidly;    // but for these motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
+  int8_t free_motions;    // rigid-body motions that no prescribed displacement prevents
+  int8_t rigid;           // 1: no equations; the load cases prescribe its motion,
+  int8_t free_rigidly;    // except these free motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
   int8_t has_force;       // 1: body forces
   int8_t keeps_equations; // how it enters the contact system: Enters, contact/reduction_plan.hpp
   int8_t lines;           // of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
-  int8_t on_demand;       // 1: nodes in contact are as others, and tractions of theirs right-hand sides (METHOD 10.12)
+  int8_t on_demand;       // 1: lazy columns: contact nodes are ordinary ones, contact tractions right-hand sides (METHOD 10.12)
   double youngs_modulus, poisson_ratio;
   double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
   double centre[2];
@@ -184,7 +184,7 @@ struct Body {
   int64_t array[kBodyArrays];    // bytes from the list of bodies to its arrays
   char name[32];
 };
-struct BodyResults {    // of the state back substitution was made for
+struct BodyResults {    // of the last back-substituted state
   double multiplier[3]; // rho, omega of the balanced equations
   double applied[3], contact_force[3];
 };
@@ -196,21 +196,21 @@ struct ModelHeader { // lives in the solver's header; the arrays live in the wor
   int32_t bodies, function_nodes, load_cases;
   int32_t plane, analysis, iteration_limit;
   int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
-  int32_t contact;       // contact unknowns m, those of tied zones behind the others
-  int32_t path_pairs;    // pairs that may change their status: the first ones,
+  int32_t contact;       // contact unknowns m, those of tied zones last
+  int32_t path_pairs;    // pairs that can change their status: the first ones,
   int32_t path_unknowns; // and their contact unknowns
   int32_t loose;         // free motions that ties leave
   int32_t motions;       // free motions of all bodies in contact
   int32_t border;        // of them, those of bodies that keep no equations
   int32_t line, column, column_end;
-  // Lines x = line_at[0] (bit 1) and y = line_at[1] (bit 2) across which everything is mirrored: those asked for, and
-  // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
+  // Lines of symmetry x = line_at[0] (bit 1) and y = line_at[1] (bit 2): requested, and in force after the completion of the
+  // model; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
   int32_t images;       // 1: elements on a symmetry line are replaced by images
-  int32_t interference; // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
-  int32_t point_sets;   // where interior results are wanted
-  int32_t curves;       // surfaces that are told
-  int32_t columns;      // contact on demand: columns of the contact system that there is room for; 0: it is no such contact
+  int32_t interference; // load case, from 1, that removes initial overlaps; 0: overlaps are not allowed
+  int32_t point_sets;   // points for interior results
+  int32_t curves;       // given curves
+  int32_t columns;      // lazy columns: how many columns of the contact system fit in memory; 0: all are made
   double line_at[2], line_side[2];
   double length_unit; // power of two near the size of the bodies
   double stress_unit; // power of two near 2G of the softer body
@@ -218,7 +218,7 @@ struct ModelHeader { // lives in the solver's header; the arrays live in the wor
   char unit_length[16], unit_force[16];
 };
 
-// Those that a platen has of the body that it moves.
+// Arrays that a platen shares with the body that it moves.
 constexpr int32_t kMeshArrays[] = {kXy, kNodeLine, kEndTraction, kNodeDisp, kEndCode, kEndLine, kRegions};
 
 // One array of every body.
@@ -227,7 +227,7 @@ template <class T, int32_t id> struct BodyArray {
   T* operator[](int b) const { return reinterpret_cast<T*>(reinterpret_cast<char*>(body) + body[b].array[id]); }
 };
 
-struct Model { // a view, rebuilt at every entry into the library: plain pointers, never stored
+struct Model { // a view, rebuilt on every call of the library: plain pointers, never stored
   ModelHeader* head;
   Body* body;
   BodyArray<double, kXy> xy;
@@ -262,17 +262,17 @@ int32_t element_after(const Model& m, int b, int32_t element);
 int32_t geometry_node(const Model& m, int b, int32_t element, int k);
 // Functional node of local function node l of an element.
 int32_t functional_node(const Model& m, int b, int32_t element, int l);
-// Ends of elements of non-zero length that meet at a functional node: 0, 1 or 2 of them (end = element *
-// function_nodes + local), the preceding element first. Without those on a symmetry line, and with them.
+// Ends of elements of non-zero length at a functional node: 0, 1 or 2 (end = element * function_nodes + local), the preceding
+// element first. Without those on a symmetry line, and with them.
 int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
 int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
-int ends_off_axis(const Model& m, int b, int32_t ends[2], int count); // those of them that are on no symmetry line
+int ends_off_axis(const Model& m, int b, int32_t ends[2], int count); // removes those on symmetry lines
 // The boundary point at which an element begins or ends there; -1 for a node inside an element.
 int32_t corner_point(const Model& m, int b, int32_t node);
 bool is_zero_length(const Model& m, int b, int32_t element);
-// Notes for all elements whether they have zero length. Once the nodes have their final places.
+// Stores for all elements whether they have zero length. Once the nodes have their final positions.
 void measure_elements(const Model& m);
-// Does the element carry integrals? Not if it has no length or is replaced by images (model/symmetry.hpp).
+// Is the element integrated over? Not if it has zero length or is replaced by images (model/symmetry.hpp).
 bool is_integrated(const Model& m, int b, int32_t element);
 // The other node of a double node (joined by a zero-length element), or -1. The first of the two carries the
 // collocation equations; the second's are u_first = u_second.
@@ -322,14 +322,14 @@ inline bool is_in_contact(const Unknown& unknown) {
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
-// What is prescribed in a load case, at factor 1.
+// Prescribed values in a load case, at factor 1.
 double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
 double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
 
-// Are columns of the contact system made when they are asked for?
+// Are columns of the contact system made only when needed?
 inline bool is_on_demand(const Model& m) { return !kSmallCode && m.head->columns > 0; }
-// Motions of a body on demand that nothing in its equations holds, the first free ones, and on which no reaction does work
-// (may_be_on_demand).
+// With lazy columns: motions of a body that its equations do not constrain, the first free ones, and on which no reaction does
+// work (may_be_on_demand).
 inline int32_t motions_held(const Model& m, int b) {
   return kSmallCode || m.body[b].on_demand == 0 ? 0 : m.body[b].free_motions;
 }

@@ -1,3 +1,8 @@
+// Points on lines and arcs for generated nodes, with exact symmetry.
+//
+// Meshes of circles should be exactly symmetric: otherwise mirrored nodes differ in the last digit and results of a symmetric
+// model become unsymmetric. So sine and cosine are evaluated in the first octant only, with exact values at 0, 30, 45 and 90
+// degrees, and reflected into the others. fmod and the subtractions of multiples of 90 degrees are exact in floating point.
 #include "model/polar.hpp"
 
 #include "memory/math.hpp"
@@ -5,7 +10,8 @@
 namespace c2d {
 namespace {
 
-// 0 <= degrees <= 45.
+// 0 <= degrees <= 45. Here cosine and sine of the library are accurate, and a common value at 45 degrees keeps the diagonal
+// exact.
 void first_octant(double degrees, double* cosine, double* sine) {
   constexpr double kRadians = 3.14159265358979323846 / 180.0;
   constexpr double kHalfRoot = 0.70710678118654752440;
@@ -35,6 +41,7 @@ void cosine_and_sine(double degrees, double* cosine, double* sine) {
 
 namespace {
 
+// Point i of a uniform division. The last one is `to` itself, without round-off, so that neighbouring curves meet exactly.
 double between(double from, double to, int32_t i, int32_t steps) {
   return i == steps ? to : from + (to - from) * i / static_cast<double>(steps);
 }

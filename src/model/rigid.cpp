@@ -1,3 +1,13 @@
+// Rigid-body motions that the supports of a body leave free (METHOD 7.3).
+//
+// A plane rigid-body motion is a vector (u_x, u_y, omega L) about the centre of the body; L, the unit of length, makes its
+// components comparable. Every prescribed displacement component is a row acting on it: at (x, y), u_x + omega (y_0 - y) = 0 or
+// u_y + omega (x - x_0) = 0. The free motions are the null space of these rows. Phases:
+//   1. Greedy Gram-Schmidt with pivoting: the row farthest from the span of those chosen is added until none is farther than
+//      1e-8. Lines of symmetry contribute rows against the translation across them and the rotation.
+//   2. Complete the basis by unit motions, also by largest distance: the free motions, orthonormal to the prevented ones.
+// Pivoting makes the rank decision reliable for nearly dependent supports (Golub and Van Loan, Matrix Computations, on rank
+// determination by QR with column pivoting).
 #include "model/rigid.hpp"
 
 #include "memory/math.hpp"
@@ -8,11 +18,12 @@ namespace c2d {
 
 namespace {
 
-constexpr double kIndependent = 1e-8;
+constexpr double kIndependent = 1e-8; // a smaller distance from the span counts as dependent: coordinates have round-off
 
 double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Takes the part along `count` orthonormal vectors out of v, twice against cancellation; returns what is left of it.
+// Removes from v its components along `count` orthonormal vectors and returns the length of the rest. Done twice: a single pass
+// of Gram-Schmidt loses orthogonality when most of v cancels.
 double orthogonalise(const double basis[3][3], int count, double v[3]) {
   for (int turn = 0; turn < 2; ++turn) {
     for (int i = 0; i < count; ++i) {
@@ -23,7 +34,7 @@ double orthogonalise(const double basis[3][3], int count, double v[3]) {
   return sqrt(dot(v, v));
 }
 
-// Displacement component at a node as a linear form in the motion.
+// Row of a displacement component at a node, as a linear form in the motion.
 void node_row(const Model& m, int b, int32_t node, int component, double row[3]) {
   const Body& body = body_of(m, b);
   double x, y;
@@ -50,7 +61,7 @@ double farthest_symmetry_row(int32_t lines, const double basis[3][3], int count,
 // The prescribed component that is farthest from the span of the ones found so far.
 double farthest_row(const Model& m, int b, const double basis[3][3], int count, double best[3]) {
   double farthest = farthest_symmetry_row(body_of(m, b).lines, basis, count, best);
-  if (farthest > 0.5) return farthest;
+  if (farthest > 0.5) return farthest; // a symmetry row this independent needs no search over all nodes
   for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
     for (int component = 0; component < 2; ++component) {
       if (!displacement_known(m, b, node, component)) continue;
@@ -71,7 +82,7 @@ void farthest_unit(const double basis[3][3], int count, double best[3]) {
   for (int i = 0; i < 3; ++i) {
     double unit[3] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
     const double left = orthogonalise(basis, count, unit);
-    if (left <= farthest + kIndependent) continue; // of equals the first: translations before the rotation
+    if (left <= farthest + kIndependent) continue; // of equal distances the first: translations before the rotation
     farthest = left;
     for (int k = 0; k < 3; ++k) best[k] = unit[k] / left;
   }
@@ -112,9 +123,10 @@ void put_motion(Text& text, const Model& m, int b, const double motion[3]) {
     put_all(text, "(", motion[0] / size, ", ", motion[1] / size, ")");
     return;
   }
+  // A motion with rotation is a rotation about its pole, where u vanishes.
   const double turn = motion[2] / m.head->length_unit;
   double centre[2] = {body.centre[0] - motion[1] / turn, body.centre[1] + motion[0] / turn};
-  for (double& c : centre) c = fabs(c) <= 1e-12 * m.head->length_unit ? 0 : c; // round-off is no position
+  for (double& c : centre) c = fabs(c) <= 1e-12 * m.head->length_unit ? 0 : c; // print round-off as 0
   put_all(text, "rotation about (", centre[0], ", ", centre[1], ")");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rigid motions that no prescribed displacement prevents, found and named before anything is assembled (METHOD 7.3).
+// Rigid-body motions that no prescribed displacement prevents, found before anything is assembled (METHOD 7.3).
 #include "memory/text.hpp"
 #include "model/model.hpp"
 
@@ -7,8 +7,8 @@ namespace c2d {
 
 // Fills Body::free_motions, free_motion and centre (middle of the body's bounding box) of body b. A motion is
 // (ux, uy, w * length_unit): translation of the centre and rotation w, counter-clockwise. The prescribed
-// components are rows acting on it; what is orthogonal to all of them is free. Rows within 1e-8 of the
-// others' span add nothing. Needs set_units.
+// components are rows acting on it; motions orthogonal to all rows are free. Rows within 1e-8 of the span of the others
+// are dependent. Needs set_units.
 void find_free_motions(const Model& m, int b);
 
 // Appends "along y", "along (0.6, 0.8)" or "rotation about (x, y)"; motion as in Body::free_motion of body b.

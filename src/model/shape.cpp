@@ -1,3 +1,7 @@
+// Lagrange shape functions on equally spaced nodes, thesis (4.11): constant, linear, quadratic and cubic.
+//
+// N_l(eta_k) = 1 for l = k, else 0, and sum_l N_l = 1 (Brebbia, Telles and Wrobel, Boundary Element Techniques, 1984). The
+// coefficients of powers of eta serve the closed-form integrals, which need moments of eta^k.
 #include "model/shape.hpp"
 
 namespace c2d {
@@ -14,7 +18,8 @@ static_assert(kElementNodes == 4, "another order needs values, derivatives, coef
 
 } // namespace
 
-// The product forms vanish exactly (or to round-off) at the other nodes.
+// Product forms instead of Horner's rule with the coefficients: they vanish exactly (or to round-off) at the other nodes, so
+// that a nodal value is reproduced without a share of its neighbours.
 void shape(int nodes, double eta, double* N) {
   const double left = 1.0 - eta, right = 1.0 + eta;
   switch (nodes) {

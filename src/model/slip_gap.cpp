@@ -1,3 +1,12 @@
+// Change of the gap of a pair due to slip along curved surfaces (METHOD 8.7).
+//
+// Small-displacement contact measures the gap along the normal at a fixed pair of points, g + (u_2 - u_1).n, which is right to
+// first order in the slip s. Where a surface changes its curvature, as at the end of a fillet, the first-order profiles have a
+// kink after the slip that the real ones have not, and the pressure shows a spurious peak. METHOD (8.4) replaces the profiles
+// by those of the points that have come to face each other: c(s) = eta_2(-(1 - m) s) - eta_1(m s) - k s^2/2. The last term
+// removes the share of evenly curved surfaces, which linear kinematics omits everywhere, as for a pin that turns in its hole.
+// Phases: find_slip_gaps decides once per zone whether the correction is needed and finds k; slip_gap evaluates c(s) by
+// following both surfaces for the distances m s and (1 - m) s.
 #include "model/slip_gap.hpp"
 
 #include "memory/math.hpp"
@@ -7,11 +16,11 @@ namespace c2d {
 
 namespace {
 
-constexpr double kSame = 1e-9;    // curvatures that differ less, relatively, are one
-constexpr double kNoPart = 1e-9;  // a side that takes so small a part of the slip
-constexpr double kCorner = 0.1;   // radians: a kink at which a curve ends
-constexpr double kNoSlope = 1e-3; // a curve that goes on along the normal ends there
-constexpr double kExact = 1e-14;  // of the way along a curve
+constexpr double kSame = 1e-9;    // relative difference below which two curvatures are equal
+constexpr double kNoPart = 1e-9;  // share of the slip below which a side does not move along its surface
+constexpr double kCorner = 0.1;   // radians: a kink of this angle ends a curve
+constexpr double kNoSlope = 1e-3; // cosine: a curve that runs along the normal ends here
+constexpr double kExact = 1e-14;  // relative tolerance of the position along a curve
 
 // The point of a pair on a side.
 FacePoint point_of_pair(const Model& m, int32_t pair, int side) {
@@ -40,7 +49,7 @@ struct Place {
   double x, y;
 };
 
-// The place on an element at x, which lies between those at eta `from` and `to`: regula falsi (Illinois).
+// The point of an element at tangential coordinate x, between eta `from` and `to`, by regula falsi (Illinois variant).
 Place place_at(const SurfaceElement& element, const View& view, double from, double to, double x) {
   constexpr int kMost = 60;
   double a = from, b = to, xa, xb, y;
@@ -63,8 +72,8 @@ Place place_at(const SurfaceElement& element, const View& view, double from, dou
   return out;
 }
 
-// The element that goes on with the surface beyond one end of another, if it has a curve too and no corner lies between; else
-// -1.
+// The element that continues the surface beyond one end of another, or -1. It must have a given curve and meet without a
+// corner: beyond that the shape is not known well enough for second-order terms.
 int32_t goes_on(const Model& m, int b, int32_t element, int way) {
   const int32_t next = element_beside(m, b, element, way);
   if (next < 0 || is_zero_length(m, b, next) || curve_of(m, b, next) == nullptr || !is_integrated(m, b, next)) return -1;
@@ -73,14 +82,15 @@ int32_t goes_on(const Model& m, int b, int32_t element, int way) {
   return angle_between(n, beside) > kCorner ? -1 : next;
 }
 
-// The surface at x along t from one of its points, or as far that way as the curves go.
+// The point of the surface at the distance x along t from one of its points, or the end of the given curves if that comes
+// first.
 Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[2], double x) {
   int32_t element = at.element;
   double eta = at.eta;
   SurfaceElement surface = surface_element(m, b, element);
   const SurfacePoint start = surface_point(surface, eta);
   const View view{start.x, start.y, {n[0], n[1]}};
-  // The way along the boundary, (-ny, nx) of its normal, against t = (n_y, -n_x).
+  // The direction of travel along the boundary is (-ny, nx) of its normal; its component along t = (n_y, -n_x) gives the sense.
   const double along = -(start.nx * n[0] + start.ny * n[1]);
   if (x == 0.0 || fabs(along) < kNoSlope) return Place{0.0, 0.0};
   const int way = (x > 0.0) == (along > 0.0) ? 1 : -1;
@@ -89,7 +99,7 @@ Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[
     Place end;
     view.see(surface_point(surface, way), &end.x, &end.y);
     if (fabs(end.x) >= fabs(x) && end.x * x > 0.0) return place_at(surface, view, eta, way, x);
-    if ((end.x - last.x) * x < 0.0) break; // it turns back
+    if ((end.x - last.x) * x < 0.0) break; // the surface turns back: x is beyond its extent
     last = end;
     element = goes_on(m, b, element, way);
     if (element >= 0) surface = surface_element(m, b, element);
@@ -100,7 +110,7 @@ Place follow_surface(const Model& m, int b, const FacePoint& at, const double n[
 
 // ---- which pairs ----
 
-// Positive where the body is convex; of the whole element.
+// Mean curvature of an element, positive where the body is convex: turn of the normal over the length, exact for arcs.
 double curvature_of(const Model& m, int b, int32_t element) {
   const Curve* const curve = curve_of(m, b, element);
   if (curve != nullptr && curve->kind == C2D_CURVE_LINE) return 0.0;
@@ -111,16 +121,17 @@ double curvature_of(const Model& m, int b, int32_t element) {
   return turn / element_length(m, b, element);
 }
 
-// The part of the slip that a side takes: as much of its curve passes the pair.
+// Share of the slip by which the surface of a side moves past the pair; METHOD (8.4): m and 1 - m.
 double part_of(const Zone& z, int side) { return side == 0 ? z.normal_part : 1.0 - z.normal_part; }
 
-// What is known of a zone's pairs one after another.
+// Scans the pairs of a zone in order: are all curves given, does the curvature change, and which curvature has the longest
+// stretch?
 struct Course {
   const Curve* curve[2] = {nullptr, nullptr};
-  double length = 0.0, bend = 0.0;    // of the stretch of pairs on these curves: of both sides together
-  double longest = 0.0, even = 0.0;   // of the longest one
-  double curvature[2] = {0.0, 0.0};   // of the pair before
-  bool given = true, changes = false; // curves of all pairs; the curvature of a side that is slid along
+  double length = 0.0, bend = 0.0;    // current stretch on the same two curves: length, integral of the curvature of both
+  double longest = 0.0, even = 0.0;   // longest stretch: length, mean curvature
+  double curvature[2] = {0.0, 0.0};   // of the previous pair
+  bool given = true, changes = false; // all pairs have given curves; the curvature of a side that slides varies
 
   void end_stretch() {
     if (length > longest) {
@@ -173,18 +184,18 @@ void find_slip_gaps(const Model& m) {
 }
 
 double slip_gap(const Model& m, const Zone& z, const FacePoint at[2], const double n[2], double s, double even) {
-  // A point of side 0 and one of side 1 face each other now that were s apart.
+  // Two points face each other now that were s apart in the undeformed state.
   const double way[2] = {z.normal_part * s, -(1.0 - z.normal_part) * s};
   Place there[2];
-  double part = 1.0; // to the end of a curve
+  double part = 1.0; // fraction of the slip up to the end of a curve: beyond it c stays constant
   for (int side = 0; side < 2; ++side) {
     there[side] = follow_surface(m, z.body[side], at[side], n, way[side]);
     if (fabs(there[side].x) < (1.0 - kSame) * fabs(way[side])) part = fmin(part, fabs(there[side].x / way[side]));
   }
   for (int side = 0; side < 2 && part < 1.0; ++side)
     there[side] = follow_surface(m, z.body[side], at[side], n, part * way[side]);
-  // What evenly curved surfaces have added is what the linear motion of small strains leaves out everywhere: a pin that turns
-  // in its hole does not press against it.
+  // Subtract the share of evenly curved surfaces, which linear kinematics neglects everywhere: otherwise a pin that turns in
+  // its hole by an angle w would press against it by w^2 R/2.
   return there[1].y - there[0].y - 0.5 * even * part * part * s * s;
 }
 

@@ -1,3 +1,16 @@
+// The smooth surface over boundary elements (METHOD 8.1).
+//
+// Gaps and normals of contact must be more accurate than the elements: a polygon instead of a circle changes gaps by L^2/8
+// times the curvature, comparable with the approach of the bodies. Phases for one element:
+//   1. A given curve (line, arc, spline) is used as it is.
+//   2. Otherwise collect up to three chords on either side (Chain), across lines of symmetry by reflection, up to corners.
+//   3. At each end estimate the tangent from circles through three points, corrected for the change of curvature, METHOD (8.2).
+//      Several point rows give several estimates; rows with little change of curvature get high weights, so that a jump of
+//      curvature or a kink inside a row removes its influence.
+//   4. Two-node elements: the conic METHOD (8.1) with these end tangents, a rational quadratic Bezier curve (Farin, Curves and
+//      Surfaces for CAGD); for equal angles it is a circle. Curved elements: their own polynomial plus one that vanishes at
+//      their nodes and gives neighbours a common tangent.
+// The largest difference between the estimates is the uncertainty of the surface (METHOD 8.6).
 #include "model/surface.hpp"
 
 #include "memory/math.hpp"
@@ -8,26 +21,26 @@ namespace c2d {
 
 namespace {
 
-constexpr int kReach = 3;             // chords on either side that say how a curve goes on
+constexpr int kReach = 3;             // chords on either side from which the curve is estimated
 constexpr double kCorner = 0.66;      // turn in radians: 38 degrees; a regular decagon is still a circle
-constexpr double kSplineCorner = 1.5; // where a spline is told
-constexpr double kOneTangent = 0.1;   // of the turn of the chords
-constexpr double kTwoTangents = 0.3;
-constexpr double kFlat = 2e-3;     // of the curvature: smaller changes of it are none
-constexpr double kSteepest = 0.05; // cosine of the largest angle between a chord and its curve
-constexpr double kSideWeight = 0.02;
-constexpr double kUnlike = 100; // how much larger than the other an angle between a chord and its curve may be
+constexpr double kSplineCorner = 1.5; // the same along a given spline
+constexpr double kOneTangent = 0.1;   // difference of both tangents over the turn of the chords: below, one common tangent;
+constexpr double kTwoTangents = 0.3;  // above, a kink; in between a linear transition
+constexpr double kFlat = 2e-3;        // relative change of curvature that counts as constant
+constexpr double kSteepest = 0.05;    // cosine of the largest angle between a chord and its curve
+constexpr double kSideWeight = 0.02;  // weight of point rows on one side only, relative to those across the point
+constexpr double kUnlike = 100;       // largest ratio of the two angles between a chord and its curve
 
 double arc_sine(double sine) { return atan2(sine, sqrt(1 - sine * sine)); }
 
 double limited(double value, double least, double most) { return value < least ? least : value > most ? most : value; }
 
-// From direction a to b, positive to the left.
+// Angle from direction a to direction b, positive to the left.
 double turn_between(const double a[2], const double b[2]) {
   return atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
 }
 
-// 0: one tangent at a point, 1: as many as the curve has on either side of it.
+// 0: one common tangent, 1: separate tangents on both sides. The linear transition keeps the surface continuous in the data.
 double kink_part(double kink_by_turn) { return limited((kink_by_turn - kOneTangent) / (kTwoTangents - kOneTangent), 0, 1); }
 
 // ---- the boundary points around ----
@@ -39,7 +52,7 @@ struct Chain {
   double turn[2 * kReach + 1], bend[2 * kReach + 1]; // at the joints: angle, curvature of the circle through three points
 };
 
-// Goes along a region, and along its images behind lines of symmetry.
+// A position on a region or on its reflection across lines of symmetry.
 struct Walk {
   int32_t element;
   int way;        // 1 or -1
@@ -65,19 +78,21 @@ const Curve* curve_of(const Model& m, int b, int32_t element) {
 
 namespace {
 
+// Moves to the next element; at a line of symmetry to the reflection of the same element, walked backwards. False: the curve
+// ends.
 bool go_on(const Model& m, int b, Walk& walk) {
   const int32_t next = element_beside(m, b, walk.element, walk.way);
   if (m.body[b].lines != 0) {
     const double* end = m.xy[b] + 2 * geometry_node(m, b, walk.element, walk.way > 0 ? body_of(m, b).element_nodes - 1 : 0);
     const int32_t lines = lines_through(*m.head, end[0], end[1]);
     if (lines != 0 && (next < 0 || is_axis_element(m, b, next))) {
-      if (lines == 3) return false; // (refused afterwards)
+      if (lines == 3) return false; // crossing of both lines: refused by validation
       walk.sign[lines - 1] = -walk.sign[lines - 1];
       walk.way = -walk.way;
       return true;
     }
   }
-  if (next < 0) return false; // (the same: an open region that ends on no line)
+  if (next < 0) return false; // an open region that does not end on a line: refused as well
   const Curve* const own = curve_of(m, b, walk.element);
   walk.element = next;
   return !is_zero_length(m, b, next) && curve_of(m, b, next) == own;
@@ -86,13 +101,14 @@ bool go_on(const Model& m, int b, Walk& walk) {
 void add_chord(const Model& m, int b, const Walk& walk, int place, Chain& chain) {
   const double* p = m.xy[b] + 2 * geometry_node(m, b, walk.element, 0);
   const double* q = m.xy[b] + 2 * geometry_node(m, b, walk.element, 1);
-  const int at = kReach + place, sense = place < 0 ? -walk.way : walk.way; // always forwards
+  const int at = kReach + place, sense = place < 0 ? -walk.way : walk.way; // chords point forwards
   chain.dx[at] = sense * walk.sign[0] * (q[0] - p[0]);
   chain.dy[at] = sense * walk.sign[1] * (q[1] - p[1]);
   chain.length[at] = sqrt(chain.dx[at] * chain.dx[at] + chain.dy[at] * chain.dy[at]);
 }
 
-// False at a corner.
+// Turn and curvature at a joint; false at a corner. The curvature is that of the circle through three points: 4 times the area
+// of the triangle over the product of its sides.
 bool add_joint(Chain& chain, int joint, double corner) {
   const int at = kReach + joint, from = at - 1;
   const double cross = chain.dx[from] * chain.dy[at] - chain.dy[from] * chain.dx[at],
@@ -116,7 +132,7 @@ int follow(const Model& m, int b, int32_t element, int way, bool spline, Chain& 
 
 // ---- the tangent at one end of chord 0 ----
 
-// The chain as it is seen towards that end, joint 1.
+// The chain viewed towards one end of chord 0: there it is joint 1, for either end, so that one formula serves both.
 struct View {
   const Chain* chain;
   int way;
@@ -156,20 +172,22 @@ struct Tangents {
 };
 
 [[gnu::noinline]] Tangents tangents_at(const View& v, bool spline) {
-  if (!v.has(1)) { // the last chord: a circle, or more
+  if (!v.has(1)) { // no chord beyond this end: the tangent comes from this side, by one circle or two
     if (!v.has(0)) return Tangents{0, 0, 0};
     double angle = circle_angle(v, 0, 0);
     if (v.has(-1)) {
       const double change = 3 * (v.bend(0) - v.bend(-1)) / (v.length(-2) + v.length(-1) + v.length(0));
       angle = limited(tangent_by(v, -1, change), -kCorner, kCorner);
     }
-    const double corner = 0.5 * v.turn(1); // the sides of a corner share its turn; 0: the curve ends
+    const double corner = 0.5 * v.turn(1); // each side may take half of the turn of a corner; 0: the curve ends here
     if (corner * angle > 0) angle = limited(angle, -fabs(corner), fabs(corner));
     return Tangents{angle, angle, fabs(angle - circle_angle(v, 0, 0))};
   }
   double largest = 0;
   for (int j = -1; j <= 3; ++j)
     if (v.has(j)) largest = fmax(largest, fabs(v.bend(j)));
+  // Weighted mean over the four point rows. The weight falls with the fourth power of the relative change of curvature: a row
+  // across a jump or kink loses against one that ends there, although all rows are always evaluated.
   const double single = circle_angle(v, 1, 0), turn = v.turn(1);
   double least = single, most = single;
   Mean before = {0, 0}, behind = {0, 0};
@@ -178,7 +196,7 @@ struct Tangents {
     const double rate = 3 * (v.bend(pair + 1) - v.bend(pair)) / (v.length(pair - 1) + v.length(pair) + v.length(pair + 1));
     const double size = rate * 0.5 * (v.length(0) + v.length(1)) / largest, square = size * size + kFlat * kFlat;
     const bool beside = pair == -1 || pair == 2;
-    if (spline && beside) continue; // no jumps and kinks are looked for
+    if (spline && beside) continue; // a spline is smooth by definition: no one-sided rows
     const double weight = spline ? 1 : (beside ? kSideWeight : 1) / (square * square), angle = tangent_by(v, pair, rate);
     least = fmin(least, angle);
     most = fmax(most, angle);
@@ -187,7 +205,7 @@ struct Tangents {
   }
   Tangents t = {before.weight > 0 ? before.sum / before.weight : single,
                 behind.weight > 0 ? behind.sum / behind.weight : single, 0};
-  // One tangent, unless the curve has a kink in the sense of its turn.
+  // One common tangent, unless both differ clearly and in the sense of the turn of the chords.
   const double kink = t.behind - t.before, mean = 0.5 * (t.before + t.behind);
   const double part = turn == 0 || spline ? 0 : kink_part(kink / turn);
   t.before = mean + part * (t.before - mean);
@@ -207,8 +225,8 @@ void tangent_at(const double* x, const double* y, int nodes, double eta, double 
   out[1] = p.dy;
 }
 
-// Half the angle at which a curved element meets its neighbour at one end, positive where the tangent between theirs lies
-// farther out; 0 at a kink. *known: there is a neighbour.
+// Half the angle at which a curved element meets its neighbour at one end, positive where the common tangent lies farther out;
+// 0 at a kink, which is kept. *known: there is a neighbour.
 double half_kink(const Model& m, int b, int32_t element, const SurfaceElement& s, bool spline, int way, bool* known) {
   Walk walk = {element, way, {1, 1}};
   *known = go_on(m, b, walk);
@@ -227,17 +245,19 @@ double half_kink(const Model& m, int b, int32_t element, const SurfaceElement& s
   return 0.5 * kink * (spline ? 1 : 1 - kink_part(fabs(kink) / turn));
 }
 
-// (Not inlined, like bend_chords: one frame would stand below what either calls.)
+// Not inlined, like bend_chords: the frames of the two alternatives must not add up.
 [[gnu::noinline]] void bend_curved(const Model& m, int b, int32_t element, bool spline, SurfaceElement& s) {
   bool known[2];
   for (int end = 0; end < 2; ++end) s.bend[end] = half_kink(m, b, element, s, spline, 2 * end - 1, &known[end]);
   for (int end = 0; end < 2; ++end)
-    if (!known[end] && known[1 - end]) s.bend[end] = s.bend[1 - end]; // as if the curve went on as it ends
+    if (!known[end] && known[1 - end])
+      s.bend[end] = s.bend[1 - end]; // no neighbour: assume the same correction as at the other end
   s.length = element_length(m, b, element);
   s.doubt = 0.025 * s.length * fmax(fabs(s.bend[0]), fabs(s.bend[1]));
 }
 
-// What the tangents at its ends add to the element's own curve: a polynomial that vanishes at its boundary points.
+// Adds to the curve of the element the polynomial that gives the end tangents and vanishes at its boundary points, which must
+// stay on the surface. Degree four with three nodes and five with four, the least that has these zeros and two free slopes.
 void add_bend(const SurfaceElement& s, double eta, double size, SurfacePoint& p) {
   const double c = s.nodes == 3 ? 0 : 1.0 / 9, scale = 0.25 * s.length * (s.nodes == 3 ? 1 : 1.125);
   const double mean = 0.5 * (s.bend[0] + s.bend[1]), half = 0.5 * (s.bend[1] - s.bend[0]), square = eta * eta;
@@ -251,7 +271,7 @@ void add_bend(const SurfaceElement& s, double eta, double size, SurfacePoint& p)
   p.ny = unit * (ny - slope * nx);
 }
 
-// Between two boundary points: the conic with the tangents that the chords around give.
+// Two boundary points: end tangents of the conic from the chords around.
 [[gnu::noinline]] void bend_chords(const Model& m, int b, int32_t element, bool spline, SurfaceElement& s) {
   Chain chain = Chain();
   add_chord(m, b, Walk{element, 1, {1, 1}}, 0, chain);
@@ -264,7 +284,7 @@ void add_bend(const SurfaceElement& s, double eta, double size, SurfacePoint& p)
     sum += t.before;
     s.doubt = fmax(s.doubt, 0.15 * chain.length[kReach] * t.doubt);
   }
-  // Towards a straight part of the curve the other angle becomes none with this one, or its sign were the tangent's.
+  // Towards a straight part both angles must tend to zero together; otherwise round-off of the small one decides the shape.
   for (int end = 0; end < 2; ++end)
     s.bend[end] = limited(s.bend[end], -kUnlike * fabs(s.bend[1 - end]), kUnlike * fabs(s.bend[1 - end]));
   s.weight = cos(0.5 * sum);
@@ -276,16 +296,16 @@ SurfaceElement surface_element(const Model& m, int b, int32_t element) {
   SurfaceElement s = SurfaceElement();
   s.nodes = body_of(m, b).element_nodes;
   element_coordinates(m, b, element, s.x, s.y);
-  const Curve* const told = curve_of(m, b, element);
-  if (told != nullptr && told->kind == C2D_CURVE_ARC) {
-    for (int c = 0; c < 2; ++c) s.centre[c] = told->centre[c];
-    s.radius = told->radius;
+  const Curve* const given = curve_of(m, b, element);
+  if (given != nullptr && given->kind == C2D_CURVE_ARC) {
+    for (int c = 0; c < 2; ++c) s.centre[c] = given->centre[c];
+    s.radius = given->radius;
   }
-  if (told != nullptr && told->kind != C2D_CURVE_SPLINE) return s;
+  if (given != nullptr && given->kind != C2D_CURVE_SPLINE) return s;
   if (s.nodes > 2)
-    bend_curved(m, b, element, told != nullptr, s);
+    bend_curved(m, b, element, given != nullptr, s);
   else if (!is_zero_length(m, b, element))
-    bend_chords(m, b, element, told != nullptr, s);
+    bend_chords(m, b, element, given != nullptr, s);
   return s;
 }
 
@@ -305,8 +325,9 @@ SurfacePoint surface_point(const SurfaceElement& s, double eta) {
   }
   if (s.nodes > 2) add_bend(s, eta, size, out);
   if (s.nodes > 2 || s.bend[0] * s.bend[1] <= 0) return out;
-  // In lengths of the chord: the tangents cross at (q, h), weight w; the conic's parameters a + b = 1 above the chord's point
-  // t. No difference of large terms: one tangent may be as good as along the chord beside the other.
+  // In units of the chord: the end tangents cross at (q, h), the Bezier control point with weight w. a + b = 1 are the
+  // parameters of the conic point above the fraction t of the chord: root of a quadratic equation, in the form without
+  // cancellation, since one tangent may be nearly parallel to the chord.
   const double sum = s.bend[0] + s.bend[1], p0 = s.bend[0] / sum, q = s.bend[1] / sum, h = s.bend[0] * q, w = s.weight;
   const double t = 0.5 * (1 + eta), rest = 0.5 * (1 - eta), k = w * (eta < 0 ? q - t : rest - p0);
   const double root = sqrt(k * k + rest * t), to = k > 0 ? t : root - k, from = k > 0 ? root + k : rest;
@@ -327,9 +348,9 @@ SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta) {
 
 namespace {
 
-// Turn and length of a side of a zone: its mean curvature, 0 where that is concave.
+// Mean curvature of a side of a zone: turn over length; practically 0 where it is concave or flat. Input of METHOD (8.3).
 double roundness(const Model& m, const Zone& z, int side) {
-  constexpr double kNoTurn = 1e-15; // round-off
+  constexpr double kNoTurn = 1e-15; // not 0: with both sides flat the ratio of METHOD (8.3) becomes one half
   const int b = z.body[side], step = z.element_step[side];
   double turn = 0, length = 0, end[2] = {0, 0};
   for (int32_t k = 0; k < zone_elements(z, side); ++k) {

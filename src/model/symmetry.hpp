@@ -1,7 +1,7 @@
 #pragma once
-// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a body that meets a line
-// only one side is modelled; its curves end on the line, or the elements there (axis elements) are passed over. The image of
-// a body that does not meet it is another body, which its equations know nothing of.
+// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Only one half of a body that
+// meets a line is modelled; its curves end on the line, or the elements on the line (axis elements) are ignored. The image of a
+// body that does not meet the line is a separate body and does not enter its equations.
 #include "model/model.hpp"
 #include "model/validate/validate.hpp"
 
@@ -31,7 +31,8 @@ inline bool is_held_by_symmetry(const Model& m, int b, int32_t node, int compone
   return m.body[b].lines != 0 && do_lines_hold(m, b, node, component);
 }
 
-// Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across. Is this one of a body that meets these?
+// Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across. Does a body that meets `lines` have this
+// image?
 inline bool is_image(int32_t lines, int image) { return (image & ~lines) == 0; }
 inline double image_sign(int image, int component) { return (image >> component & 1) != 0 ? -1.0 : 1.0; }
 inline double mirrored(const ModelHeader& head, int image, int component, double coordinate) {
@@ -42,12 +43,12 @@ inline void fold(const ModelHeader& head, double p[2]) {
   if (head.symmetry != 0) fold_point(head, p);
 }
 
-// Sets head->symmetry to the lines asked for or found among the elements (head->images), moves points onto
-// them, and checks that the model fits. Needs set_units. Returns false if it told a fault.
+// Sets head->symmetry to the lines requested or detected among the elements (head->images), moves points onto them, and checks
+// the model. Needs set_units. Returns false if it reported a fault.
 bool validate_symmetry(const Model& m, Reporter& reporter);
 
 // ---- the part of it that comes with c2d_set_symmetry (memory/parts.hpp) ----
-// The same where lines are asked for.
+// The same for requested lines.
 bool validate_lines(const Model& m, Reporter& reporter);
 int32_t lines_along(const Model& m, int b, int32_t element);
 int32_t lines_at_corner(const Model& m, int b, int32_t node);

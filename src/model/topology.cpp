@@ -1,4 +1,9 @@
-// Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between symmetry lines.
+// Connectivity of nodes, elements, element ends, zones and pairs.
+//
+// Every region is a curve of its own: closed, or open between symmetry lines. Numbering is by formula, without tables: element
+// e of a closed region has the geometry nodes e (n-1) ... (e+1) (n-1), the last node of its last element being the first of its
+// first; an open region has one node more, so all regions after it are shifted by one (Region::shift). This costs no memory,
+// which matters on microcontrollers, and a search over the few regions of a body.
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
@@ -11,11 +16,11 @@ C2D_USES(FreeZonePart);
 
 namespace {
 
-// Steps from one end of an element to the other, in the numbering of functional nodes.
+// Increment of functional node numbers from one end of an element to the other.
 int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
 
-// A functional node as local node of the element that begins there or holds it; the end of an open region is
-// the last local node of its last element.
+// A functional node as a local node of the element that begins at it or contains it; the end of an open region is the last
+// local node of its last element.
 struct NodePlace {
   int32_t element, local;
   const Region* region; // null for constant functions, whose nodes are the elements
@@ -37,15 +42,15 @@ int32_t element_before(const NodePlace& at) {
   return at.region->open ? -1 : at.region->last;
 }
 
-// (within this file, which asks for it all the time)
+// Local to this file, so that the compiler can inline it: it is called for every node.
 const Region* region_with(const Model& m, int b, int32_t element) {
   const Region* r = m.region[b];
   for (const Region* const last = r + body_of(m, b).regions - 1; r < last && element > r->last;) ++r;
   return r;
 }
 
-// Position k = 0, 1, ... of `number` in the sequence first, first + step, ... that wraps round first_in ...
-// last_in, or ends there if the range is open.
+// Position k = 0, 1, ... of `number` in the sequence first, first + step, ... over the cyclic range first_in ... last_in, or -1
+// beyond the end of an open range.
 int32_t place_in_range(int32_t number, int32_t first, int32_t step, int32_t first_in, int32_t last_in, bool open) {
   if (number < first_in || number > last_in) return -1;
   const int32_t place = step > 0 ? number - first : first - number;
@@ -66,7 +71,8 @@ bool ends_coincide(const Model& m, int b, int32_t element, double near) {
   return fabs(p[0] - q[0]) <= near && fabs(p[1] - q[1]) <= near;
 }
 
-// As is_zero_length, within this file. While a model is built, and points may be missing: ends in the same place.
+// As is_zero_length, local to this file. After measure_elements the result is stored; while the model is built, and points may
+// still be missing, the ends are compared.
 bool has_no_length(const Model& m, int b, int32_t element) {
   const uint8_t code = m.end_code[b][element * m.head->function_nodes];
   return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element, 0.0);
@@ -145,6 +151,7 @@ int32_t corner_point(const Model& m, int b, int32_t node) {
 
 bool is_zero_length(const Model& m, int b, int32_t element) { return has_no_length(m, b, element); }
 
+// Zero length is decided once, with a tolerance of the whole body, and stored: the decision must be the same everywhere.
 void measure_elements(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b) {
     const double near = coincidence_of(m, b);
@@ -174,7 +181,7 @@ int32_t twin_node(const Model& m, int b, int32_t node) {
 }
 
 bool is_second_twin(const Model& m, int b, int32_t node) {
-  const int32_t twin = twin_node(m, b, node); // the first's element ends here
+  const int32_t twin = twin_node(m, b, node); // the zero-length element begins at the first node and ends at the second
   return twin >= 0 && functional_node(m, b, place_of_node(m, b, twin).element, 1) == node;
 }
 
@@ -183,7 +190,7 @@ void element_coordinates(const Model& m, int b, int32_t element, double x[kEleme
   const Region& r = *region_with(m, b, element);
   const int32_t first = element * steps + r.shift,
                 end = element == r.last && !r.open ? r.first * steps + r.shift : first + steps;
-  for (int32_t k = 0; k <= steps; ++k) { // as geometry_node(), for all of them
+  for (int32_t k = 0; k <= steps; ++k) { // as geometry_node() for every k, with one search for the region
     const double* p = m.xy[b] + 2 * (k < steps ? first + k : end);
     x[k] = p[0];
     y[k] = p[1];
@@ -192,7 +199,7 @@ void element_coordinates(const Model& m, int b, int32_t element, double x[kEleme
 
 void node_position(const Model& m, int b, int32_t node, double* x, double* y) {
   const int32_t f = m.head->function_nodes, corner = corner_point(m, b, node);
-  if (corner >= 0) { // a corner of the mesh: exactly the boundary point
+  if (corner >= 0) { // at element ends exactly the boundary point, without round-off of the shape functions
     const double* p = m.xy[b] + 2 * corner;
     *x = p[0];
     *y = p[1];
@@ -244,6 +251,7 @@ int32_t pair_in_zone(const Model& m, const Zone& z, int side, int32_t node) {
 
 } // namespace
 
+// At most one zone contains a node (validate_zones), so the first hit is the only one.
 PairSide pair_of_node(const Model& m, int b, int32_t node) {
   for (int32_t i = 0; i < m.head->zones; ++i)
     for (int side = 0; side < 2; ++side) {

@@ -1,4 +1,12 @@
-// Which of displacement and tractions is the unknown of a node: the rules of the condition cards.
+// The unknown of each functional node and component: displacement or traction (METHOD 2.2).
+//
+// A boundary element equation is written per node and component, so exactly one quantity may be unknown there. A node has one
+// displacement but two tractions, one per element end:
+//   displacement free, all tractions known:   the displacement is unknown
+//   displacement known, one traction unknown: that traction
+//   displacement known, both unknown:         one traction shared by both ends (a smooth boundary; at a corner an
+//   approximation) node of a contact pair:                   displacement and traction belong to the contact system
+// Anything else is a fault of the model (UnknownKind none, several).
 #include "model/unknowns.hpp"
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
@@ -6,8 +14,8 @@
 
 namespace c2d {
 
-// Side 0 of a free zone has ordinary nodes, and what the contact brings is no unknown of theirs: cards that call
-// traction and displacement unknown there mean the contact.
+// Nodes on side 0 of a free zone belong to no pair; their contact traction is transferred (METHOD 9.2) and is no unknown. A
+// card that declares traction and displacement unknown there leaves the traction to the contact.
 static bool is_left_to_contact(const Model& m, int b, int32_t end, int component) {
   ZonePlace at;
   const int32_t f = m.head->function_nodes, element = end / f;
@@ -47,8 +55,8 @@ bool is_contact_component(const Pair& pair, int component) {
 
 namespace {
 
-// The conditions of a contact pair stand for one equation more: the displacement is free (build_frames), and the ends
-// outside the contact must bring no unknown of their own.
+// Both displacement and traction of a contact node are unknown; the contact conditions supply the missing equation. So the
+// displacement must be free (checked in build_frames), and ends outside the contact may have no unknown traction.
 UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, int component) {
   const int32_t f = m.head->function_nodes;
   for (int i = 0; i < count; ++i) {
@@ -58,9 +66,9 @@ UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, 
   return UnknownKind::contact;
 }
 
-// What both components of a node ask for.
+// Data common to both components of a node.
 struct NodeEnds {
-  int32_t ends[2]; // but those on lines of symmetry
+  int32_t ends[2]; // except those on lines of symmetry
   int count;
   bool fixed[2];
   int32_t pair;
@@ -85,7 +93,7 @@ Unknown find_unknown(const Model& m, int b, int32_t node, const NodeEnds& at, in
     unknown.kind = contact_kind(m, b, at.ends, at.count, component);
     return unknown;
   }
-  // Across a pair's symmetry direction a contact end carries no traction, unless a card says it is unknown.
+  // In a direction fixed by symmetry a contact end has no traction unless a card declares it unknown.
   int tractions = 0;
   for (int i = 0; i < at.count; ++i) {
     if (!traction_known(m, b, at.ends[i], component)) unknown.end[tractions++] = at.ends[i];
@@ -141,12 +149,14 @@ bool has_body_forces(const Model& m) {
   return false;
 }
 
+// Units are powers of two: dividing by them is exact, so results do not depend on the units of the input beyond the last
+// digits. Lengths refer to the largest body, stresses to 2G of the softest one, whose deformation dominates.
 void set_units(const Model& m) {
   double size = 0, modulus = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
     const Box box = box_of_body(m, b);
     size = fmax(size, fmax(box.x_max - box.x_min, box.y_max - box.y_min));
-    if (is_rigid(m, b)) continue; // its modulus means nothing
+    if (is_rigid(m, b)) continue; // a rigid body has no modulus
     modulus = modulus > 0 ? fmin(modulus, 2 * shear_modulus(m, b)) : 2 * shear_modulus(m, b);
   }
   m.head->length_unit = size > 0 ? power_of_two_near(size) : 1;

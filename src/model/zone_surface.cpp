@@ -1,4 +1,8 @@
-// The surface of a side of a zone, with one normal where its elements meet.
+// The surface of a side of a free zone with continuous normals (METHOD 8.5).
+//
+// At a kink the two normals are replaced by their mean, and the correction fades linearly towards the other ends of both
+// elements. With continuous normals every point of one side faces a point of the other: discontinuous ones would leave wedges
+// without facing points at convex kinks and double facing at concave ones.
 #include "memory/math.hpp"
 #include "model/facing.hpp"
 
@@ -21,7 +25,7 @@ void normalise(double n[2]) {
   if (size > 0) n[0] /= size, n[1] /= size;
 }
 
-// Lines of symmetry through that point.
+// Lines of symmetry through an end of an element.
 int32_t lines_at_end(const Model& m, int b, int32_t element, int end) {
   const int32_t point = geometry_node(m, b, element, end < 0 ? 0 : body_of(m, b).element_nodes - 1);
   return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
@@ -42,7 +46,8 @@ int32_t place_beside(const Model& m, const Zone& z, int side, int32_t place, int
 
 namespace {
 
-// Adds to the normal at the start or end of an element its neighbour's, which on a line of symmetry is its own image.
+// Averages the normal at an end of an element with that of its neighbour. On a line of symmetry the neighbour is the image, and
+// the mean has no component across the line.
 void add_neighbour(const Model& m, const Zone& z, int side, const FacePoint& at, int end, double n[2]) {
   const int b = z.body[side];
   const int32_t next = place_beside(m, z, side, at.place, end);
@@ -64,7 +69,7 @@ Place place_at(const Model& m, const Zone& z, int side, const SurfaceElement& su
   double* n = out.n;
   n[0] = out.point.nx;
   n[1] = out.point.ny;
-  for (int end = -1; end <= 1; end += 2) { // what a kink's mean normal adds fades towards the other end
+  for (int end = -1; end <= 1; end += 2) { // the correction at a kink fades towards the other end
     const double part = 0.5 * (1 + end * at.eta);
     if (part == 0) continue;
     const SurfacePoint own = surface_point(surface, end);
@@ -102,7 +107,7 @@ int32_t element_beside_pair(const Model& m, const Pair& pair) {
   ZonePlace at;
   if (fabs(pair.eta) != 1.0) return -1;
   const bool in_zone = find_contact_element(m, z.body[0], pair.element, &at);
-  if (C2D_NEVER(!in_zone)) return -1; // a pair's element is
+  if (C2D_NEVER(!in_zone)) return -1; // the element of a pair is always in its zone
   const int32_t beside = place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1);
   return beside < 0 ? -1 : zone_element(m, z, 0, beside);
 }

@@ -42,7 +42,7 @@ void ElementCurve::slope(double eta, double out[2]) const {
 double ElementCurve::length(double from, double to, int32_t nodes, int32_t k) const {
   static const double kPlace[3] = {0.0, 0.5384693101056831, 0.9061798459386640}; // Gauss, five points
   static const double kWeight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-  const int panels = count > 2 ? 4 : 1; // even a curve that turns by a right angle is then measured to 1e-10
+  const int panels = count > 2 ? 4 : 1; // accurate to 1e-10 even for a curve that turns by a right angle
   const double half = (to - from) / (2 * panels);
   double sum = 0, t[2];
   for (int i = 0; i < panels; ++i)

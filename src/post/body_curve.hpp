@@ -1,4 +1,4 @@
-// The boundary of a body as elements, asked of the library: where they are, how long they are, what follows what.
+// The boundary of a body as elements, queried from the library: positions, lengths, order.
 #pragma once
 
 #include "post/summary.hpp"
@@ -11,7 +11,7 @@
 
 namespace app {
 
-// Lagrange's polynomials over `count` equally spaced points of [-1, 1], and their slopes; one point: constant.
+// Lagrange polynomials over `count` equally spaced points of [-1, 1], and their slopes; one point: constant.
 double shape_value(int32_t count, int32_t k, double eta);
 double shape_slope(int32_t count, int32_t k, double eta);
 // The place of functional node k (from 0) of `count`.
@@ -37,9 +37,9 @@ public:
   const ElementCurve& element(int32_t e) const { return elements_[static_cast<size_t>(e) - 1]; }
   // Functional node of an element's end, local from 1.
   int32_t node(int32_t e, int32_t local) const;
-  // The element that follows, upwards or downwards; 0 behind the ends of an open region.
+  // The next element, upwards or downwards; 0 beyond the ends of an open region.
   int32_t next(int32_t e, bool up) const;
-  // How many elements the region has that e belongs to; is it a closed one?
+  // Number of elements of the region of e; is it closed?
   int32_t region_size(int32_t e) const { return region_of(e).last - region_of(e).first + 1; }
   bool is_closed(int32_t e) const { return !region_of(e).open; }
   // Does the boundary turn by more than 30 degrees where element e begins, or ends?

@@ -6,11 +6,11 @@
 namespace app {
 namespace {
 
-const double kCorner = 15 * kPi / 180; // the least turn of a corner
-const double kChord = 50 * kPi / 180;  // chords of an arc turn by less
-const double kAlike = 3;               // and by much the same where they follow each other
+const double kCorner = 15 * kPi / 180; // smallest turn of a corner
+const double kChord = 50 * kPi / 180;  // chords of an arc turn by less than this,
+const double kAlike = 3;               // and successive ones by similar angles: within this factor
 
-// From one direction to another, to the left positive; -pi at the tip of a slit.
+// Angle from one direction to another, positive to the left; -pi at the tip of a slit.
 double turn(const Spot& a, const Spot& b) {
   const double angle = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
   return angle > kPi - 1e-6 ? -kPi : angle;
@@ -121,7 +121,7 @@ double BodyFaces::angle_at_image(int32_t element, bool up) const {
   const Spot end = at(element, up), own = direction(element, up);
   for (int axis = 0; axis < 2; ++axis) {
     if (!is_at_line(end, axis)) continue;
-    const Spot image = axis == 0 ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // mirrored, and the other way round
+    const Spot image = axis == 0 ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // reflected, and in the opposite direction
     return kPi - (up ? turn(own, image) : turn(image, own));
   }
   return 0;
@@ -141,7 +141,7 @@ double BodyFaces::turn_beyond(int32_t element, bool up) const {
   return other != 0 ? turn_after(up ? element : other) : turn_at_image(element, up);
 }
 
-// Chords of an arc turn as those beside them.
+// Chords of an arc turn by similar angles as their neighbours.
 bool BodyFaces::is_of_chords(double turn, double before, double after) const {
   const auto is_like = [&](double other) { return other * turn > 0 && other / turn < kAlike && turn / other < kAlike; };
   return per_element_ == 2 && std::fabs(turn) <= kChord && (is_like(before) || is_like(after));
@@ -165,7 +165,7 @@ bool BodyFaces::face(int32_t element, Face& out) const {
   const int32_t known = condition_[index(element)];
   if (known == 0) return true;
   const Spot d = direction(element, false);
-  const double across = known == 1 ? d.x : d.y, along = known == 1 ? d.y : d.x; // of the direction that is held
+  const double across = known == 1 ? d.x : d.y, along = known == 1 ? d.y : d.x; // in the supported direction
   const double kStraight = 1e-6;
   if (known == 3)
     out.kind = FaceKind::kBonded;

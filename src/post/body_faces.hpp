@@ -1,4 +1,4 @@
-// The boundary of a body as a chain of faces: which element follows which, the angles between them, what holds on each.
+// The boundary of a body as a chain of faces: order of elements, angles between them, boundary conditions.
 #pragma once
 
 #include "post/corner_exponent.hpp"
@@ -17,7 +17,7 @@ struct Spot {
 inline Spot operator-(const Spot& a, const Spot& b) { return {a.x - b.x, a.y - b.y}; }
 double distance(const Spot& a, const Spot& b);
 
-// A stretch of elements ends where this one does; up: where its numbers go on upwards.
+// An end of a range of elements; up: at its highest number.
 struct StretchEnd {
   int32_t element = 0;
   bool up = true;
@@ -33,7 +33,7 @@ public:
   Spot at(int32_t element, bool end) const;
   Spot direction(int32_t element, bool end) const; // of length 1, along rising numbers
   double length(int32_t element) const;
-  // Between the end of an element and the next one, through the material: 2 pi at the tip of a slit.
+  // Angle through the material between the end of an element and the next one: 2 pi at the tip of a slit.
   double angle_after(int32_t element) const;
   bool is_on_line(int32_t element) const { return on_line_[index(element)]; } // replaced by images: no boundary
   // The same at the end of a curve, where its image begins; up: at its last element. 0: it does not end on a line.
@@ -42,15 +42,15 @@ public:
   bool is_corner_after(int32_t element) const;
   // The same where the image begins.
   bool is_corner_at_image(int32_t element, bool up) const;
-  // What holds on an element; false: something that a Face cannot say, or contact.
+  // Boundary condition of an element; false: contact, or a condition that a Face cannot represent.
   bool face(int32_t element, Face& out) const;
 
   int32_t zone(int32_t element) const { return zone_[index(element)]; } // 0: of none
   void enter_zone(const c2d_side& side, int32_t zone);
-  // Where a side's range ends; `first`: whether a range of one element runs up.
+  // End of the range of a side; `first`: whether a range of one element runs up.
   void find_ends(const c2d_side& side, bool first, StretchEnd out[2]) const;
   Spot at(const StretchEnd& end) const { return at(end.element, end.up); }
-  // The same for what meets there: angle, is it a corner, the element beyond (0: none).
+  // The same for the joint at this end: angle, is it a corner, the element beyond (0: none).
   int32_t before(const StretchEnd& end) const { return end.up ? end.element : next(end.element, false); }
   int32_t beyond(const StretchEnd& end) const { return next(end.element, end.up); }
 

@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 // Stress and displacement on a ray for each of the four functions of a sector, without their powers of r: s_tt/lambda,
-// s_rt/lambda, 2G u_r, 2G u_t. Airy's functions r^(lambda+1) F(theta) have F = cos, sin of (lambda+1) theta, and F = cos, sin
+// s_rt/lambda, 2G u_r, 2G u_t. Airy functions r^(lambda+1) F(theta) have F = cos, sin of (lambda+1) theta, and F = cos, sin
 // of (lambda-1) theta less and plus the former, which leaves translations at lambda = 0.
 enum { kNormal = 0, kShear = 1, kAlong = 2, kAcross = 3 };
 using Ray = std::array<std::array<Complex, 4>, 4>; // [quantity][function]
@@ -132,7 +132,7 @@ public:
 private:
   Complex value(Complex z) const { return corner_determinant(shape_, z); }
   double on_axis(double x) const { return value(x).real(); }
-  // Without the zeros that were met so far.
+  // Deflated by the zeros found so far.
   Complex deflated(Complex z) const {
     Complex product = 1;
     for (const std::vector<Complex>* list : {&found_, &outside_})
@@ -152,10 +152,10 @@ private:
   const CornerShape& shape_;
   double below_;
   std::vector<Complex> found_;
-  std::vector<Complex> outside_; // zeros that are not asked for; the first is 1 if the body can turn
+  std::vector<Complex> outside_; // zeros that are not wanted; the first is 1 if the body can rotate
 };
 
-// Muller's iteration: the nearer zero of the parabola through the last three points.
+// Muller iteration: the nearer zero of the parabola through the last three points.
 bool Search::muller(Complex start, double step, bool deflate, Complex& out) const {
   const auto f = [&](Complex z) { return deflate ? deflated(z) : value(z); };
   Complex x0 = start - step, x1 = start + Complex(0, 0.37 * step), x2 = start;
@@ -240,7 +240,7 @@ void Search::scan_axis() {
   }
 }
 
-// The halves of a double zero are off by the root of round-off, their mean is not.
+// The two halves of a double zero have errors of the root of round-off, their mean has not.
 void Search::merge_double() {
   for (size_t i = 0; i < found_.size(); ++i)
     for (size_t j = i + 1; j < found_.size(); ++j) {

@@ -8,15 +8,15 @@
 namespace app {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kSingular = 1 - 5e-3; // with an exponent nearer to 1 stress hardly grows over any mesh
+constexpr double kSingular = 1 - 5e-3; // closer to 1 the stress hardly grows on any mesh
 
-// What holds on a face: of a body and its surroundings, or between two bodies. Only a face of the first kind is no joint.
+// Condition on a face, between a body and its surroundings or between two bodies (a joint).
 enum class FaceKind {
   kFree,    // no traction
-  kBonded,  // outside: held; inside: both bodies move as one
-  kSmooth,  // outside: no motion across, no shear; inside: no motion across of one against the other, no shear
+  kBonded,  // outside: fixed; between bodies: bonded
+  kSmooth,  // outside: no normal motion, no shear; between bodies: no relative normal motion, no shear
   kRubbing, // as smooth, with the shear stress (r, theta) = friction times the normal stress
-  kGuided   // outside alone: no motion along, no normal stress; that of a line across which a state is odd
+  kGuided   // only outside: no tangential motion, no normal stress; a line of antisymmetry
 };
 struct Face {
   FaceKind kind = FaceKind::kFree;
@@ -44,7 +44,7 @@ using Complex = std::complex<double>;
 Complex corner_determinant(const CornerShape& shape, Complex lambda);
 
 // All exponents with 0.002 < real part < `below`, by rising real part, one of each conjugate pair (imaginary part >= 0, below
-// 1); a double one stands twice. Those within 1e-6 of 1 are left out: a rotation, or uniform stress.
+// 1); a double one appears twice. Those within 1e-6 of 1 are omitted: a rotation, or uniform stress.
 std::vector<Complex> corner_exponents(const CornerShape& shape, double below = 1);
 
 // Real part of the lowest exponent; 1 where stress is bounded.

@@ -7,7 +7,7 @@ namespace app {
 namespace {
 
 const double kBelow = 2.6; // exponents up to here may be terms of a fit
-const size_t kEach = 6;    // samples for each term after the third: more terms follow the errors of the results
+const size_t kEach = 6;    // samples for each term after the third: with fewer, terms would fit the errors of the results
 using Column = std::vector<double>;
 
 double product(const Column& a, const Column& b) {
@@ -16,7 +16,7 @@ double product(const Column& a, const Column& b) {
   return sum;
 }
 
-// Factors of the columns with the least squares of what is left of `rest`: columns made orthogonal one after another, twice.
+// Least-squares factors of the columns for `rest`: modified Gram-Schmidt, applied twice.
 std::vector<double> least_squares(const std::vector<Column>& columns, Column& rest) {
   const size_t n = columns.size();
   std::vector<Column> q = columns;
@@ -31,7 +31,7 @@ std::vector<double> least_squares(const std::vector<Column>& columns, Column& re
       }
     const double left = std::sqrt(product(q[k], q[k]));
     r[k * n + k] = left;
-    const double scale = left > 1e-12 * size ? 1 / left : 0; // 0: no more than the columns before it
+    const double scale = left > 1e-12 * size ? 1 / left : 0; // 0: dependent on the columns before it
     for (double& v : q[k]) v *= scale;
     factor[k] = product(q[k], rest);
     for (size_t i = 0; i < rest.size(); ++i) rest[i] -= factor[k] * q[k][i];
@@ -45,7 +45,7 @@ std::vector<double> least_squares(const std::vector<Column>& columns, Column& re
 
 // ---- a notch
 
-// What a mode of the half wedge moves its face theta = alpha by, for a unit intensity: 2G u = d^lambda (along, across).
+// Displacement of the face theta = alpha of the half wedge in a mode, for a unit intensity: 2G u = d^lambda (along, across).
 struct Mode {
   Complex lambda, along, across;
 };
@@ -103,7 +103,7 @@ CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::ve
   double largest = 0;
   for (const PressureSample& s : samples) largest = std::max(largest, s.d);
   std::vector<Complex> terms = exponents;
-  terms.insert(terms.begin() + 1, -std::conj(exponents.front())); // what the error of the elements at the corner causes
+  terms.insert(terms.begin() + 1, -std::conj(exponents.front())); // effect of the error of the elements at the corner
   CornerFit out;
   double unused = 0;
   out.K = fit_terms(samples, largest, terms, out.misfit);
@@ -162,7 +162,7 @@ public:
   std::vector<double> solve(double& misfit) const {
     Column rest = values_;
     for (size_t i = 0; i < rest.size(); ++i) rest[i] *= std::pow(samples_[i / 2].d / largest_, -power_);
-    Column held = rest; // less the motions, for the size of the rest
+    Column held = rest; // without rigid-body motion, for the size of the rest
     least_squares({columns_[0], columns_[1], columns_[2]}, held);
     const std::vector<double> out = least_squares(columns_, rest);
     const double all = product(held, held);
@@ -181,7 +181,7 @@ private:
 
 namespace {
 
-// K and K2 to out; with the terms that the error of the elements at the tip causes, or without.
+// K and K2 to out, with or without the terms due to the error of the elements at the tip.
 double fit_modes(const std::vector<NotchSample>& samples, const Notch& notch, const std::vector<Complex> (&list)[2], bool with,
                  double (&out)[2]) {
   const Sector& sector = notch.sector;

@@ -9,8 +9,8 @@ namespace app {
 
 struct CornerFit {
   double K = 0, K2 = 0; // K2 of a notch alone
-  double misfit = 0;    // what is left over, root of mean square, over that of the values; both relative to the first term
-  // What the term for the error of the elements at the corner changes: an estimate of the error, not of that of linear
+  double misfit = 0;    // root mean square of the residual over that of the values; both relative to the first term
+  // Change due to the term for the error of the elements at the corner: an estimate of the error, except for linear
   // functions.
   double K_error = 0, K2_error = 0;
 };

@@ -7,13 +7,13 @@
 namespace app {
 namespace {
 
-// Which results count: from three elements at the corner on, up to 0.3 of the face, of the pairs that are in one
+// Results used: from three elements at the corner up to 0.3 of the face, of the stretch of pairs in one
 // state, or of the distance to the next corner.
 const double kNearest = 3, kFarthest = 0.3;
 const size_t kFewest = 6;
-const double kWorst = 0.1; // with a larger misfit or error, relative, there is no K
-// Errors that are the same part of K in graded elements of all sizes, and so are not seen: measured with sizes halved one after
-// another.
+const double kWorst = 0.1; // with a larger relative misfit or error no K is given
+// Relative errors of K that are equal on graded meshes of all sizes and so cannot be detected: measured with sizes halved one
+// after another.
 const double kUnseen = 0.004, kUnseenLinear = 0.04;
 const double kTerms = 2.6; // exponents up to here are terms of a fit
 
@@ -69,21 +69,21 @@ public:
   Pairs(const Corner& corner, const double* table, int64_t stride) : corner_(corner), table_(table), stride_(stride) {}
   const double* row(size_t i) const { return table_ + corner_.samples[i].row * stride_; }
   int32_t status(size_t i) const { return static_cast<int32_t>(row(i)[C2D_STATUS]); }
-  // From the pair next to the corner's own on: that one's status is the most uncertain.
+  // Without the pair at the corner itself, whose status is the most uncertain.
   size_t first() const { return corner_.samples.size() > 2 ? 1 : 0; }
   size_t end_of_run() const {
     size_t end = first() + 1;
     while (end < corner_.samples.size() && status(end) == status(first()) && shear(end) * shear(first()) >= 0) ++end;
     return end;
   }
-  // Of the friction on the body that follows the joint: away from the corner is positive.
+  // Sign of the friction on the body after the joint: away from the corner is positive.
   double shear(size_t i) const {
     const double* r = row(i);
     const double tx = r[C2D_NY], ty = -r[C2D_NX]; // n turned by -90 degrees
     const double along = (r[C2D_X] - corner_.at[0]) * tx + (r[C2D_Y] - corner_.at[1]) * ty;
     return status(i) == C2D_SLIP ? r[C2D_TT] * (along > 0 ? 1 : -1) * (corner_.after == 2 ? 1 : -1) : 0;
   }
-  // Shear over normal stress in the run, as a Face counts it.
+  // Ratio of shear to normal stress in the stretch, with the sign of a Face.
   double friction() const {
     double sum = 0, pressure = 0;
     for (size_t i = first(), end = end_of_run(); i < end; ++i) sum += shear(i), pressure += row(i)[C2D_TN];
@@ -164,7 +164,7 @@ CornerState notch_state(const Corner& c, const Ends& ends) {
     return out;
   }
   const CornerFit fitted = fit_notch(samples, {sector, bisector});
-  // Either mode may be absent: what counts is the larger one.
+  // Either mode may be absent: errors are relative to the larger one.
   const bool two = out.exponents.size() > 1;
   const double apart = two ? std::pow(farthest, out.exponents[1].real() - out.exponents[0].real()) : 0;
   const double most = std::max(std::fabs(fitted.K), std::fabs(fitted.K2) * apart);

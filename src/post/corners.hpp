@@ -1,4 +1,4 @@
-// Sharp corners at which stress has no bound: where they are, how stress grows towards them, and its generalised intensity
+// Sharp corners with unbounded stress: positions, exponents of growth, and generalised stress intensities
 // (METHOD 10.9). Tips of cracks are in cracks.hpp.
 #pragma once
 
@@ -27,13 +27,13 @@ struct Corner {
   CornerKind kind = CornerKind::kNotch;
   int32_t zone = 0;         // of a contact or a tie, from 1
   bool linear = false;      // the functions
-  int32_t body[2] = {0, 0}; // counter-clockwise, as far as they are elastic; 0: none
+  int32_t body[2] = {0, 0}; // counter-clockwise, elastic ones only; 0: none
   double at[2] = {0, 0};
   double element = 0; // the shortest one at the corner
-  double size = 0;    // how far away the next corner of the bodies is
+  double size = 0;    // distance to the next corner of the bodies
   // Elastic bodies and their faces, counter-clockwise. Of a contact the joint has the kind for which stress grows most.
   CornerShape shape;
-  size_t joint = 0;     // of a contact or a tie: which face it is; of a support: the face that is held
+  size_t joint = 0;     // of a contact or a tie: index of its face; of a support: the fixed face
   int32_t after = 0;    // of a contact or a tie: the side, 1 or 2, that follows the joint counter-clockwise
   double least = 1;     // the lowest exponent of all states that the joint may be in: for meshes
   bool half = false;    // a notch on a line of symmetry by images: its first or its last face is the image of the other
@@ -45,7 +45,7 @@ struct Corner {
     double normal[2]; // outward, of an element's end
   };
   std::vector<Sample> samples; // by their distance
-  // Exponents below 2.6 for the states of the joint that came up, found once.
+  // Exponents below 2.6 for the states of the joint that occurred, computed once.
   struct Known {
     Face joint;
     std::vector<Complex> exponents;
@@ -64,7 +64,7 @@ struct CornerState {
   CornerKind kind = CornerKind::kNotch;
   int32_t zone = 0, body[2] = {0, 0};
   double at[2] = {0, 0};
-  const char* joint = "";         // "stick", "slip" or "tied" there; "free" of a notch, "held" of a support
+  const char* joint = "";         // "stick", "slip" or "tied"; "free" for a notch, "held" for a support
   std::vector<Complex> exponents; // those that are singular; empty: stress is bounded
   double K = NAN, K2 = NAN;
   double K_error = NAN, K2_error = NAN; // estimates

@@ -6,11 +6,11 @@
 namespace app {
 namespace {
 
-// What the other side is like where an end of a zone meets it.
+// The other side at the place where an end of a zone meets it.
 struct Meeting {
   double angle = kPi;
   bool is_corner = false;
-  int32_t beyond = 0; // the element that goes on there, outside of the contact; 0: none
+  int32_t beyond = 0; // the element that continues there, outside the contact; 0: none
   double element = 0;
 };
 
@@ -103,7 +103,7 @@ double CornerFinder::exponent_of(const CornerShape& shape) const {
 
 // ---- corners of one body
 
-// Ends of the elements on a face, up to the next corner or where something else holds. The face that goes upwards from the
+// Element ends on a face, up to the next corner or change of condition. The face that runs upwards from the
 // corner is the first: the material is counter-clockwise from it.
 void CornerFinder::sample_face(int32_t body, int32_t element, bool up, Corner& corner) const {
   const BodyFaces& f = faces(body);
@@ -138,7 +138,7 @@ void CornerFinder::find_at_image(int32_t body, int32_t element, bool up, std::ve
   c.element = f.length(element);
   c.shape = {{sector(body, angle)}, {face, face}};
   c.half = true;
-  // The first face leaves the corner as elements count, the last one arrives there.
+  // In the order of elements the first face leaves the corner, the last one arrives there.
   c.direction = up ? std::atan2(-along.y, -along.x) - angle : std::atan2(along.y, along.x);
   c.least = exponent_of(c.shape);
   sample_face(body, element, !up, c);
@@ -177,7 +177,7 @@ void CornerFinder::find_in_body(int32_t body, std::vector<Corner>& out) const {
 
 // ---- ends of zones
 
-// Where `own` ends a zone, the other body: what faces it, or the nearest place of its boundary.
+// At the end of a zone on `own`: the facing place of the other body, or the nearest place of its boundary.
 bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const {
   const BodyFaces& f = faces(other);
   const Spot tip = faces(own.body).at(own.end);
@@ -197,11 +197,11 @@ bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* faci
     }
     out.element = f.length(at);
     const double near = 0.1 * faces(own.body).length(own.end.element) + 0.1 * out.element + 0.02 * own.length;
-    if (place > 1e-3 && place < 1 - 1e-3) { // the contact leaves at an end that is passed upwards, and the other way round
+    if (place > 1e-3 && place < 1 - 1e-3) { // the direction of the contact at an end depends on the direction of numbering
       out.beyond = at;
       return nearest < near;
     }
-    // The contact is behind the place on the other body where it is before it on the own one.
+    // If the contact comes before the end on its own body, it comes after the place on the other one.
     const int32_t before = place < 0.5 ? f.next(at, false) : at, behind = place < 0.5 ? at : f.next(at, true);
     end = {own.end.up ? behind : before, !own.end.up};
     if (end.element == 0 || nearest > near) return false;
@@ -215,7 +215,7 @@ bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* faci
   return true;
 }
 
-// The corner where an end of a zone meets the other body; false: there is none, or one that shapes do not tell.
+// The corner where an end of a zone meets the other body; false: none, or one that the geometry does not determine.
 bool CornerFinder::meet(const c2d_zone& zone, const End& own, int32_t other, const StretchEnd* facing, Corner& c) const {
   const BodyFaces& f = faces(own.body);
   const bool tied = (zone.kind & C2D_ZONE_TIED) != 0, platen = s_.is_platen(other);
@@ -230,7 +230,7 @@ bool CornerFinder::meet(const c2d_zone& zone, const End& own, int32_t other, con
     const bool inside = faces(other).zone(there.beyond) == c.zone; // beyond the corner it faces nothing
     if (!inside && !faces(other).face(there.beyond, other_face)) return false;
   }
-  // Both bodies are held along a line that the zone ends on: symmetry.
+  // Both bodies are fixed along a line on which the zone ends: symmetry.
   const bool own_line = is_rigid(own.body) || own_face.kind == FaceKind::kSmooth;
   if (own_line && (is_rigid(other) || other_face.kind == FaceKind::kSmooth)) return false;
   const Spot at = f.at(own.end);
@@ -265,7 +265,7 @@ void CornerFinder::sample_pairs(Corner& c) const {
       c.samples.push_back({static_cast<int32_t>(p), std::hypot(x_[p] - c.at[0], y_[p] - c.at[1]), true, {0, 0}});
 }
 
-// Over the states that the zone's friction allows; the joint takes that of the lowest.
+// Over the states that the friction of the zone allows; the joint takes the one with the lowest exponent.
 double CornerFinder::least_exponent(Corner& c) const {
   std::vector<Face> states;
   const double mu = friction_[static_cast<size_t>(c.zone) - 1];
@@ -294,7 +294,8 @@ void CornerFinder::find_in_zone(int32_t number, std::vector<Corner>& out) const 
     if (!s_.is_platen(side[k]->body)) faces(side[k]->body).find_ends(*side[k], k == 0, ends[k]);
   const bool platen = s_.is_platen(zone.side1.body);
   const size_t before = out.size();
-  for (const bool sharp : {true, false}) // corners of the side itself first: where the other side ends beside one is no other
+  for (const bool sharp :
+       {true, false}) // corners of the side itself first: an end of the other side beside one is the same corner
     for (const int k : {1, 0})
       for (int i = 0; i < 2; ++i) {
         if (k == 0 && (!free || platen || !sharp)) continue; // side 1 of matching zones ends where side 2 does
@@ -304,7 +305,7 @@ void CornerFinder::find_in_zone(int32_t number, std::vector<Corner>& out) const 
         if (is_sharp != sharp) continue;
         Corner c;
         c.zone = number;
-        // Sides that face each other run against each other: one ends where the other one begins, as elements count upwards.
+        // Facing sides run in opposite directions: one ends where the other begins, in the order of elements.
         const StretchEnd* facing = free || platen ? nullptr : &ends[1 - k][ends[1 - k][0].up != own.up ? 0 : 1];
         const double length = distance(f.at(ends[k][0]), f.at(ends[k][1]));
         if (!meet(zone, {side[k]->body, own, length}, side[1 - k]->body, facing, c)) continue;

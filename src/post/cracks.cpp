@@ -8,8 +8,8 @@
 namespace app {
 namespace {
 
-// Faces that are farther apart than this part of their length at their other end are those of a notch: the rotation there,
-// times how far they are apart, would count as slip.
+// Faces farther apart at their other end than this fraction of their length form a notch: the rotation there,
+// times their distance, would count as slip.
 const double kNarrow = 0.0101;
 
 struct Place {
@@ -49,7 +49,7 @@ private:
   std::vector<std::array<int32_t, 2>> regions_;
 };
 
-// An end of a side of a zone: where it is, its element, and whether the curve leaves the side there upwards.
+// An end of a side of a zone: position, element, and whether the curve leaves the side upwards.
 struct SideEnd {
   Place at;
   int32_t element;
@@ -113,7 +113,7 @@ bool same_bodies(const c2d_zone& a, const c2d_zone& b) {
          (a.side1.body == b.side2.body && a.side2.body == b.side1.body);
 }
 
-// Does a tie of the same bodies go on where this zone ends?
+// Does a tie of the same bodies begin where this zone ends?
 bool TipFinder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b) const {
   const double near = 1e-6 * corners_[static_cast<size_t>(zone.side1.body) - 1].length(a.element);
   for (const c2d_zone& tie : s_.zone) {
@@ -191,7 +191,7 @@ c2d_status TipFinder::find(std::vector<CrackTip>& out) {
 // ---- stress intensity
 
 const int kTipTerms = 4; // r^-1/2, r^1/2, r^3/2, r^5/2
-// Which pairs count: from three elements at the tip on, up to 0.3 of the run of pairs that are all open, or all closed.
+// Pairs used: from three elements at the tip up to 0.3 of the stretch of pairs that are all open, or all closed.
 const double kNearestPair = 3, kFarthestPair = 0.3;
 const size_t kFewestPairs = 6;
 struct JumpSample {

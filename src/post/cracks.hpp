@@ -1,5 +1,5 @@
-// Cracks: where the faces of a zone of contact end at a tie between the same two bodies, or, of one body, at each other. What
-// is known of a tip before anything is solved, and its stress intensity from the displacements of the faces (METHOD 10.7).
+// Cracks: the faces of a contact zone end at a tie of the same two bodies, or, of one body, at each other. Data
+// of a tip before the solution, and its stress intensity from the displacements of the faces (METHOD 10.7).
 #pragma once
 
 #include "post/summary.hpp"
@@ -17,7 +17,7 @@ struct CrackTip {
   double at[2] = {0, 0};
   double element = 0; // length of the one at the tip
   double modulus = 0; // E / (1 - nu^2) in plane strain, E in plane stress
-  std::string why;    // not empty: why there is no stress intensity
+  std::string why;    // reason why there is no stress intensity; else empty
   struct Pair {
     int32_t pair; // from 0
     double distance;

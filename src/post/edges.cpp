@@ -6,11 +6,11 @@
 namespace app {
 namespace {
 
-// The pairs of a line seen from one of them in one direction, round a closed side too.
+// The pairs of a line from one of them on in one direction, also around a closed side.
 class View {
 public:
   View(const ZoneLine& line, int32_t from, int direction) : line_(line), from_(from), direction_(direction) {}
-  // The place in the line of the k-th pair onwards, k of either sign; -1: the line has ended.
+  // Index in the line of the k-th next pair, k of either sign; -1: beyond the end of the line.
   int32_t at(int32_t k) const {
     const int32_t n = static_cast<int32_t>(line_.size()), i = from_ + direction_ * k;
     if (i >= 0 && i < n) return i;
@@ -32,7 +32,7 @@ private:
 
 bool touches(int32_t status) { return status != C2D_OPEN; }
 
-// A length x at which y vanishes, y a function that is nearly linear there: the polynomial x(y) through samples first ... last.
+// Length x at which y vanishes; y is nearly linear there: inverse interpolation x(y) through samples first ... last.
 struct EdgeSample {
   double x, y;
 };
@@ -59,7 +59,7 @@ double best_root(const std::vector<EdgeSample>& v) {
   return (far - ratio * near) / (1 - ratio);
 }
 
-// How far before the last pair of a state its end may be found: the mesh lets a pair that should have left it stay.
+// How far before the last pair of a state its end may lie: on a mesh a pair may keep a status that it should have left.
 const double kBefore = 0.25;
 
 // The root by as many pairs as give one between the last pair of one state, at 0, and the first of the other.
@@ -86,7 +86,7 @@ double gap_power(const LineState& state, int32_t last, int direction) {
   return 1.5 - std::atan(line.beta * outwards / state.tn[i]) / std::acos(-1.0);
 }
 
-// Where a stretch of contact ends whose last pair is `last`, as one goes on in `direction`.
+// End of a stretch of contact with the last pair `last` in `direction`.
 ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   const ZoneLine& line = state.line;
   const View view(line, last, direction);
@@ -142,7 +142,7 @@ std::vector<ContactEdge> find_contact_edges(const LineState& state) {
 
 namespace {
 
-// What a stuck pair slipped earlier goes on smoothly beyond the border: the value there of the parabola through the three stuck
+// Locked-in slip of stuck pairs continues smoothly beyond the border: the value there of the parabola through the three stuck
 // pairs next to it, or fewer.
 double held_slip(const LineState& state, const View& view, int32_t stuck, double at) {
   double held = 0;
@@ -167,8 +167,8 @@ int32_t run_of(const LineState& state, const View& view, int32_t first, int step
   return run;
 }
 
-// Did stick advance to where it is, over pairs that had slipped since the loads turned? Then the pair next to the border holds
-// some of that slip.
+// Did the stick zone advance over pairs that had slipped since the last reversal? Then the pair next to the border has
+// locked-in slip.
 bool has_advanced(const LineState& state, const View& view, int32_t slipping) {
   double most = 0;
   for (int32_t k = 1; k <= slipping; ++k) most = std::max(most, std::fabs(state.slip[static_cast<size_t>(view.at(k))]));
@@ -176,7 +176,8 @@ bool has_advanced(const LineState& state, const View& view, int32_t slipping) {
 }
 
 // Between a stuck pair and the one that slips next to it. Where slip advances it begins with the power 3/2 of the distance, as
-// a gap does; where stick advances the rate of slip vanishes like that, and the slip, beyond what is held, with the power 5/2.
+// a gap does; where stick advances the rate of slip vanishes like that, and the slip beyond the locked-in one with the power
+// 5/2.
 double border_beyond(const LineState& state, int32_t stuck, int direction) {
   const View view(state.line, stuck, direction);
   const int32_t slipping = run_of(state, view, 1, 1, C2D_SLIP), held = run_of(state, view, 0, -1, C2D_STICK);
@@ -223,15 +224,15 @@ namespace {
 
 // An intensity follows from four pairs. The mesh disturbs those in the elements next to the edge, which are left out.
 const int32_t kPairs = 4, kElementsOut = 4, kFewerOut = 2;
-const int32_t kFarther = 2;                       // elements: pairs so much farther in give another value
-const double kOfFarther = 2, kOfIntensity = 0.01; // of what that changes, and at least of the value: its doubt
+const int32_t kFarther = 2;                       // elements: pairs this much farther in give a second value
+const double kOfFarther = 2, kOfIntensity = 0.01; // uncertainty: times the difference, and at least this fraction of the value
 
 int32_t pairs_per_element(const ZoneLine& line) {
   const size_t elements = std::max<size_t>(line.pieces.size(), 1);
   return std::max<int32_t>(1, static_cast<int32_t>((line.size() + elements / 2) / elements));
 }
 
-// The value at d = 0 of the straight line through the samples that fits best.
+// Value at d = 0 of the least-squares straight line through the samples.
 double value_at_edge(const std::vector<EdgeSample>& v) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const EdgeSample& s : v) n += 1, x += s.x, y += s.y, xx += s.x * s.x, xy += s.x * s.y;

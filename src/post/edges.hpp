@@ -1,4 +1,4 @@
-// Where contact ends and where stick meets slip, between the pairs of a zone (METHOD 16.4).
+// Contact edges and stick-slip borders between the pairs of a zone (METHOD 16.4).
 #pragma once
 
 #include "post/zone_line.hpp"
@@ -16,9 +16,9 @@ struct LineState {
   std::vector<int32_t> status;
   std::vector<double> tn, tt, gap;
   std::vector<double> nx, ny;
-  std::vector<double> slip; // of the present piece of the load path
+  std::vector<double> slip; // on the current segment of the load path
 };
-// `slip_at_turn`: of all pairs where the loads last turned; empty: nothing is known of it, or it was 0.
+// `slip_at_turn`: of all pairs at the last load reversal; empty: unknown, or 0.
 LineState line_state(const ZoneLine& line, const double* table, int64_t stride, const std::vector<double>& slip_at_turn);
 
 struct ContactEdge {
@@ -27,18 +27,19 @@ struct ContactEdge {
   int direction = 1; // 1: the contact ends as s rises, -1: as it falls
   bool at_corner = false;
 };
-// Of every stretch of contact, in the order of s. Stretches that end on a line of symmetry or with the zone have no edge there.
+// For every stretch of contact, in the order of s. Stretches that end on a line of symmetry or with the zone have no edge
+// there.
 std::vector<ContactEdge> find_contact_edges(const LineState& state);
 
 // Where stick meets slip within a stretch of contact, in the order of s.
 std::vector<double> find_stick_borders(const LineState& state);
 
-// What is found at an edge from the pairs behind it. `doubt`: what it changes with other pairs.
+// A quantity at an edge from the pairs inside the contact. `doubt`: its uncertainty, the change with other pairs.
 struct EdgeValue {
   double value = 0, doubt = 0;
 };
 
-// The size of the slip where a contact ends that slips up to there; 0: it does not, or ends at a corner.
+// Magnitude of the slip at an edge that slips; 0: it sticks, or ends at a corner.
 EdgeValue edge_slip(const LineState& state, const ContactEdge& edge);
 
 // L of p = L sqrt(d), d the distance inside, and K of tt = K / sqrt(d) where the contact sticks up to its edge. NaN: too few

@@ -25,7 +25,7 @@ private:
 
 struct Peak {
   double s, value;
-  double above = 0; // how far the node stands above the straight line between its neighbours
+  double above = 0; // height of the node above the straight line between its neighbours
 };
 
 // The vertex of the parabola through the largest of what pairs have and its neighbours; at an end of the contact or a corner,
@@ -116,7 +116,7 @@ void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Co
   const std::vector<double> borders = find_stick_borders(state);
   for (size_t i = 0; i < borders.size(); ++i) {
     Quantity& q = add_between(state.line, Measure::kStickBorder, borders[i], i, out);
-    q.spacing += mean_spacing(state, edges); // where slip began hangs on how contact came about
+    q.spacing += mean_spacing(state, edges); // the start of slip depends on the history of the contact
   }
   for (const Measure what : {Measure::kEdgePressure, Measure::kEdgeFriction})
     for (size_t i = 0; i < edges.size(); ++i) {
@@ -147,14 +147,14 @@ void add_slip_range(const LineState& state, const std::vector<ContactEdge>& edge
   add_place(state.line, at, q);
 }
 
-// How rigid bodies and platens moved, and without a contact how far along the force that drives them.
+// Motions of rigid bodies and platens, and without a contact the motion along the force that drives them.
 void add_motions(const std::vector<c2d_body_state>& bodies, bool contact, Collector& out) {
   for (size_t b = 0; b < bodies.size(); ++b) {
     const c2d_body_state& state = bodies[b];
     const auto item = static_cast<int32_t>(b) + 1;
     if (state.is_rigid == 0) continue;
     const double force = std::hypot(state.contact[0], state.contact[1]);
-    if (!contact && force > 0) // its contact holds against what drives it
+    if (!contact && force > 0) // the contact balances the driving force
       out.add(Measure::kApproach, -(state.motion[0] * state.contact[0] + state.motion[1] * state.contact[1]) / force, item);
     const Measure of[] = {Measure::kMotionX, Measure::kMotionY, Measure::kRotation};
     for (size_t i = 0; i < 3; ++i) out.add(of[i], state.motion[i], item);

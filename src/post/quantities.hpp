@@ -1,4 +1,4 @@
-// The numbers that sum up a state of the contact: where it ends, where stick ends, peaks, resultants, what friction took.
+// Key numbers of a contact state: contact edges, stick borders, peaks, resultants, dissipation.
 // Edges and borders lie between nodes (METHOD 16.4). A number may carry a stated error, which is an estimate.
 #pragma once
 
@@ -28,7 +28,7 @@ enum class Measure {
   kEdgeFriction,  // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
   kSlipRange,     // the largest slip, in size, of what touches, since the loads last turned; and where
   kFrictionForce, // of tt along the surface, on side 2
-  kMotionX,       // of zone 0: how the rigid body or platen whose number is the item moved, its point and its rotation
+  kMotionX,       // of zone 0: motion of the rigid body or platen with the number `item`, its point and rotation
   kMotionY,
   kRotation,
 };
@@ -42,9 +42,9 @@ struct Quantity {
   double at[2] = {NAN, NAN};
   double s = NAN;         // the length along side 2, from its first pair, of that place
   double spacing = NAN;   // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
-  double error = NAN;     // stated, absolute; NaN: none is
+  double error = NAN;     // stated, absolute; NaN: none
   bool at_corner = false; // an edge: contact ends at a body's corner
-  double doubt = 0;       // what another way to find it on this mesh is apart
+  double doubt = 0;       // difference from another method on the same mesh
   // Is it one of a rigid body or platen?
   bool is_of_body() const { return zone == 0 && item > 0; }
 };

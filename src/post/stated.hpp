@@ -1,4 +1,4 @@
-// What a loop over meshes found: its rounds, and numbers with their stated errors.
+// Result of mesh refinement: its rounds, and numbers with their stated errors.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@ constexpr char kTractions[] = "tractions";
 // A number of the last state of the history, or over all of it. An error is an estimate: METHOD 16.5.
 struct Stated {
   std::string name;
-  int32_t zone = 0, body = 0, item = 0; // what applies, else 0
+  int32_t zone = 0, body = 0, item = 0; // if applicable, else 0
   double value = 0, error = NAN;        // absolute
-  double scale = 0;                     // what the tolerance is relative to
-  double tolerance = NAN;               // NaN: it was not asked for
+  double scale = 0;                     // reference of the tolerance
+  double tolerance = NAN;               // NaN: not requested
   double at[2] = {NAN, NAN};
-  bool endless = false;  // it does not settle as the mesh becomes finer: it may have no bound
-  bool confirmed = true; // what another round, or another way to tell the error, says as well
-  // For the round after: how far the two meshes had it apart; the error by what it changed before; what another way to find it
-  // on the same mesh is apart.
+  bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded
+  bool confirmed = true; // confirmed by another round or another error estimate
+  // For the next round: difference of the two meshes; error from the previous change; difference from another method
+  // on the same mesh.
   double apart = NAN, error_by_before = NAN, doubt = 0;
-  int way = 0;            // how it was found: more is better
+  int way = 0;            // method by which it was found: higher is better
   bool is_inside = false; // a stress or displacement at a point inside a body
   bool has_value() const { return name != kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
@@ -47,18 +47,18 @@ struct MeshRound {
   double seconds = 0;
   double pressure = NAN;         // relative distance of the tractions from those on the mesh before, L1, of the worst contact
   double energy = NAN;           // the same of the energy
-  bool adapted = false;          // the mesh before was not this one with elements twice as long: there is no distance
+  bool adapted = false;          // the previous mesh was not this one with elements twice as long: no distance is defined
   std::vector<MeshCurve> curves; // of all bodies that have elements
-  std::vector<Stated> stated;    // numbers with the errors that are stated on it; empty where there is no distance
+  std::vector<Stated> stated;    // numbers with errors stated on this mesh; empty without a distance
 };
 
 struct MeshLoop {
   std::vector<MeshRound> rounds;
-  size_t taken = 0; // which of the rounds, from 0, has the mesh of the results
+  size_t taken = 0; // the round, from 0, with the mesh of the results
   std::vector<Stated> stated;
   std::string stopped; // why it ended before all tolerances were met; empty: they are
   bool ran() const { return !rounds.empty(); }
-  // Was a tolerance asked for that is not met? (Rounds of a deck's own meshes are not adapted, and ask for none.)
+  // Is a requested tolerance not met? Meshes of a deck are not adapted and have no tolerances.
   bool missed() const {
     for (const Stated& s : stated)
       if (!s.is_met()) return true;

@@ -1,4 +1,4 @@
-// The library's summary, and what it tells of each body and zone.
+// The summary of the library, with data of each body and zone.
 #pragma once
 
 #include <contact2d.h>
@@ -24,8 +24,8 @@ struct Summary : c2d_summary {
   Bodies body;
   std::vector<c2d_zone> zone;                    // from 0; empty as long as there is no complete model
   std::vector<std::string> body_name, zone_name; // from 0; empty: none
-  // Has a zone other bodies than body 1 on side 1 and body 2 on side 2, or may it have, or has anything a name? Then they are
-  // told.
+  // Can a zone have other bodies than body 1 on side 1 and body 2 on side 2, or has anything a name? Then bodies are
+  // named.
   bool names_bodies() const;
   bool is_platen(int32_t number) const { return body[number - 1].elements == 0; } // has no mesh of its own
   // Whose elements a platen moves, and which: "elements 8 to 11 of body 2".

@@ -16,7 +16,7 @@ void ZoneLine::place(double at, double out[2]) const {
   const double whole = curve.length(), from_begin = at - piece.s; // an end may lie beyond the last element
   const double want = piece.up ? from_begin : whole - from_begin;
   double eta = 2 * want / whole - 1, slope[2];
-  for (int k = 0; k < 5 && curve.count > 2; ++k) { // Newton's method; a straight element with two points has constant speed
+  for (int k = 0; k < 5 && curve.count > 2; ++k) { // Newton iteration; a straight element with two points has constant speed
     curve.slope(eta, slope);
     const double run = eta > -1 ? curve.length(-1, eta) : -curve.length(eta, -1);
     eta = std::min(std::max(eta - (run - want) / std::hypot(slope[0], slope[1]), -3.0), 3.0);
@@ -170,7 +170,7 @@ bool PlaceFinder::is_mirror(const c2d_side& side, int32_t element, bool at_end) 
   return beyond != 0 && s_.body[side.body - 1].unknowns > 0 && is_guided(side.body, beyond);
 }
 
-// How far the end of an element of side 1 lies beyond that of one of side 2, along it and over its length; NaN: off it.
+// Distance of the end of an element of side 1 beyond that of one of side 2, along it and over its length; NaN: not on its line.
 double distance_beyond(const ElementCurve& one, bool at_end1, const ElementCurve& two, bool at_end2) {
   double a[2], b[2], t[2];
   one.point(at_end1 ? 1 : -1, a);
@@ -216,7 +216,7 @@ void PlaceFinder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w)
   if (curve(zone.side1.body).elements() > 0) compare_ends(line, zone, w, walk(zone.side1));
 }
 
-// What a body's surface yields to a pressure, and moves along under it.
+// Normal and tangential compliance of the surface of a body under pressure.
 struct Yields {
   double normal = 0, along = 0;
   Yields(const Summary& s, int32_t body) {

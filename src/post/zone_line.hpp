@@ -1,4 +1,4 @@
-// The pairs of a zone in order along its side 2, by the length of that side: where edges and borders between nodes are sought.
+// The pairs of a zone in order along side 2, by the length of that side: for edges and borders between nodes.
 #pragma once
 
 #include "post/body_curve.hpp"
@@ -12,10 +12,10 @@
 
 namespace app {
 
-// A place along a zone of this length, or a coordinate of it, as it is told: 0 is what round-off about 0 means.
+// A position along a zone of this length, or a coordinate, for output: round-off about 0 becomes 0.
 inline double told_place(double at, double length) { return std::fabs(at) < 1e-10 * length ? 0 : at; }
 
-// Where contact may reach to, which need not have a pair: with constant functions pairs are in the middle of elements.
+// Limit of a possible contact, which need not be a pair: with constant functions pairs lie in the middle of elements.
 struct ZoneEnd {
   double s = 0;        // as below; a corner of side 1 may lie beyond the elements of a free zone
   bool mirror = false; // on a line of symmetry: the contact goes on in the image

@@ -17,26 +17,28 @@ struct Phrase {
   const char *of_mesh, *of_drawing; // `#` stands for a number
 };
 constexpr Phrase kPhrases[] = {
-    {"the last pair at an end of a contact zone has closed: the contact may reach further than the zone", kReachesEnd},
-    {"the last pair at an end of a contact zone carries pressure: the contact may reach further than the zone", kReachesEnd},
-    {"exceeds half a contact element and 5 % of what touches: pairs no longer face each other",
+    {"the last pair at an end of a contact zone has closed: the contact may extend beyond the zone; lengthen it", kReachesEnd},
+    {"the last pair at an end of a contact zone carries pressure: the contact may extend beyond the zone; lengthen it",
+     kReachesEnd},
+    {"exceeds half a contact element and 5 % of the contact length: the nodes of the pair no longer face each other",
      "exceeds 5 % of what touches: pressures act where surfaces faced each other as drawn, not where slip has taken them, and "
      "moments and stresses are off by about as much"},
     {", # elements, most of it before they touched", ", most of it before they touched"},
-    {"the friction of all pairs that hold ", "the friction of all that holds "},
-    {"the place that moves the pairs least", "the place that moves the surfaces least"},
+    {"friction is at its limit at all pairs that support ", "friction is at its limit wherever contact supports "},
+    {"the position that moves the pairs least", "the position that moves the surfaces least"},
     {"order of pairs", "order of places"},
     {"refine at edges and corners of the contact where pairs slip", "ask for dissipation, or a smaller tolerance"},
     {"; last pair #", ""},
-    {" at pair #, the loads close", ", the loads close"},
-    {" away from element #, less than its length #, and loses force", " away from the boundary, so near that it loses force"},
-    {"the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions hold at nodes "
-     "only; refine, or use linear functions",
+    {" at pair #, the loads close gaps", ", the loads close gaps"},
+    {" away from element #, less than its length #: part of the force is lost",
+     " away from the boundary, so near that part of the force is lost"},
+    {"the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions are "
+     "enforced at nodes only; refine, or use linear functions",
      "the pressure falls below -1 % of the highest in places, and is off there by as much: a smaller tolerance lowers it"},
     {"overlaps smaller than what the elements leave open of the surfaces, pairs: #, most at",
      "overlaps too small to distinguish from contact, most at"},
     {"between the nodes of side 2 the bodies overlap by", "where they touch the bodies overlap by"},
-    {": contact conditions hold at the nodes of side 2 alone, refine it there",
+    {": contact conditions are enforced at the nodes of side 2 only; refine side 2 there",
      ", and the pressure is off there: a smaller tolerance lowers it"},
     {"and grow as elements get shorter; trust them from a few elements away", "and have no bound; trust them some way off"},
     {", supports too close together, or elements of very unlike size", " or supports too close together"},

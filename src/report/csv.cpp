@@ -149,7 +149,7 @@ std::string head_of(const CoefficientRecord& c, const StepRecord& step) {
 
 std::string tail_of(const StepRecord& step) { return tail_of(step.loads.data(), static_cast<int32_t>(step.loads.size())); }
 
-// The stresses that were wanted, of the first coefficient: they belong to a body, and to no zone.
+// The requested stresses, of the first coefficient: they belong to a body, not to a zone.
 void append_wanted(std::string& out, const RunRecord& record, const Summary& summary) {
   if (record.coefficients.empty() || record.coefficients.front().steps.empty()) return;
   const StepRecord& last = record.coefficients.front().steps.back();

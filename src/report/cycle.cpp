@@ -15,14 +15,14 @@ bool goes_back(const std::vector<StepRecord>& steps, size_t i) {
 
 } // namespace
 
-// It ends at the last turn, or end, from which two turns before the loads were the same.
+// It ends at the last reversal, or end, with the same loads as two reversals earlier.
 Cycle find_cycle(const std::vector<StepRecord>& steps) {
   Cycle out;
   for (size_t i = 1; i + 1 < steps.size(); ++i)
     if (goes_back(steps, i)) out.turns.push_back(i);
   if (steps.empty()) return out;
   std::vector<size_t> ends = out.turns;
-  ends.push_back(steps.size() - 1); // (a turn has a step behind it)
+  ends.push_back(steps.size() - 1); // a reversal has a step after it
   for (size_t i = ends.size(); i-- > 2;) {
     double apart = 0, size = 0;
     for (size_t k = 0; k < steps[ends[i]].loads.size(); ++k) {

@@ -13,7 +13,7 @@ bool is_kept(int32_t step, int32_t steps) {
   return false;
 }
 
-// Do loads go back when they go on from `from` to `to`, where they had come to from `before`?
+// Do the loads reverse at `from`, on the way from `before` to `to`?
 bool goes_back(const std::vector<double>& before, const std::vector<double>& from, const std::vector<double>& to) {
   double product = 0;
   for (size_t k = 0; k < to.size(); ++k) product += (from[k] - (k < before.size() ? before[k] : 0.0)) * (to[k] - from[k]);

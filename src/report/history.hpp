@@ -25,7 +25,7 @@ struct Snapshot {
   std::vector<double> loads; // factors of all load cases
   std::vector<double> table; // C2D_PAIR_FIELDS numbers per pair
 };
-// Work and its whereabouts at a recorded step.
+// Work, elastic and dissipated energy at a recorded step.
 struct EnergyPoint {
   double travel, load, work, dissipated, elastic, defect;
 };
@@ -45,7 +45,7 @@ public:
   void begin(int32_t steps) { steps_ = steps; }
   void note(const c2d_step& step);
   const std::vector<CoefficientHistory>& coefficients() const { return coefficients_; }
-  // All that it holds, for an archive that takes it or gives it.
+  // All members, for an archive that reads or writes them.
   template <class Archive> void archive(Archive& a) { a(coefficients_), a(status_bytes_); }
 
 private:
@@ -57,8 +57,8 @@ private:
   size_t status_bytes_ = 0;
 };
 
-// Earlier states that are worth a thin curve beside the last one: where the loads went back and the state was another than
-// `table`; of a path that never goes back, on its way.
+// Earlier states drawn as thin curves beside the last one: at load reversals with a state different from
+// `table`; on a path without reversals, intermediate states.
 std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
                                             const std::vector<double>& table);
 

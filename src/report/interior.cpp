@@ -47,7 +47,7 @@ void append_interior_section(std::string& out, const Interior& interior, const S
   }
   out += "\n  s1 >= s2: principal stresses of the plane; max shear is half their difference. On the "
          "boundary: its own "
-         "stress;\n  near a node: without what the jump of slopes and tractions from element to element makes of it.\n\n"
+         "stress;\n  near a node: without the effect of the jumps of slopes and tractions between elements.\n\n"
          "  body            x            y           ux           uy          sxx          syy          sxy"
          "          szz           s1           s2    von Mises    max shear  place\n";
   const int columns[] = {C2D_POINT_UX,  C2D_POINT_UY,         C2D_POINT_SXX,        C2D_POINT_SYY,       C2D_POINT_SXY,

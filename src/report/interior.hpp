@@ -1,4 +1,4 @@
-// Results at the points inside that were asked for.
+// Results at the requested interior points.
 #pragma once
 
 #include "post/summary.hpp"
@@ -26,10 +26,10 @@ struct InteriorGrid {
 };
 
 struct Interior {
-  std::vector<InteriorPoint> points; // in the order asked for, without what lies outside of grids
+  std::vector<InteriorPoint> points; // in the requested order, without points of grids outside the body
   std::vector<InteriorGrid> grids;
   int64_t count[4] = {0, 0, 0, 0}; // of the points, by C2D_POINT_INSIDE ... C2D_POINT_OUTSIDE
-  int64_t clipped = 0;             // points of grids that were left out
+  int64_t clipped = 0;             // omitted points of grids
 };
 
 // body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear, part of the program's contract. The results of a point

@@ -55,7 +55,7 @@ void append_triple(std::string& out, const double (&v)[3]) {
   out += ']';
 }
 
-// Only where there is one.
+// Only if there is one.
 void append_json_name(Object& o, const std::vector<std::string>& names, size_t i) {
   if (i < names.size() && !names[i].empty()) o.word("name", names[i].c_str());
 }
@@ -326,7 +326,7 @@ void append_friction(std::string& out, const std::vector<double>& coefficients) 
 
 void append_unknowns(std::string& out, const Summary& s) {
   Object unknowns(out, "{", ", ");
-  for (int32_t b = 1; b <= std::max(s.bodies, 2); ++b) // body2 is there even if there is one body
+  for (int32_t b = 1; b <= std::max(s.bodies, 2); ++b) // body2 is present even with one body
     unknowns.integer(("body" + std::to_string(b)).c_str(), b <= s.bodies ? s.body[b - 1].unknowns : 0);
   unknowns.integer("contact", s.contact_unknowns);
   out += '}';

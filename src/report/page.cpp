@@ -14,7 +14,7 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       "padding:0 16px;line-height:1.4}\n"
                       "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
                       "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
-                      // A box that is moved sideways has a shadow at the edges beyond which there is more.
+                      // A box that can be scrolled sideways has a shadow at the edges beyond which there is more.
                       ":root{--paper:#fff;--shadow:#0005}.wide{overflow-x:auto;background:"
                       "linear-gradient(90deg,var(--paper) 50%,transparent) 0/32px local,"
                       "linear-gradient(270deg,var(--paper) 50%,transparent) 100%/32px local,"
@@ -31,7 +31,7 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n"
                       // Tables may use the margin at the right.
                       "@media screen and (min-width:852px){section>.wide,details>.wide{margin-right:calc(426px - 50vw)}}\n"
-                      // On a telephone pictures keep their letters legible and are moved to and fro, the text is not.
+                      // On a telephone pictures keep legible letters and are scrolled sideways, the text is not.
                       "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}\n"
                       ".wide svg{max-width:none;width:680px}th,td{padding:2px 6px}}\n";
 
@@ -114,7 +114,7 @@ std::string unit_of(Measure what, const Scene& scene) {
   }
 }
 
-// What sums up the contact, and how far off it may be.
+// Key numbers of the contact and their stated errors.
 void append_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   const std::string none = "&#8211;";
@@ -177,8 +177,8 @@ void append_balance(std::string& out, const Scene& scene) {
   }
   out += "</table></div>\n";
   if (s.symmetry != 0)
-    out += "<p>Of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
-           "what they balance.</p>\n";
+    out += "<p>Totals cover the modelled half or quarter only; the remainder is carried across the lines of "
+           "symmetry.</p>\n";
   out += "</section>\n";
 }
 

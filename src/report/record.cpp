@@ -70,7 +70,7 @@ std::string load_reached(const CoefficientRecord& c) {
 
 namespace {
 
-// Do the loads go on from the last step in another direction than they arrived there?
+// Do the loads leave the last step in another direction than they arrived?
 bool has_turned(const std::vector<StepRecord>& steps, const c2d_step& step) {
   if (steps.empty()) return false;
   double before = 0, after = 0, product = 0;
@@ -82,7 +82,7 @@ bool has_turned(const std::vector<StepRecord>& steps, const c2d_step& step) {
   return after > 0 && product < (1 - 1e-9) * std::sqrt(before * after);
 }
 
-// Slip is summed over the whole path; borders of stick follow from what has slipped since the loads last turned.
+// Slip is summed over the whole path; stick borders follow from the slip since the last reversal.
 void note_slip(CoefficientRecord& c, const c2d_step& step) {
   if (has_turned(c.steps, step)) c.slip_at_turn = c.slip;
   c.slip.resize(static_cast<size_t>(step.pairs));

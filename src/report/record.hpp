@@ -1,4 +1,4 @@
-// What a run leaves behind for the reports: a line per coefficient of friction, the warnings, and the map
+// Data of a run for the reports: a record per coefficient of friction, the warnings, and the map
 // from pairs to element ends.
 #pragma once
 
@@ -30,7 +30,7 @@ struct StepRecord {
   std::vector<double> stresses; // at the places of --ranges (report/stresses.hpp), if that is wanted
 };
 
-// How far one coefficient of friction came, with the pairs' table at its last valid state.
+// Progress of one coefficient of friction, with the table of pairs at its last valid state.
 struct CoefficientRecord {
   double mu = 0.0;
   double load = 0.0;                      // load factor reached, of the first load case
@@ -67,12 +67,12 @@ struct RunRecord {
 
 // A record is kept of every increment and coefficient of friction: so many at most.
 constexpr int64_t kMostSteps = 500000;
-// What is wrong with their number, before anything is solved; empty: nothing.
+// A fault of their number, before anything is solved; empty: none.
 std::string fault_of_steps(const c2d_summary& model);
 
-// Takes over what a step callback was shown. Returns the record of the step's coefficient.
+// Stores the data of a step callback. Returns the record of its coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
-// "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
+// "load factor 1", or "load factors 1, 0.3": loads reached by a coefficient, of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
 // A path that ended in the state of its last row has that state twice: is it the first of the two?
 bool is_repeated(const CoefficientRecord& coefficient, size_t step);
@@ -81,11 +81,11 @@ bool is_repeated(const CoefficientRecord& coefficient, size_t step);
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
                   const std::vector<ZoneLine>& lines);
 
-// Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
-// library said of it, may be empty. Sets the record's why, body and pair.
+// Why a path ended, in one line: the outcome, the body and its motion, the last pair; `said` is the
+// message of the library, may be empty. Sets why, body and pair of the record.
 void explain(CoefficientRecord& coefficient, const c2d_summary& now, const Summary& model, const std::string& said);
 
-// What a step's table says of the corners; after keep_history.
+// Corner states from the table of a step; after keep_history.
 void keep_corners(CoefficientRecord& coefficient, const c2d_step& step, const std::vector<Corner>& corners);
 
 // An end of a contact element of a zone, and the pair (from 1) and its side (1 or 2) that its node belongs to;

@@ -11,7 +11,7 @@ namespace {
 struct Stress {
   double xx, yy, xy, zz, hoop;
   Stress operator-(const Stress& b) const { return {xx - b.xx, yy - b.yy, xy - b.xy, zz - b.zz, hoop - b.hoop}; }
-  // The principal stresses of the plane, the larger first.
+  // The in-plane principal stresses, the larger first.
   double principal(int which) const {
     const double radius = std::hypot(0.5 * (xx - yy), xy);
     return 0.5 * (xx + yy) + (which == 1 ? radius : -radius);

@@ -1,4 +1,4 @@
-// Stresses on the boundary and at the points inside at every recorded step, and how far they go in a cycle of the loads.
+// Stresses on the boundary and at interior points at every recorded step, and their ranges over a load cycle.
 #pragma once
 
 #include "post/summary.hpp"
@@ -15,7 +15,7 @@ namespace app {
 struct StressPlace {
   int32_t body, element, point; // from 1
   double x, y;
-  bool of_grid; // left out where it lies outside
+  bool of_grid; // omitted if outside
 };
 // Of each place: sxx, syy, sxy, szz, and the normal stress along the boundary, NaN inside; all of them NaN outside the body.
 constexpr size_t kStressNumbers = 5;

@@ -86,7 +86,7 @@ char* print_digits(char* at, const char* digits, int count, int exponent) {
   return at + count + 1;
 }
 
-// What the standard library makes of it.
+// Conversion by the standard library.
 int print_slowly(char* text, double value, Form form, int digits) {
 #if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
   const auto format = form == Form::kGeneral ? std::chars_format::general : std::chars_format::scientific;

@@ -1,4 +1,4 @@
-// Numbers and columns into a string: what all reports print with. Independent of any locale.
+// Formats numbers and columns into strings, for all reports. Independent of the locale.
 #pragma once
 
 #include "post/summary.hpp"
@@ -33,7 +33,7 @@ std::string bodies_text(const Summary& summary, const c2d_zone& zone);
 // Bytes of the character of UTF-8 that begins there; 0: none that can be shown does. How many characters a text has.
 size_t character_at(const std::string& text, size_t i);
 size_t characters_in(const std::string& text);
-// The text with a question mark for every byte that begins none that can be shown: what an input holds reaches no terminal.
+// The text with a question mark for every byte that begins no printable character: control bytes never reach a terminal.
 std::string shown(const std::string& text);
 // "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
 std::string symmetry_text(const Summary& summary);

@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-// What makes a pair change.
+// Reason of a change of status.
 const char* reason(int from, int to) {
   if (from == C2D_OPEN) return "gap closed";
   if (to == C2D_OPEN) return "no pressure left";

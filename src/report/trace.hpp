@@ -1,4 +1,4 @@
-// Every change of status of the load path, as CSV: what happened where, and why.
+// Every change of status on the load path, as CSV: place, statuses and reason.
 #pragma once
 
 #include <contact2d.h>
@@ -19,7 +19,7 @@ public:
     int status, side; // side: of the friction on side 2, -1 or +1
   };
   void append(std::string& out, const c2d_step& step);
-  // All that it holds, for an archive that takes it or gives it.
+  // All members, for an archive that reads or writes them.
   template <class Archive> void archive(Archive& a) { a(before_), a(coefficient_), a(event_); }
 
 private:

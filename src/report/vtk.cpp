@@ -43,7 +43,7 @@ void append_cell(Collected& c, int32_t body, int32_t element, int32_t nodes, siz
 }
 
 struct BodyStress {
-  std::vector<std::vector<double>> fields; // sxx, syy, sxy, szz, von Mises' of every element end
+  std::vector<std::vector<double>> fields; // sxx, syy, sxy, szz, von Mises stress of every element end
 };
 
 void append_end(Collected& c, const Scene& scene, const BodyScene& b, const BodyStress& stress, size_t i, const Image& image) {

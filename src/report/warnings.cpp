@@ -5,7 +5,7 @@
 namespace app {
 namespace {
 
-// How much of the results a warning is about.
+// The part of the results to which a warning refers.
 enum class Weight { kAll, kContact, kMesh, kPlace };
 
 Weight weight_of(int32_t kind) {
@@ -33,7 +33,7 @@ Weight weight_of(int32_t kind) {
   case C2D_WARN_POINT_LOAD:
   case C2D_WARN_CORNER:
   case C2D_WARN_TIE_END: return Weight::kPlace;
-  default: return Weight::kAll; // residuals, energies, solutions that are not the only ones
+  default: return Weight::kAll; // residuals, energies, solutions that are not unique
   }
 }
 

@@ -1,4 +1,4 @@
-// The warnings of a run in an order that serves a reader.
+// The warnings of a run in order of importance.
 #pragma once
 
 #include <contact2d.h>
@@ -7,7 +7,7 @@
 
 namespace app {
 
-// Those first that make all numbers doubtful, then what is about the contact, its mesh, and last a single place; of a kind
+// First those that affect all results, then those about the contact, its mesh, and last a single place; within a kind
 // (C2D_WARN_...) the order stays.
 void order_warnings(std::vector<c2d_error>& warnings);
 

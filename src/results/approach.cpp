@@ -1,4 +1,18 @@
-// How far the bodies of a zone have come closer, and past each other (METHOD 16.8).
+// Approach and shift of the two bodies of a contact zone (METHOD 16.8).
+//
+// Phases:
+//   1. Motion of each body. Rigid body: the motion of its reference point. Deformable body: the mean displacement over the
+//      loaded part of its boundary, u_mean = (1/L) int u ds; over the whole boundary if no element is loaded.
+//   2. Direction n: the mean normal of the pairs, weighted by their lengths.
+//   3. approach = (u_0 - u_1).n,  shift = (u_1 - u_0).t,  with t = (n_y, -n_x) and u_0, u_1 the motions of sides 0 and 1.
+//
+// Phase 1 does not back-substitute at every load. The mean is a linear functional of the unknowns of the body, and back
+// substitution is linear in the contact displacements, contact tractions and load factors. If U x = V c gives the unknowns x
+// from the coefficients c, then m.x = (V^T U^-T m).c: one adjoint (transposed) solve per component, stored once, replaces all
+// later back substitutions by a scalar product. This is the adjoint method for sensitivities of linear systems.
+//
+// The mean over the loaded part is used because the displacement of a half plane under a line load grows logarithmically with
+// distance (Johnson, Contact Mechanics, 1985, section 2.2): the approach of two bodies has no meaning without a reference.
 #include "results/approach.hpp"
 
 #include "bie/columns.hpp"
@@ -19,9 +33,11 @@ C2D_USES(CompressedPart);
 
 namespace {
 
-constexpr double kNoDirection = 1e-6; // a mean of unit normals below that is round-off: they go all round
+// Around a closed curve the normals cancel: a mean unit normal shorter than this is round-off and has no direction.
+constexpr double kNoDirection = 1e-6;
 
-// Is there a traction in any load case, or does a platen move the element?
+// Loaded: a non-zero prescribed traction in some load case, or motion by a platen. All load cases count, so that the reference
+// does not change along a load path.
 bool is_loaded(const Model& m, int b, int32_t element) {
   ZonePlace at;
   if (find_contact_element(m, b, element, &at)) return is_platen(m, m.zone[at.zone].body[0]);
@@ -32,9 +48,9 @@ bool is_loaded(const Model& m, int b, int32_t element) {
   return false;
 }
 
-// ---- mean motion of a body's boundary: a linear functional, found once ---------------------------------------------------
+// ---- mean motion of a boundary as a linear functional, computed once -----------------------------------------------------
 
-// What multiplies the trailing columns of the body (results/back.hpp) in the mean of each component.
+// Coefficients of the functional for each component, in the order of the trailing columns of the body (results/back.hpp).
 struct MeanMotion {
   Real* of_contact[2]; // [2 contact]
   double* of_loads[2]; // [cases]
@@ -60,7 +76,7 @@ double length_of(const Model& m, int b, int32_t element) {
 }
 
 struct Part {
-  bool loaded; // what is loaded of the boundary, or all of it
+  bool loaded; // true: only loaded elements; false: the whole boundary
   double length;
 };
 
@@ -91,7 +107,9 @@ void add_mean(Adjoint& a, const Part& part, int c) {
   }
 }
 
-// The adjoint of back substitution: its unknowns out of the functional.
+// Eliminates the outer unknowns from the functional by a transposed solve. First the functional is written in terms of all
+// unknowns of the body: `outer` (eliminated), `own` (contact displacements) and loads. Then the transposed factors move the
+// share of `outer` to the trailing columns. `own` is subtracted afterwards because the column of u_c represents -u_c.
 c2d_status find_component(Session& session, int b, const Part& part, int c) {
   const Model& m = session.model;
   const PathArea& area = session.area;
@@ -109,12 +127,12 @@ c2d_status find_component(Session& session, int b, const Part& part, int c) {
                                 ? kCompressedPart.compression_functional(session, b, area.outer, area.coefficient)
                                 : transposed_functional(plan, s->tapes, area.outer, area.coefficient, area.work);
   for (int32_t j = 0; j < 2 * own; ++j) out.of_contact[c][j] = area.coefficient[j];
-  for (int32_t j = 0; j < own; ++j) out.of_contact[c][j] -= area.own[j]; // (the column of u_c stands for -u_c)
+  for (int32_t j = 0; j < own; ++j) out.of_contact[c][j] -= area.own[j];
   for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] += static_cast<double>(area.coefficient[2 * own + k]);
   return status;
 }
 
-// The image moves the other way across a line of symmetry.
+// Across a line of symmetry the image moves in the opposite direction, so the mean of the complete body is zero.
 bool is_mirrored(const Model& m, int b, int c) { return (m.body[b].lines >> c & 1) != 0; }
 
 c2d_status find_mean_motion(Session& session, int b) {
@@ -126,6 +144,7 @@ c2d_status find_mean_motion(Session& session, int b) {
   return status;
 }
 
+// Tied surfaces do not approach, and in self-contact both sides have the same motion.
 bool has_approach(const Zone& zone) { return zone.is_tied == 0 && zone.body[0] != zone.body[1]; }
 
 bool takes_part(const Model& m, int b) {
@@ -134,7 +153,8 @@ bool takes_part(const Model& m, int b) {
   return false;
 }
 
-// Where memory counts, and on demand, where columns of the contact come later, displacements are found and summed instead.
+// The functionals are stored only if there is memory for them. With lazy columns (METHOD 10.12) the trailing columns do not
+// exist yet. In both cases displacements are computed by back substitution and averaged directly.
 bool has_functionals(const Model& m) { return C2D_MEAN_MOTION_(m.head->contact) > 0 && !is_on_demand(m); }
 
 c2d_status make_ready(Session& session) {
@@ -164,7 +184,7 @@ double sum_of_displacements(const Session& session, int b, int c) {
   return sum;
 }
 
-// After trailing_coefficients of the body.
+// Scalar product of the functional with the current coefficients. Precondition: trailing_coefficients of the body.
 double value_of(const Session& session, int b, int c) {
   const Model& m = session.model;
   const MeanMotion mean = mean_motion(session, b);
@@ -176,7 +196,6 @@ double value_of(const Session& session, int b, int c) {
   return sum * m.head->length_unit;
 }
 
-// Of a rigid body its own, of another the mean over what is loaded of its boundary, or over all of it.
 void body_motion(const Session& session, int b, double u[2]) {
   const Model& m = session.model;
   if (is_rigid(m, b)) {
@@ -192,7 +211,7 @@ void body_motion(const Session& session, int b, double u[2]) {
 
 // ---- directions ---------------------------------------------------------------------------------------------------------
 
-// Lines of symmetry that a zone ends on: it goes on in its image.
+// Lines of symmetry on which the zone ends. There the zone continues in its image, whose normals cancel one component.
 int32_t lines_of_zone(const Model& m, const Zone& z) {
   int32_t out = 0;
   if ((m.body[z.body[0]].lines & m.body[z.body[1]].lines) == 0) return out;
@@ -206,7 +225,8 @@ int32_t lines_of_zone(const Model& m, const Zone& z) {
   return out;
 }
 
-// The mean normal from side 1 to side 2; of a zone that goes all round the direction of its force, which may have none.
+// The mean normal from side 0 to side 1. If the zone closes on itself, as for a pin in a hole, the normals cancel and the
+// direction of the contact force is used; without force there is no direction and the result is false.
 bool find_direction(const Model& m, const Zone& z, const double force[2], double n[2]) {
   double sum = 0.0;
   n[0] = n[1] = 0.0;
@@ -237,7 +257,7 @@ c2d_status find_approach(Session& session, const Zone& zone, c2d_zone_state& out
   c2d_status status = session.solver->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
   if (status == C2D_OK && !rigid) status = make_ready(session);
   if (status != C2D_OK) return status;
-  double u[2][2];
+  double u[2][2]; // mean motions of both sides
   for (int side = 0; side < 2; ++side) body_motion(session, zone.body[side], u[side]);
   out.approach = (u[0][0] - u[1][0]) * n[0] + (u[0][1] - u[1][1]) * n[1];
   out.shift = (u[1][0] - u[0][0]) * n[1] - (u[1][1] - u[0][1]) * n[0];

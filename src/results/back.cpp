@@ -1,4 +1,17 @@
-// Back substitution: displacements and tractions of whole boundaries.
+// Back substitution (METHOD 16.1): displacements and tractions on all boundaries at the load reached.
+//
+// Elimination left, for each body, A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k, METHOD (7.1), in factored form. The
+// contact solution gives u_c and t_c, the load path gives the factors lambda_k. Phases, body by body:
+//   1. trailing_coefficients: collect (-u_c, t_c, lambda), which multiply the trailing columns [H_c | G_c | r].
+//   2. Solve U x_o = L^-1 [H_c | G_c | r] (-u_c, t_c, lambda) backwards through the stored factors (dense or compressed).
+//      L^-1 was already applied to the trailing columns during elimination, so only U is read.
+//   3. Assign the unknowns: displacements to nodes, tractions to element ends. A rigid body skips phases 1 and 2: its motion is
+//      known and its tractions are those of the contact.
+//   4. Sum the forces applied to each body and check the balance with the contact (results/balance.cpp).
+// The phases run once per load, on the first request for results outside the contact: load steps of a path need none of them.
+//
+// Block LU with back substitution: Golub and Van Loan, Matrix Computations, chapter 3. Mixed unknowns of the direct boundary
+// element method: Brebbia, Telles and Wrobel, Boundary Element Techniques (1984).
 #include "results/back.hpp"
 #include "bie/columns.hpp"
 #include "contact/body_unknowns.hpp"
@@ -19,6 +32,8 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
   const Follower& f = session.follower;
   const Model& m = session.model;
   const int32_t own = m.body[b].contact;
+  // Equilibrium of a pair: the traction tau acts on side 1 and -tau on side 0, hence signed_on. u_c gets a minus because H_c
+  // u_c is on the left-hand side of the equation and the factors treat all trailing columns as right-hand sides.
   for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
     const Pair& pair = m.pair[at.pair];
     const PairState now = pair_state(*f.t, at.pair, f.y);
@@ -34,6 +49,7 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
 
 namespace {
 
+// Prescribed values are linear in the load factors: sum_k lambda_k value_k.
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
   double sum = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
@@ -47,6 +63,8 @@ double prescribed_traction(const Session& session, int b, int32_t end, int c) {
   return sum;
 }
 
+// Each component of a nodal displacement has one of three sources: the contact solution (rotated from the frame of the pair),
+// the back-substituted unknown, or the prescribed value. Unknowns are dimensionless: displacements are in the length unit.
 void fill_displacements(const Session& session, int b) {
   const Model& m = session.model;
   for (int32_t node = 0; node < m.body[b].nodes; ++node) {
@@ -118,7 +136,9 @@ void transferred_traction(const Session& session, int b, int32_t element, int l,
 
 namespace {
 
-// *transferred: what of it free zones bring.
+// Traction of one element end: contact, unknown (stored divided by 2G) or prescribed, plus the mortar-transferred traction of a
+// free zone, which acts in addition to prescribed tractions. `transferred` returns that last share: the balance of forces must
+// leave it out, and finding it costs a search for the facing point.
 void fill_end_traction(const Session& session, int b, int32_t element, int l, double transferred[2]) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
@@ -129,7 +149,8 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l, do
   unknowns_at(m, b, node, both);
   for (int c = 0; c < 2; ++c) {
     const Unknown& unknown = both[c];
-    const bool here = unknown.end[0] == end || unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
+    // A corner with a known displacement and two unknown tractions has one value, valid at both ends of its node.
+    const bool here = unknown.end[0] == end || unknown.kind == UnknownKind::shared_traction;
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
     if (in_contact && is_in_contact(unknown))
       t[c] = contact[c];
@@ -156,11 +177,12 @@ c2d_status back_substitute_body(Session& session, int b) {
       is_compressed(plan) ? kCompressedPart.solve_compressed(session, b)
                           : back_substitute(plan, s->tapes, session.area.coefficient, session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
+  // The last three unknowns are rho and omega of the balanced equations, METHOD (2.5): interior points need them.
   for (int i = 0; i < 3; ++i) results_of(s, b).multiplier[i] = session.area.outer[m.body[b].columns + i];
   fill_displacements(session, b);
   for (double& force : results_of(s, b).applied) force = 0.0;
   for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    double transferred[2 * kElementNodes]; // for the balance too: it costs a search of what faces the end
+    double transferred[2 * kElementNodes];
     for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l, transferred + 2 * l);
     if (s->keeps_energy) kEnergyPart.add_boundary_force(session, b, element, transferred);
   }
@@ -171,6 +193,7 @@ c2d_status back_substitute_body(Session& session, int b) {
 
 c2d_status back_substitute_all(Session& session) {
   c2d_solver* s = session.solver;
+  // blocked, floating: rigid-body motions are unsupported, so that there is no solution to substitute; results stay zero.
   if (s->back_substituted || s->blocked || s->floating) return C2D_OK;
   const double start = clock_now(s);
   c2d_status status = s->table_is_current ? c2d_status{C2D_OK} : fill_table(session);

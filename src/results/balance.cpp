@@ -1,5 +1,14 @@
-// Resultants of what acts on the bodies, and their balance. Optional (memory/parts.hpp).
-
+// Resultant forces on the bodies and their equilibrium. Optional (memory/parts.hpp).
+//
+// Phases:
+//   1. add_boundary_force, element by element during back substitution: applied = int t ds over all tractions and reactions
+//      outside the contact, with moments int x cross t ds about the origin.
+//   2. sum_forces: add point loads and body forces; compute the contact resultant (results/body_state.cpp).
+//   3. balance_of: error = |applied + contact| / max(|applied|, |contact|), along the translations the body is free to follow.
+//   4. Report the worst body.
+// The integrals use the exact resultants of the shape functions, the same as the equations of equilibrium METHOD (2.6) of the
+// discrete system. In exact arithmetic the error is therefore zero for any mesh: it measures the round-off of elimination,
+// reduction and contact solution, not the discretisation.
 #include "results/balance.hpp"
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
@@ -19,7 +28,7 @@ void add_boundary_force(const Session& session, int b, int32_t element, const do
   const Model& m = session.model;
   const double unit = m.head->length_unit;
   double* applied = results_of(session.solver, b).applied;
-  if (!is_integrated(m, b, element)) return;
+  if (!is_integrated(m, b, element)) return; // zero length, or replaced by an image: it carries no force
   EndResultant own[kElementNodes];
   end_resultants(m, b, element, Measure::own_length, own);
   for (int l = 0; l < m.head->function_nodes; ++l) {
@@ -27,7 +36,7 @@ void add_boundary_force(const Session& session, int b, int32_t element, const do
     const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
     double t[2];
     get_traction(session, b, end, t);
-    for (int c = 0; c < 2; ++c) t[c] -= transferred[2 * l + c];
+    for (int c = 0; c < 2; ++c) t[c] -= transferred[2 * l + c]; // a contact force, counted with the contact
     const EndResultant& w = own[l];
     for (int c = 0; c < 2; ++c) {
       if (at.pair >= 0 && is_in_contact(unknown_at(m, b, node, c))) continue;
@@ -55,7 +64,8 @@ void add_loads(const Session& session, int b, double applied[3]) {
   }
 }
 
-// What holds a rigid body against its contact, but where it is free.
+// A rigid body has no equations. Along prescribed motions the support reacts with minus the contact force; along free motions
+// the given load acts. The given moment refers to the reference point of the body and is moved to the origin.
 void hold_rigid(const Session& session, int b, const double contact[3], double applied[3]) {
   const Model& m = session.model;
   const Body& body = m.body[b];
@@ -74,9 +84,11 @@ void sum_forces(const Session& session, int b) {
   add_loads(session, b, applied);
 }
 
-// Part of a force along the translations that the body is free to follow; all of it if it is held.
+// Projection of a force onto the free translations of a body. A fully supported body compares the whole force: then the
+// reactions balance the contact. Free motions may include rotations about a point, so their translational parts are
+// orthonormalised first.
 void free_part(const Body& body, const double force[3], double out[2]) {
-  if (body.free_motions == 0) { // what acts across a symmetry line is balanced by the other side
+  if (body.free_motions == 0) { // the other half balances forces across a line of symmetry
     for (int c = 0; c < 2; ++c) out[c] = (body.lines >> c & 1) != 0 ? 0.0 : force[c];
     return;
   }
@@ -94,7 +106,7 @@ void free_part(const Body& body, const double force[3], double out[2]) {
 }
 
 struct Balance {
-  double applied, contact, error; // error: of the larger of both
+  double applied, contact, error; // error: relative to the larger of the two
 };
 
 Balance balance_of(const Session& session, int b) {
@@ -107,15 +119,15 @@ Balance balance_of(const Session& session, int b) {
   Balance out{hypot(applied[0], applied[1]), hypot(contact[0], contact[1]), 0.0};
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
   const double size = out.applied > out.contact ? out.applied : out.contact;
-  // Nothing is loaded: what there is of forces is the round-off of those before, or of displacements.
+  // After unloading, the remaining forces are round-off of earlier ones or of displacements; their ratio has no meaning.
   const double round_off = 1e-12 * path_scales(session.follower).w * s->model.stress_unit * s->model.length_unit;
   const bool loaded = size > kNoPressure * s->peak_force && size > round_off;
   out.error = s->model.contact > 0 && loaded ? rest / size : 0.0;
   return out;
 }
 
-// Is this body's balance one to look at? Those of bodies that only the contact holds are; without such of two bodies the softer
-// one's, of more all.
+// Which bodies are checked. If some bodies are supported by contact alone, only these, since no support can take up an error
+// of their contact forces. Otherwise all, but of two deformable bodies only the softer one.
 bool is_looked_at(const Model& m, int b, bool some_float) {
   const Body& body = m.body[b];
   if (body.contact == 0 || is_rigid(m, b)) return false;

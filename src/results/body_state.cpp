@@ -1,3 +1,6 @@
+// Force and moment of the contact on a body: F = int t ds, M = int (x t_y - y t_x) ds about the origin, with t = +-tau in
+// global components. The integrals of the shape functions are those of the equations of equilibrium METHOD (2.6): so the
+// contact resultant balances the applied loads to round-off. Free zones add the tractions transferred to side 0 (METHOD 9.2).
 #include "results/body_state.hpp"
 
 #include "bie/columns.hpp"

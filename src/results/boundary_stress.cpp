@@ -1,5 +1,16 @@
-// Stress tensor on the boundary: tractions, and slopes of the displacement recovered from where they are most accurate.
-
+// Stress tensor on the boundary (METHOD 16.2).
+//
+// Equation. The traction gives two components, t_n = s_nn and t_s = s_ns. The third follows from the strain along the boundary,
+// e_ss = (du/ds).s, by Hooke's law in plane strain, METHOD (16.1): s_ss = 2G/(1 - nu) e_ss + nu/(1 - nu) s_nn.
+// No boundary integral is evaluated: the stress integral is hypersingular there (Brebbia, Telles and Wrobel, Boundary Element
+// Techniques, 1984, on stresses at boundary points).
+//
+// Phases for a point of the boundary:
+//   1. Interpolate displacement and traction on its element.
+//   2. Recover the slope du/ds. The derivative of the shape functions is one order less accurate than u, except at the Gauss
+//      points, where it gains an order (Barlow, Int. J. Numer. Meth. Eng. 10, 1976). So slopes are sampled at the Gauss points
+//      of the element and of neighbours that join smoothly, and interpolated in arc length by a polynomial.
+//   3. Apply METHOD (16.1). At a node average both sides; at a corner the tractions of both sides determine the tensor.
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "memory/math.hpp"
@@ -24,16 +35,17 @@ Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step)
 
 namespace {
 
-constexpr double kSmooth = 0.985; // cosine of 10 degrees: less is a kink
-constexpr double kCorner = 0.5;   // sine of 30 degrees: from there on two tractions make a tensor
-constexpr double kStep = 0.05;    // of the tractions at a node: more is a step
+constexpr double kSmooth = 0.985; // cosine of 10 degrees: a larger angle between normals is a kink
+constexpr double kCorner = 0.5;   // sine of 30 degrees: from here on the two tractions determine the tensor well enough
+constexpr double kStep = 0.05;    // of the tractions at a node: a larger difference is a real step of the load
 
-// (Not inlined, for the stack: elements and slopes are large, and none of them is needed while neighbours are asked for.)
+// Not inlined, to limit the stack: elements and slopes are large, and none is needed while neighbours are examined.
 [[gnu::noinline]] Point point_of(const Model& m, int b, int32_t element, double eta) {
   return element_point(element_of(m, b, element), eta);
 }
 
-// Along an element between two of its points.
+// Arc length along an element between two of its points. Six Gauss points are exact to round-off for a straight element, where
+// the Jacobian is constant, and converge fast on curved ones, where it is the root of a polynomial of degree four at most.
 double arc_length(const Element& e, double from, double to) {
   const GaussRule rule = gauss_legendre(6);
   double sum = 0.0;
@@ -44,7 +56,8 @@ double arc_length(const Element& e, double from, double to) {
   return sum;
 }
 
-// Nothing jumps between the end of one element and the start of the next: no kink, double node or step of traction.
+// Is the slope du/ds continuous from the end of one element to the start of the next? A kink, a double node or a step of the
+// traction makes it jump, and a polynomial across the jump would oscillate.
 bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
@@ -58,7 +71,8 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
   return hypot(t[0] - v[0], t[1] - v[1]) <= kStep * (hypot(t[0], t[1]) + hypot(v[0], v[1]));
 }
 
-// The same between an element and the neighbour beyond one of its ends.
+// The same for the neighbour beyond either end, which may be the image across a line of symmetry. The image is smooth if the
+// boundary meets the line at a right angle and the traction has no component that symmetry reverses.
 bool joins_neighbour(const Session& session, int b, int32_t element, int32_t step, const Neighbour& other) {
   if (other.image == 0)
     return step > 0 ? joins_smoothly(session, b, element, other.element) : joins_smoothly(session, b, other.element, element);
@@ -74,14 +88,14 @@ bool joins_neighbour(const Session& session, int b, int32_t element, int32_t ste
   return cosine >= kSmooth && hypot(jump[0], jump[1]) <= 2.0 * kStep * hypot(t[0], t[1]);
 }
 
-// Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
-// functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
+// Samples of du/ds at the Gauss points of elements, one fewer per element than functional nodes; s is the arc length from the
+// point where the slope is wanted.
 struct Slopes {
   int count;
   double *s, (*du_ds)[2];
 };
 
-// Those of one element, whose point `eta` lies at arc length s from the point sought.
+// Adds the samples of one element, whose point `eta` lies at arc length s from the point where the slope is wanted.
 void add_slopes(const Session& session, int b, int32_t element, double eta, double s, Slopes& out) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
@@ -103,7 +117,8 @@ void add_slopes(const Session& session, int b, int32_t element, double eta, doub
   }
 }
 
-// Those of an element's own image beyond the end at arc length `end`: u there is mirrored, and the direction of travel.
+// Adds the samples of the image of an element beyond its end at arc length `end`. Reflection changes the sign of one component
+// of u and reverses the direction of travel, hence the second minus sign.
 void add_mirrored_slopes(const Slopes& own, double end, int image, Slopes& out) {
   for (int i = own.count - 1; i >= 0; --i) {
     out.s[out.count] = 2.0 * end - own.s[i];
@@ -112,7 +127,8 @@ void add_mirrored_slopes(const Slopes& own, double end, int image, Slopes& out) 
   }
 }
 
-// The polynomial through the (at most four) samples nearest to s = 0, there.
+// Value at s = 0 of the Lagrange polynomial through the (at most four) samples nearest to it. More samples would raise the
+// degree and amplify the error of distant ones.
 void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   int first = 0, count = x.count < 4 ? x.count : 4;
   while (first + count < x.count && x.s[first + count] < -x.s[first]) ++first;
@@ -125,7 +141,8 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   }
 }
 
-// Those of this element and of the neighbours that join it.
+// Collects samples in the order of arc length - previous, own, next - and interpolates them. Room: three elements of at most
+// three Gauss points.
 [[gnu::noinline]] void slope_from(const Session& session, int b, int32_t element, double eta, const Neighbour* previous,
                                   const Neighbour* next, bool mirrored, double du_ds[2]) {
   const Model& m = session.model;
@@ -146,7 +163,8 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   interpolate_slopes(slopes, du_ds);
 }
 
-// From this element and the neighbours that join it smoothly.
+// The slope from this element and the neighbours that join it smoothly. On a closed curve of two elements both neighbours are
+// the same element, which must not enter twice.
 void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
   const Model& m = session.model;
   const Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
@@ -177,8 +195,9 @@ Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
     du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
 }
 
-// Displacements are constant along a constant element: difference of the neighbours, along the chords between the three
-// middles. (In two functions, as the stack is deepest where it is found which elements join.)
+// Constant elements: u has no derivative on the element. The slope is the difference quotient between the neighbours, along the
+// chords between the three middle nodes; where a neighbour does not join smoothly the element itself takes its place, and the
+// difference is one-sided. Two functions, because the stack is deepest while joining elements are found.
 [[gnu::noinline]] void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
   Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
@@ -226,7 +245,9 @@ PlaneStress stress_of(const Session& session, int b, const BoundaryState& s, dou
   return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(session.model, b), strain_poisson_ratio(session.model, b), hoop);
 }
 
-// Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
+// Tensor at a corner from the tractions of its two sides, without any slope. With n_i the normals, t_i = sigma n_i and the
+// reciprocal vectors m_i (m_i.n_j = 1 for i = j, else 0): sigma = sum s_ij m_i m_j, s_ij = n_i.t_j. A symmetric tensor
+// requires s_12 = s_21; the two tractions give both values and their mean is used.
 PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
   const double cross = a.n[0] * c.n[1] - a.n[1] * c.n[0];
   const double m1[2] = {c.n[1] / cross, -c.n[0] / cross}, m2[2] = {-a.n[1] / cross, a.n[0] / cross};
@@ -250,7 +271,7 @@ BoundaryState mirrored_state(const BoundaryState& s, int image) {
     out.u[c] *= image_sign(image, c);
     out.t[c] *= image_sign(image, c);
     out.n[c] *= image_sign(image, c);
-    out.du_ds[c] *= -image_sign(image, c); // travel is reversed too
+    out.du_ds[c] *= -image_sign(image, c); // the direction of travel is reversed as well
   }
   return out;
 }
@@ -259,13 +280,13 @@ PlaneStress joint_stress(const Session& session, int b, const BoundaryState& s, 
   double hoop;
   if (is_corner(session, s, t)) return corner_stress(s, t);
   const PlaneStress here = stress_of(session, b, s, &hoop);
-  if (image != 0) return {here.xx, here.yy, 0.0};
+  if (image != 0) return {here.xx, here.yy, 0.0}; // shear stress vanishes on a line of symmetry
   const PlaneStress there = stress_of(session, b, t, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
 }
 
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
-  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0}; // none that could be known
+  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0}; // the stress of a rigid body is undefined
   const BoundaryState s = boundary_state(session, b, element, eta);
   double hoop;
   if (fabs(eta) < 1.0) return stress_of(session, b, s, &hoop);

@@ -1,15 +1,15 @@
 #pragma once
-// Is the mesh fine enough for the work of friction? What the loads do between two states and elastic energy does not take up,
-// friction must have dissipated (METHOD 15). The two are compared where they can be: from one turn of the loads to the next,
-// and over two such pieces, a cycle of loads that go to and fro. In a first loading elastic energy is nearly all, and its error
-// says nothing about friction: compared is only where friction takes a tenth of what elastic energy gains or loses.
+// Is the mesh fine enough for the work of friction? The external work between two states minus the change of elastic energy
+// must equal the dissipated energy (METHOD 15). Both are compared from one load reversal to the next, and over two such
+// segments, a cycle of a cyclic load. During first loading the elastic energy dominates and its error hides that of friction:
+// segments are compared only where the dissipation is at least a tenth of the change of elastic energy.
 #include "memory/text.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
 
-// Appends by how much they differ, if it is more than a tenth of what was dissipated. `at_end`: the path may end here, not only
-// at a turn. False: nothing is to be told.
+// Appends the difference if it exceeds a tenth of the dissipation. `at_end`: also compare up to the current state, not only up
+// to the last reversal. False: nothing to report.
 bool tell_friction_work(const Session& session, bool at_end, Text& out);
 
 } // namespace c2d

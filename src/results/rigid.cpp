@@ -1,3 +1,8 @@
+// Results of rigid bodies (METHOD 10.5).
+//
+// u(x) = sum_k lambda_k (given motion of load case k at x) + sum_j x_j R_j(x), with R_j the free motions, scaled to be
+// dimensionless, and x_j their sizes from the contact solution. Displacements are linear in the rotation (small angles).
+// A rigid body has no stress and no tractions except those of its contact.
 #include "results/rigid.hpp"
 
 #include "bie/measure.hpp"
@@ -9,9 +14,9 @@ namespace c2d {
 
 namespace {
 
-// Those whose size the contact finds.
+// Number of free motions whose sizes the contact solution contains.
 int32_t moving(const Body& body) {
-  if (C2D_NEVER(body.free_motions > 0 && body.contact == 0)) return 0; // (the solver would be blocked)
+  if (C2D_NEVER(body.free_motions > 0 && body.contact == 0)) return 0; // such a solver is blocked before results exist
   return body.free_motions;
 }
 
@@ -19,7 +24,7 @@ int32_t moving(const Body& body) {
 
 void rigid_displacement_now(const Session& session, int b, double x, double y, double u[2]) {
   u[0] = u[1] = 0.0;
-  if (session.solver->blocked || session.solver->floating) return; // no motion is known
+  if (session.solver->blocked || session.solver->floating) return; // no solution, so the motion is unknown
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
     double part[2];
     rigid_displacement(session.model, b, k, x, y, part);

@@ -1,4 +1,15 @@
-// The result table: a row per pair, with the displacements of both sides.
+// The result table: one row per pair with status, tractions, gap, slip and the displacements of both sides.
+//
+// The contact solution consists of the tractions tau and the relative motions w' = w - (g, 0) of the pairs. Phases:
+//   1. find_motions: sizes x = X w' + sum_k lambda_k x_k of the free rigid-body motions, METHOD (11.2).
+//   2. Displacements of each body at its pairs. A body that was solved for: u = F t + sum_k lambda_k v_k + R x, METHOD (10.1),
+//      with t = -tau on side 0 and +tau on side 1. A body that keeps its equations follows from the other side and w'.
+//   3. Lazy columns (METHOD 10.12): the contact columns of pairs with force are superposed instead, and rigid-body modes are
+//      determined from the pairs that support the bodies.
+//   4. fill_row: conversion to the units of the caller.
+// Columns of F, X, v and R are streamed from the contact tape one at a time: the matrices need not fit in memory. The method of
+// flexibility matrices with superposed rigid-body motions is standard in contact of floating bodies (Conry and Seireg, J. Appl.
+// Mech. 38, 1971; Johnson, Contact Mechanics, chapter 5).
 #include "results/table.hpp"
 
 #include "contact/basis.hpp"
@@ -12,7 +23,7 @@ C2D_USES(CompressedPart);
 
 namespace {
 
-// w' = w - (gap, 0) as in the tableau.
+// The relative motions w' = w - (gap, 0) of all pairs, as in the tableau.
 void put_motion(const Session& session, Real* motion) {
   const Follower& f = session.follower;
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
@@ -23,7 +34,7 @@ void put_motion(const Session& session, Real* motion) {
   }
 }
 
-// x = X w' + sum of lambda_k x_k; w' stands in area.u[0] meanwhile.
+// x = X w' + sum_k lambda_k x_k. area.u[0] stores w' meanwhile, before it receives displacements.
 c2d_status find_motions(const Session& session) {
   const Follower& f = session.follower;
   const int32_t m = f.t->m, motions = session.model.head->border;
@@ -45,7 +56,8 @@ c2d_status find_motions(const Session& session) {
   return C2D_OK;
 }
 
-// Adds so much of a column, which has a number for each contact unknown of body b, to the displacements on its sides.
+// Adds factor times a column to the displacements of body b. The column has one entry per contact unknown of the body; its
+// ranges map them to the pairs of side 0 and side 1.
 void add_column(const Session& session, int b, const Real* column, double factor) {
   for_ranges(session.model, b, [&](const UnknownRange& range) {
     Real* u = session.area.u[range.side] + range.all;
@@ -53,7 +65,7 @@ void add_column(const Session& session, int b, const Real* column, double factor
   });
 }
 
-// The same of a column on the tape.
+// The same for a column on the tape. A zero factor saves the transfer.
 c2d_status add_from_tape(const Session& session, int b, BodyMatrix matrix, int32_t column, double factor) {
   if (factor == 0.0) return C2D_OK;
   const c2d_status status = read_column(session.tape, b, matrix, column, session.area.column);
@@ -61,7 +73,7 @@ c2d_status add_from_tape(const Session& session, int b, BodyMatrix matrix, int32
   return status;
 }
 
-// F t of a body, t = -tau on its sides 0, +tau on its sides 1.
+// Adds F t, with t = -tau where the body is side 0 of a pair and +tau where it is side 1. F may be in memory or on the tape.
 c2d_status add_compliance(const Session& session, int b) {
   const Model& m = session.model;
   const Follower& f = session.follower;
@@ -81,7 +93,8 @@ c2d_status add_compliance(const Session& session, int b) {
   return C2D_OK;
 }
 
-// X w' in the place of F t where displacements are unknowns; w' stands in area.own.
+// For slender bodies whose displacements are unknowns of the contact system (METHOD 10.2): X w' takes the place of F t.
+// area.own stores w'.
 c2d_status add_unknowns(const Session& session, int b) {
   const Model& m = session.model;
   Real* const column = session.area.column;
@@ -115,6 +128,7 @@ void fill_row(const Session& session, int32_t i, double* row) {
   const PairState now = pair_state(*f.t, i, f.y);
   const double length = head.length_unit;
   const int32_t n = pair.dof, t = pair.dof + 1;
+  // A pair on an axis of symmetry cannot slip; its status is reported by its coefficient of friction.
   row[C2D_STATUS] = pair.status;
   if (is_tied(session.model, pair))
     row[C2D_STATUS] = C2D_TIED;
@@ -130,14 +144,14 @@ void fill_row(const Session& session, int32_t i, double* row) {
   row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
 }
 
-// What w_n is beyond the motion: what interference has closed of the gap is none of it.
+// The part of w_n that is not relative motion: the gap, minus the overlap that interference has removed so far.
 double gap_now(const Follower& f, const Pair& pair) {
   const ModelHeader& head = *f.model->head;
   const double closed = head.interference == 0 ? 0.0 : f.load[head.interference - 1] * pair.overlap;
   return gap_of(*f.t, pair) - closed / f.t->length_unit;
 }
 
-// The other side moves with a pair's motion.
+// Displacement of the other side of a pair: u_1 = u_0 + w', or u_0 = u_1 - w', in the frame of the pair.
 void follow_pair(const Session& session, int32_t i, int known_side) {
   const Follower& f = session.follower;
   const Pair& pair = session.model.pair[i];
@@ -149,13 +163,14 @@ void follow_pair(const Session& session, int32_t i, int known_side) {
   if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(1 - known_side, now.wt));
 }
 
-// Those of a body that keeps its equations: of what it meets, and the pairs' motions.
+// All pairs of a body that keeps its equations.
 void follow_others(const Session& session, int b) {
   for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) follow_pair(session, at.pair, 1 - at.side);
 }
 
-// On demand the motions of all bodies are what slots of the pairs that hold them move beyond what the loads do there; columns
-// have theirs, by which nothing moves in these slots.
+// Lazy columns: amounts of the rigid-body modes. Some contact degrees of freedom support the bodies (form.held); every column
+// was made with zero displacement there. So the amount of a mode is the relative motion at its supporting degree of freedom,
+// minus the part h_k caused by the loads.
 c2d_status move_on_demand(const Session& session) {
   const Model& m = session.model;
   const Follower& f = session.follower;
@@ -169,7 +184,7 @@ c2d_status move_on_demand(const Session& session) {
     const double w[2] = {now.wn - gap_now(f, pair), now.wt};
     for (int32_t k = 0; k < form.count; ++k)
       if (form.held[k] >= pair.dof && form.held[k] <= pair.dof + pair.tangential) amount[k] = w[form.held[k] - pair.dof];
-    for (int32_t k = 0; k < form.count && m.head->interference != 0; ++k) // h has the overlaps taken off
+    for (int32_t k = 0; k < form.count && m.head->interference != 0; ++k) // h_k already contains the overlap
       if (form.held[k] == pair.dof) amount[k] -= f.load[m.head->interference - 1] * pair.overlap / m.head->length_unit;
   }
   for (int32_t i = 0; i < f.t->cases && form.count > 0 && status == C2D_OK; ++i) {
@@ -185,7 +200,8 @@ c2d_status move_on_demand(const Session& session) {
   return status;
 }
 
-// On demand: of side 0 by the columns of the pairs that carry a force, and by the loads.
+// Lazy columns: displacements of side 0 from the columns of pairs with force and from the loads; side 1 follows by w'. Pairs
+// without force need no column, and none may exist for them.
 c2d_status displacements_on_demand(const Session& session) {
   const Model& m = session.model;
   const Follower& f = session.follower;
@@ -244,7 +260,7 @@ c2d_status fill_table(Session& session) {
   s->table_is_current = 1;
   if (s->model.contact == 0) return C2D_OK;
   const int32_t m = s->model.contact;
-  if (s->blocked || s->floating) { // nothing has happened yet: zero load, or no solution at all
+  if (s->blocked || s->floating) { // no solution: before the first contact, or unsupported motions
     for (Real* u : session.area.u)
       for (int32_t i = 0; i < m; ++i) u[i] = 0;
     for (int32_t i = 0; i < s->model.pairs; ++i) {
@@ -255,7 +271,7 @@ c2d_status fill_table(Session& session) {
     }
     return C2D_OK;
   }
-  if (!s->unsound) refresh(session.follower);
+  if (!s->unsound) refresh(session.follower); // tractions and motions of the state from the tableau
   const c2d_status status = contact_displacements(session);
   if (status != C2D_OK) return status;
   for (int32_t i = 0; i < s->model.pairs; ++i) fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);

@@ -4,12 +4,12 @@
 
 namespace c2d {
 
-// Motions x of the bodies that only the contact holds, into area.motion, and of all bodies the displacements at the pairs, into
-// area.u. Errors: the block store's.
+// Rigid-body motions x of bodies supported by contact alone, to area.motion, and the displacements of all bodies at the pairs,
+// to area.u. Errors: those of the block store.
 c2d_status contact_displacements(Session& session);
-// That, and the table. Errors: the block store's.
+// The same, and the table. Errors: those of the block store.
 c2d_status fill_table(Session& session);
-// Zone, normals and positions, which do not change.
+// The constant columns: zone, normals and positions.
 void fill_positions(const Model& model, double* table);
 
 } // namespace c2d

@@ -1,3 +1,10 @@
+// Tractions that free zones transfer to side 0 (METHOD 9.2, where the sides are 1 and 2).
+//
+// In a free zone tau is interpolated at the nodes of side 1, per length of side 1. Side 0 receives, by Newton's third law,
+//   t_0(eta_0) = -tau(eta_1) J_1/J_0 at facing points,
+// which is a polynomial only on the pieces between the nodes of both sides. Forces and integrals are computed piece by piece,
+// exactly; as nodal values for the output t_0 is evaluated at the element ends. This is the segment-to-segment idea of mortar
+// methods (Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193, 2004), applied to collocation.
 #include "results/transferred.hpp"
 
 #include "bie/transfer.hpp"
@@ -27,7 +34,7 @@ void transferred_values(const Session& session, const Transfer& piece, int k, do
 
 namespace {
 
-// Not inlined: a piece must not stand below the search for the next.
+// Not inlined: the frame of a piece must not add to that of the search for the next one.
 [[gnu::noinline]] void add_piece_force(const Session& session, const TransferWalk& walk, double out[3]) {
   const double unit = session.model.head->length_unit;
   Transfer piece;

@@ -1,5 +1,8 @@
-// Resultants and statuses of a contact zone as it stands.
-
+// Current state of a contact zone: resultants, numbers of pairs by status, largest tractions.
+//
+// Force and moment on side 1 (sides count from 0): F = int tau ds, M = int x cross tau ds about the origin, with the exact
+// integrals of the shape functions along the side to whose length tau refers (side 0; in free zones side 1). The forces of all
+// zones of a body therefore add up to its contact resultant (results/body_state.cpp).
 #include "results/zone_state.hpp"
 #include "bie/columns.hpp"
 #include "memory/math.hpp"
@@ -9,7 +12,7 @@ namespace c2d {
 
 namespace {
 
-constexpr double kNear = 0.01;
+constexpr double kNear = 0.01; // relative distance from another status that counts as near
 
 struct Largest {
   double p, gap;
@@ -17,8 +20,7 @@ struct Largest {
 
 double larger(double a, double b) { return a > b ? a : b; }
 
-// Force and moment on side 1 of one element of the body whose length tau is measured by, from the exact resultants of its
-// shape functions.
+// Adds force and moment on side 1 from one element of the side to whose length tau refers.
 void add_element_force(const Session& session, int b, int32_t element, c2d_zone_state& out) {
   const Model& m = session.model;
   const Follower& f = session.follower;
@@ -37,6 +39,8 @@ void add_element_force(const Session& session, int b, int32_t element, c2d_zone_
   }
 }
 
+// Is the pair close to another status? Open: nearly closed; closed: nearly without pressure, or sticking near the friction
+// limit mu p. Infinite friction has no limit.
 bool is_near(const Pair& pair, const PairState& now, const Largest& largest) {
   if (pair.status == C2D_OPEN) return now.wn <= kNear * largest.gap;
   if (now.p <= kNear * largest.p) return true;
@@ -60,7 +64,7 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
     if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
     if (pair.status == C2D_OPEN)
       ++out.open;
-    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0)
+    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0) // on an axis of symmetry: stick if there is friction
       ++out.stick;
     else
       ++out.slip;

@@ -32,7 +32,7 @@ def real(where, value):
     try:
         number = float(value)
     except (OverflowError, TypeError, ValueError):
-        raise ValueError("%s is %r, expected a number that a double holds" % (where, value)) from None
+        raise ValueError("%s is %r, expected a number within the range of a double" % (where, value)) from None
     if math.isnan(number):
         raise ValueError("%s is nan, expected a number" % where)
     return number
@@ -72,7 +72,7 @@ def pairs(where, values):
 
 
 def fast(where, values, columns):
-    """The same of an array of numpy that holds real numbers, as an array; else None."""
+    """The same for a numpy array of real numbers, as an array; else None."""
     if numpy is None or not isinstance(values, numpy.ndarray) or values.dtype.kind not in "iuf" or not values.ndim:
         return None
     if values.ndim > columns or (values.ndim == 2 and values.shape[1] != 2):

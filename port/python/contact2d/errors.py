@@ -73,7 +73,7 @@ class Cancelled(Error):
 
 
 class IncompleteWarning(UserWarning):
-    """The load path ended before the load asked for; the result tells where and why."""
+    """The load path ended before the requested load; the result contains where and why."""
 
 
 def kind_of(status):

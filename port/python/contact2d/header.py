@@ -651,7 +651,7 @@ FUNCTIONS = {
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
-Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (slender bodies upon each other: c2d_prepare reports), `in_core` holds a body's whole matrix; threads use more. Outputs, why may be null. Errors: OVERFLOW."""),
+Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (stacked slender bodies: c2d_prepare reports), `in_core` stores the whole matrix of a body; threads use more. Outputs, why may be null. Errors: OVERFLOW."""),
     "c2d_create": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),
@@ -661,7 +661,7 @@ Bytes of workspace: `minimum` solves any model within the limits in the smallest
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port, c2d_error* why);
 
-Make a solver in memory[0 .. bytes), in state empty; *out points into it. `port` is copied, its context must live on; null: no store, the model can only be checked. `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
+Create a solver in memory[0 .. bytes), in state empty; *out points into it. `port` is copied, its context must stay valid; null: no store, the model can only be checked. `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
     "c2d_attach": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),
@@ -670,12 +670,12 @@ Make a solver in memory[0 .. bytes), in state empty; *out points into it. `port`
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
 
-Take up a solver whose memory was moved, reloaded or handed to another process of the same build: memory[0 .. bytes) is a copy of the whole that c2d_create was given, taken between calls, on any alignment, perhaps longer. It goes on where it was, with the same bits; every c2d_solver* from before is void. `port` opens the tapes that were open once more; they must hold what they held. On failure the image can still be attached. Its numbers are trusted: contact2d_image.h attaches by checksum. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or scalar, or prepared by a program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN."""),
+Continue with a solver whose memory was moved, reloaded or passed to another process of the same build: memory[0 .. bytes) is a copy, made between calls, of all the memory given to c2d_create, at any alignment, possibly longer. It continues with identical results; every earlier c2d_solver* is invalid. `port` reopens the tapes that were open; their contents must be unchanged. On failure the image can still be attached. Its data are trusted: contact2d_image.h attaches by checksum. Errors: ARGUMENT: the memory has no solver; MISMATCH: one of another version, size of pointers or scalar, or prepared by a program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN."""),
     "c2d_close": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_close(c2d_solver* solver);
 
-Close the store (Errors: STORE_CLOSE). The memory is the caller's again, whatever is returned."""),
+Close the store (Errors: STORE_CLOSE). The memory belongs to the caller again, whatever the call returns."""),
     "c2d_scan_deck": (c_int32, [
         ("read", c2d_read_line, False, None),
         ("context", c_void_p, False, None),
@@ -683,7 +683,7 @@ Close the store (Errors: STORE_CLOSE). The memory is the caller's again, whateve
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
 
-Sizes of a deck, without a workspace: out->body, with room for out->bodies bodies, and *out are filled. c2d_read_deck may still refuse a deck that passes. c2d_scan_deck puts the first fault into *why, c2d_check_deck tells every fault to `report`; either may be null. Errors: INPUT, READ: the list holds anything; LIMIT: out->bodies alone tells how many there are."""),
+Sizes of a deck, without a workspace: fills *out and out->body, an array for out->bodies bodies. c2d_read_deck may still refuse a deck that passes. c2d_scan_deck puts the first fault into *why, c2d_check_deck passes every fault to `report`; either may be null. Errors: INPUT, READ: out->body is undefined; LIMIT: only out->bodies is set, to the number of bodies."""),
     "c2d_check_deck": (c_int32, [
         ("read", c2d_read_line, False, None),
         ("context", c_void_p, False, None),
@@ -697,7 +697,7 @@ Sizes of a deck, without a workspace: out->body, with room for out->bodies bodie
         ("context", c_void_p, False, None),
     ], """c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 
-Read a whole deck and complete the model; all faults go to c2d_port.log. Errors: INPUT, READ, LIMIT."""),
+Read a whole deck and complete the model; c2d_port.log receives all faults. Errors: INPUT, READ, LIMIT."""),
     "c2d_set_problem": (c_int32, [
         ("solver", c_void_p, False, None),
         ("problem", POINTER(c2d_problem), True, None),
@@ -708,7 +708,7 @@ Read a whole deck and complete the model; all faults go to c2d_port.log. Errors:
         ("data", POINTER(c2d_body), True, None),
     ], """c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
 
-May be given again with other moduli, not with other numbers of elements or regions."""),
+A second call may change the moduli, not the numbers of elements or regions."""),
     "c2d_add_region": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -737,7 +737,7 @@ Boundary points first ... first+count-1: x and y of the k-th at xy[k * stride], 
         ("to", POINTER(c_double), True, 2),
     ], """c2d_status c2d_set_line_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double origin[2], const double from[2], const double to[2]);
 
-Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards of a deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0."""),
+Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards of a deck, with identical bits. `from` and `to` are relative to `origin` (null: (0, 0)). last > first, radius >= 0."""),
     "c2d_set_arc_nodes": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -758,7 +758,7 @@ Boundary points first ... last, both ends included, at equal distances along a s
         ("values", POINTER(c_double), True, 4),
     ], """c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case, const int32_t codes[4], const double values[4]);
 
-Condition at local functional node `local` of an element: codes[4] and values[4] in the order tx ty ux uy, global components; code 0: known, with this value; 1: unknown. Ends without a condition are free of traction; ends of contact elements at listed pairs belong to the contact: a traction there is refused. All values scale with the load case's factor."""),
+Condition at local functional node `local` of an element: codes[4] and values[4] in the order tx ty ux uy, global components; code 0: known, with this value; 1: unknown. Ends without a condition are free of traction. The contact determines the traction at the ends of its pairs: a prescribed one is refused. All values scale with the factor of the load case."""),
     "c2d_set_values": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -768,7 +768,7 @@ Condition at local functional node `local` of an element: codes[4] and values[4]
         ("values", POINTER(c_double), True, 4),
     ], """c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case, const double values[4]);
 
-What an end carries in a load case: values[4] as above; the codes stay. local 0: all ends of the element. Refused: a value other than zero of something unknown or of the contact, and, as a displacement belongs to its node, one that contradicts the other end's (while building 0 leaves that as it is). In state model every known quantity takes its value, zero too; displacements of contact nodes and those that symmetry holds are then refused as well."""),
+Prescribed values of an end in a load case: values[4] as above; the codes stay. local 0: all ends of the element. Refused are a non-zero value of an unknown or a contact quantity, and a displacement that differs from that of the other end at the same node (while building 0 leaves it unchanged). In state model every known quantity takes its value, zero included; displacements of contact nodes and those fixed by symmetry are then refused as well."""),
     "c2d_add_point_load": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -779,7 +779,7 @@ What an end carries in a load case: values[4] as above; the codes stay. local 0:
         ("fy", c_double, False, None),
     ], """c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
 
-Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, what falls to the modelled part."""),
+Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, the share of the modelled part."""),
     "c2d_set_body_force": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -789,7 +789,7 @@ Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along
         ("axis", POINTER(c_double), True, 2),
     ], """c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2, const double axis[2]);
 
-A force per area of the body: `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity squared, outward from the axis of a rotation; axis may be null where rho_omega2 is 0. One per body and load case; given again it replaces the one before. No weight across a line of symmetry that the body meets, nor an axis off it. METHOD 6."""),
+Body force per area: `force` (weight) plus the centrifugal rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity squared; axis may be null where rho_omega2 is 0. One per body and load case; a second call replaces the first. A body on a line of symmetry can have no weight across it, and its axis must lie on the line. METHOD 6."""),
     "c2d_set_rigid": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -798,7 +798,7 @@ A force per area of the body: `force`, a weight, and rho_omega2 (x - axis[0], y 
         ("axis", POINTER(c_double), True, 2),
     ], """c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
 
-The body is rigid, without equations and moduli; its mesh gives frames and lengths. In a load case it moves by motion[0], motion[1] and turns by the small angle motion[2] about axis[0], axis[1]; load_case 0: it is only made rigid, and both arrays may be null. Conditions are passed over; c2d_complete refuses tractions and forces on it, and a zone of two rigid bodies. Results: its motion, the contact's tractions, no stresses; what holds or loads it is its `applied`."""),
+Make the body rigid: it has no equations and moduli, its mesh defines frames and lengths. In a load case it moves by motion[0], motion[1] and rotates by the small angle motion[2] about axis[0], axis[1]; load_case 0 only makes it rigid, and both arrays may be null. Conditions are ignored; c2d_complete refuses tractions and forces on it, and a zone of two rigid bodies. Results: its motion, contact tractions, no stresses; `applied` is the load or reaction on it."""),
     "c2d_set_rigid_load": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -808,7 +808,7 @@ The body is rigid, without equations and moduli; its mesh gives frames and lengt
         ("point", POINTER(c_double), True, 2),
     ], """c2d_status c2d_set_rigid_load(c2d_solver* solver, int32_t body, int32_t load_case, const int32_t is_free[3], const double load[3], const double point[2]);
 
-Of a rigid body motions i = 0 to 2 (ux, uy, rotation of `point`) with is_free[i] != 0 are not given: they follow from the contact and, in a load case, from load[0 .. 3): fx, fy and the moment about `point`, of which those of free motions count. With load_case 0 is_free and point are set (and the body is rigid), else the load; the others are not looked at."""),
+Motions i = 0 to 2 of a rigid body (ux, uy, rotation of `point`) with is_free[i] != 0 are free: equilibrium with the contact and load[0 .. 3) determines them. The load is fx, fy and the moment about `point`; only components of free motions count. load_case 0 sets is_free and point (and makes the body rigid), other cases set the load; the other arguments are ignored."""),
     "c2d_add_platen": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -819,13 +819,13 @@ Of a rigid body motions i = 0 to 2 (ux, uy, rotation of `point`) with is_free[i]
         ("point", POINTER(c_double), True, 2),
     ], """c2d_status c2d_add_platen(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element, int32_t elements, const int32_t is_free[3], const double point[2]);
 
-A platen: elements first ... last (round a closed region's end if `elements` says how many; 0: by their numbers) move as one rigid body without a mesh: body c2d_limits.bodies + 1, + 2, ..., "platen 1", ...; its tie is the next zone, itself side 1. is_free and point as above; those two calls move and load it. Its ends have no conditions and no contact. METHOD 10.8."""),
+A platen: elements first ... last (across the end of a closed region with their number `elements`, else 0) move as one rigid body without a mesh: body c2d_limits.bodies + 1, + 2, ..., "platen 1", ...; its tie is the next zone, the platen its side 1. is_free and point as above; the two calls above move and load it. Its ends have no conditions, no contact. METHOD 10.8."""),
     "c2d_set_interference": (c_int32, [
         ("solver", c_void_p, False, None),
         ("load_case", c_int32, False, None),
     ], """c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
 
-Initial overlaps of a press fit: pairs that overlap before any load are legal, and touch at first; the factor of this load case closes their overlaps, which are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before."""),
+Interference of a press fit: pairs that overlap before any load are legal and begin in contact; the factor of this load case removes their overlap, completely at factor 1. c2d_run raises it from 0 to 1 before the first step of the path and keeps it there; with c2d_advance the caller sets it. A second call replaces the first."""),
     "c2d_add_zone": (c_int32, [
         ("solver", c_void_p, False, None),
         ("zone", POINTER(c2d_zone), True, None),
@@ -835,7 +835,7 @@ Initial overlaps of a press fit: pairs that overlap before any load are legal, a
         ("zone", c_int32, False, None),
     ], """c2d_status c2d_tie_zone(c2d_solver* solver, int32_t zone);
 
-Zone i (from 1) is bonded: it carries tension and friction without bound, and never changes its status. Its surfaces must coincide within a tenth of an element; what they are off is no gap. Pairs of such zones are numbered behind all others."""),
+Bond zone i (from 1): it carries unlimited tension and shear and never changes its status. Its surfaces must coincide within a tenth of an element; their distance is not a gap. Pairs of such zones are numbered after all others."""),
     "c2d_add_curve": (c_int32, [
         ("solver", c_void_p, False, None),
         ("curve", POINTER(c2d_curve), True, None),
@@ -845,7 +845,7 @@ Zone i (from 1) is bonded: it carries tension and friction without bound, and ne
         ("mu", c_double, False, None),
     ], """c2d_status c2d_add_friction(c2d_solver* solver, double mu);
 
-A coefficient for c2d_run, zero or more, infinity is full adhesion; c2d_set_zone_friction: of one zone, in the i-th run."""),
+A coefficient for c2d_run, zero or more, infinity: full adhesion; c2d_set_zone_friction: of one zone, in the i-th run."""),
     "c2d_set_zone_friction": (c_int32, [
         ("solver", c_void_p, False, None),
         ("zone", c_int32, False, None),
@@ -858,7 +858,7 @@ A coefficient for c2d_run, zero or more, infinity is full adhesion; c2d_set_zone
         ("value", c_double, False, None),
     ], """c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
 
-Symmetry by images (METHOD 5): everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each at most. Only what lies on one side (in one quarter) is given, without elements on the lines: a curve that crosses a line is an open region that ends on the lines; of a body that meets no line the image is another body. Open regions come first in a body (c2d_body.open_regions), and have one boundary point and, except with constant elements, one functional node more. The displacement across a line is 0; conditions there say the rest. Forces and moments are those of the modelled part."""),
+Symmetry by images (METHOD 5): the model is mirrored across the line x = value (axis 0) or y = value (axis 1), at most one of each. Model one half (one quarter) without elements on the lines: a curve that crosses a line is an open region that ends on the lines; the image of a body that meets no line is another body. Open regions come first in a body (c2d_body.open_regions), and have one boundary point and, except with constant elements, one functional node more. The displacement across a line is 0; other conditions are as usual. Forces and moments are those of the modelled part."""),
     "c2d_add_path": (c_int32, [
         ("solver", c_void_p, False, None),
         ("increments", c_int32, False, None),
@@ -866,7 +866,7 @@ Symmetry by images (METHOD 5): everything is mirrored across the line x = value 
         ("cases", c_int32, False, None),
     ], """c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
 
-A straight piece of the load path, in `increments` equal steps from where the last piece ended (zero at first) to load[0 .. cases), a factor for every load case. c2d_clear_paths forgets the pieces given so far."""),
+A straight segment of the load path, in `increments` equal steps from the end of the last segment (first: zero) to load[0 .. cases), a factor for every load case. c2d_clear_paths removes all segments."""),
     "c2d_clear_paths": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_clear_paths(c2d_solver* solver);"""),
@@ -880,7 +880,7 @@ A straight piece of the load path, in `increments` equal steps from where the la
         ("force", c_char_p, True, None),
     ], """c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
 
-Names of the units of length and force for titles of axes, each at most 15 characters; null: empty. Nothing is converted."""),
+Names of the units of length and force for axis titles, each at most 15 characters; null: empty. Nothing is converted."""),
     "c2d_set_name": (c_int32, [
         ("solver", c_void_p, False, None),
         ("kind", c_int32, False, None),
@@ -900,12 +900,12 @@ Names of the units of length and force for titles of axes, each at most 15 chara
         ("column_end", c_int32, False, None),
     ], """c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
 
-Faults found from now on are said to come from this line of the caller's input; 0: none."""),
+Position in the caller's input that later faults report; 0: none."""),
     "c2d_complete": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_complete(c2d_solver* solver);
 
-Validate everything; every fault goes to c2d_port.log. Errors: INPUT."""),
+Validate the model; c2d_port.log receives every fault. Errors: INPUT."""),
     "c2d_set_options": (c_int32, [
         ("solver", c_void_p, False, None),
         ("options", POINTER(c2d_options), True, None),
@@ -922,17 +922,17 @@ Any time before c2d_prepare; another `symmetry` for a complete model: STATE.""")
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes, int32_t tape, uint64_t* blocks, uint64_t* block_bytes, c2d_error* why);
 
-Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, and bytes of each, if c2d_create is given these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options`, outputs and `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
+Number of blocks, and bytes of each, for which the store must provide space when a tape (0 ... C2D_TAPES-1) is opened by a solver of these limits and workspace_bytes: upper bounds for any model within the limits, saved states included. `options`, outputs and `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed."""),
     "c2d_prepare": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_prepare(c2d_solver* solver);
 
----------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED, MEMORY; INPUT: changed loads; LIMIT: `touching`. That contact cannot hold a body is no error: c2d_advance tells it."""),
+---------------------------------------------------------------- 6 prepare ------------------------------------ Assemble (METHOD 2), eliminate the unknowns outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10), once per model. State afterwards: prepared; after a failure or a cancel: model. A body that contact cannot support is no error here: c2d_advance reports it. Errors: STORE_..., SINGULAR, CANCELLED, MEMORY; INPUT: changed loads; LIMIT: `touching`."""),
     "c2d_change_loads": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_change_loads(c2d_solver* solver);
 
-Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values, c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point load i, in the order given; body and load case stay) give load cases other values. c2d_prepare validates them and, if the options said keep_factors, sends only the new right-hand sides through the factors that are there: a small part of the work, and to round-off the results of a solver prepared from the beginning. Without keep_factors, and after other options, a failure or a cancel, c2d_prepare does everything. Codes, geometry and contact do not change. A load case needed only later is counted in c2d_limits.load_cases from the beginning; its values do not matter until then. States saved before are stale."""),
+Change the loads of the same bodies. c2d_change_loads ends the path and returns to state model, where c2d_set_values, c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point load i, in the order given; body and load case stay) change the values of load cases. c2d_prepare validates them and, with the option keep_factors, solves only the new right-hand sides with the stored factors: a small part of the work, and the same results to round-off. Without keep_factors, and after other options, a failure or a cancel, c2d_prepare repeats all work. Codes, geometry and contact do not change. A load case needed only later is counted in c2d_limits.load_cases from the beginning; its values do not matter until then. States saved before are stale."""),
     "c2d_replace_point_load": (c_int32, [
         ("solver", c_void_p, False, None),
         ("i", c_int32, False, None),
@@ -947,7 +947,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("zones", c_int32, False, None),
     ], """c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 
----------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one serves all if zones = 1), each >= 0, infinity: full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY."""),
+---------------------------------------------------------------- 7 follow the load ---------------------------- Begin: zero load, no history, coefficients of friction mu[0 .. zones) (zones = 1: one for all), each >= 0, infinity: full adhesion. The first > 0 after a preparation with none repeats its end. State: running. Errors: STORE_..., MEMORY."""),
     "c2d_advance": (c_int32, [
         ("solver", c_void_p, False, None),
         ("load", POINTER(c_double), True, None),
@@ -955,7 +955,7 @@ Other loads for the same bodies. c2d_change_loads ends the path and goes back to
         ("outcome", POINTER(c_int32), False, None),
     ], """c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 
-Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays, valid, at the last load it could reach; after a cancel or MEMORY (`touching`), too. Errors: STORE_..., CANCELLED, MEMORY."""),
+Follow a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver remains valid at the last load reached; also after a cancel or MEMORY (`touching`). Errors: STORE_..., CANCELLED, MEMORY."""),
     "c2d_next_event": (c_int32, [
         ("solver", c_void_p, False, None),
         ("direction", POINTER(c_double), True, None),
@@ -963,29 +963,29 @@ Go in a straight line from the load factors reached to load[0 .. cases). If *out
         ("step", POINTER(c_double), False, None),
     ], """c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
-How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border of its status (zero pressure or about to slip) may get the status that goes with the direction. Errors: STORE_..., MEMORY."""),
+Distance along direction[0 .. cases) at which the next pair changes its status: *step times the direction; infinity if no pair does; 0 if the path cannot continue in this direction. The load does not change; a pair at the limit of its status (zero pressure or incipient slip) may take the status that belongs to the direction. Errors: STORE_..., MEMORY."""),
     "c2d_save": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_save(c2d_solver* solver);
 
-Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers. In c2d_run's callback, unless it shows a CHANGE, it keeps how far the run is: after c2d_restore c2d_run goes on there, if no other call has moved the load. Errors: STORE_... (c2d_restore brings back what was saved before)."""),
+Save the state of the path on tape 0 or, in state prepared, the fact that a factorisation exists. A crash at any moment leaves this state or the one saved before; the tapes are synchronised first. c2d_summary does not count these transfers. In the callback of c2d_run, except at a CHANGE, it also saves the position in the run: after c2d_restore c2d_run continues there, if no other call has changed the load. Errors: STORE_... (c2d_restore returns to the state saved before)."""),
     "c2d_restore": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_restore(c2d_solver* solver);
 
-Go back to the newest state that is whole: nothing is eliminated again, and what follows gives the same bits. In another process: c2d_create with the same limits, the same model and options (state model), the same store, then c2d_restore for c2d_prepare; state prepared serves any path. Errors, after which the solver is as before: MISMATCH: saved for another model, path, limits or stepping, or by another library or kind of machine (c2d_last_error tells); STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in a larger workspace. Broken only if the store fails while the state is taken over, or a number cannot be meant."""),
+Return to the newest complete saved state: nothing is eliminated again, and later results have identical bits. In another process: c2d_create with the same limits, the same model and options (state model), the same store, then c2d_restore in place of c2d_prepare; a saved state prepared serves any path. Errors, after which the solver is unchanged: MISMATCH: saved for another model, path, limits or stepping, or by another library or kind of machine (see c2d_last_error); STORE_STALE: a later c2d_prepare has begun; STORE_FORMAT or _READ: nothing was saved; STORE_...: no complete state; MEMORY with bytes_needed: saved in a larger workspace. State broken only if the store fails or data are invalid while they are loaded."""),
     "c2d_run": (c_int32, [
         ("solver", c_void_p, False, None),
         ("step", c2d_step_fn, False, None),
         ("context", c_void_p, False, None),
     ], """c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
 
-The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call: the callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last load reached, also after CALLBACK, CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, MEMORY, STORE_...."""),
+Follow the load path of the model for each of its coefficients of friction. A path that ends early is no error of this call: the callback (may be null) and c2d_get_summary report it, and the next coefficient is run. State afterwards: running, at the last load reached, also after CALLBACK, CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, MEMORY, STORE_...."""),
     "c2d_cancel": (c_int32, [
         ("solver", c_void_p, False, None),
     ], """c2d_status c2d_cancel(c2d_solver* solver);
 
-From any callback, another thread or a signal handler: the solver stops at the next chance, and the call at work returns C2D_ERR_CANCELLED. Without one, or if it ends before that, the next call that lists CANCELLED does: no cancel is lost."""),
+From any callback, another thread or a signal handler: the solver stops as soon as possible and the active call returns C2D_ERR_CANCELLED. If no call is active, or it ends first, the next call that lists CANCELLED does: no cancel is lost."""),
     "c2d_get": (c_int32, [
         ("solver", c_void_p, False, None),
         ("field", c_int32, False, None),
@@ -996,7 +996,7 @@ From any callback, another thread or a signal handler: the solver stops at the n
         ("stride", c_int64, False, None),
     ], """c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
----------------------------------------------------------------- 8 results ------------------------------------ At the load reached, in state running. All but what only tells the model may return STORE_... (the first call at a load that needs back substitution does it). Entries first ... first+count-1 of a field (contact2d_codes.h) to out[0], out[stride], ...; positions also in states model and prepared."""),
+---------------------------------------------------------------- 8 results ------------------------------------ At the load reached, in state running. All except queries of the model may return STORE_... (the first call at a load that needs back substitution performs it). c2d_get copies entries first ... first+count-1 of a field (contact2d_codes.h) to out[0], out[stride], ...; positions also in states model and prepared."""),
     "c2d_interior": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1007,7 +1007,7 @@ From any callback, another thread or a signal handler: the solver stops at the n
         ("out_stride", c_int64, False, None),
     ], """c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out, int64_t out_stride);
 
-Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]); column c of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: whichever the point lies in, the first if in several. A point load's own field is left out at its very point. Before anything touches, and where no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole model. Many points in one call cost less than one by one. Errors: STORE_..., CANCELLED: `out` is then of no use."""),
+Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]); column c of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: the first body that contains the point. The singular field of a point load is omitted at its own point. Displacements and stresses are 0 before the first contact, and where a rigid-body motion has no support. With lines of symmetry points may lie anywhere in the whole model. Many points in one call cost less than one by one. Errors: STORE_..., CANCELLED: `out` is then undefined."""),
     "c2d_indicators": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1017,7 +1017,7 @@ Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_strid
         ("stride", c_int64, False, None),
     ], """c2d_status c2d_indicators(c2d_solver* solver, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
-What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elements. Errors: as c2d_interior."""),
+Discretisation error indicators of elements: C2D_OFF_... (contact2d_codes.h). Errors: as c2d_interior."""),
     "c2d_get_summary": (c_int32, [
         ("solver", c_void_p, False, None),
         ("out", POINTER(c2d_summary), False, None),
@@ -1044,7 +1044,7 @@ What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elem
         ("mu", POINTER(c_double), False, None),
     ], """c2d_status c2d_get_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
 
-The coefficient that holds in a zone in the i-th run; zone 0: the one for all zones that have none of their own."""),
+Coefficient of friction of a zone in the i-th run; zone 0: the one of all zones without one of their own."""),
     "c2d_get_path": (c_int32, [
         ("solver", c_void_p, False, None),
         ("i", c_int32, False, None),
@@ -1058,7 +1058,7 @@ The coefficient that holds in a zone in the i-th run; zone 0: the one for all zo
         ("out", POINTER(c2d_zone), False, None),
     ], """c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 
-Of a free zone: the elements that are in contact at all, and 0 for the nodes of side 1."""),
+Of a free zone: the elements that can touch, and 0 for the nodes of side 1."""),
     "c2d_get_region": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1084,7 +1084,7 @@ Of a free zone: the elements that are in contact at all, and 0 for the nodes of 
         ("force", POINTER(c_double), False, 2),
     ], """c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, int32_t* load_case, double xy[2], double force[2]);
 
-The point loads of all bodies and cases are one list."""),
+The point loads of all bodies and cases form one list."""),
     "c2d_get_points": (c_int32, [
         ("solver", c_void_p, False, None),
         ("i", c_int32, False, None),
@@ -1104,7 +1104,7 @@ The point loads of all bodies and cases are one list."""),
         ("total", POINTER(c_int32), False, None),
     ], """c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride, int32_t* total);
 
-Points first ... first+count-1 of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for c2d_interior. *total (may be null): how many the set has. Needs no solver; `body` is not looked at."""),
+Points first ... first+count-1 of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for c2d_interior. *total (may be null): number of points of the set. Needs no solver; `body` is ignored."""),
     "c2d_get_body_force": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1135,19 +1135,19 @@ Zeros if there is none. is_rigid: 1 if the body is rigid. The load case that clo
         ("out", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 
-Why the last call failed; in state broken: what broke the solver, whatever was refused since."""),
+Why the last call failed; in state broken: the fault that broke the solver, also after later refusals."""),
     "c2d_message": (c_char_p, [
         ("status", c_int32, False, None),
     ], """const char* c2d_message(int32_t status);
 
-A c2d_status or a number of a warning in words, an outcome in words: any integer; never null."""),
+Text of a c2d_status or a warning, and of an outcome, for any integer; never null."""),
     "c2d_outcome_message": (c_char_p, [
         ("outcome", c_int32, False, None),
     ], """const char* c2d_outcome_message(int32_t outcome);"""),
     "c2d_version": (c_char_p, [], """const char* c2d_version(void);"""),
     "c2d_link_holes": (None, [], """void c2d_link_holes(void);
 
-These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; what few states need, which c2d_run brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how many solutions there are, and a body that nothing presses any more (without it a path ends there with C2D_UNDECIDED); and compressed elimination, of which small code has none."""),
+These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all contact pressure (without it such a path ends with C2D_UNDECIDED); and compressed elimination, which small code lacks."""),
     "c2d_link_free_zones": (None, [], """void c2d_link_free_zones(void);"""),
     "c2d_link_warnings": (None, [], """void c2d_link_warnings(void);"""),
     "c2d_link_search": (None, [], """void c2d_link_search(void);"""),
@@ -1163,13 +1163,13 @@ These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a p
         ("report_context", c_void_p, False, None),
     ], """c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_body_limits* body, int32_t bodies, c2d_card_fn card, void* card_context, c2d_report report, void* report_context);
 
-Walks over a deck as c2d_check_deck does, without any workspace: `card` is told every field in the order of the deck, `report` (may be null) every fault. What was told before a fault counts for nothing. `card` may be null, too. body[0 .. bodies) is worked in; what it holds afterwards is of no use. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies than `bodies`, which is known as soon as their number is read."""),
+Walks over a deck like c2d_check_deck, without a workspace: `card` receives every field in the order of the deck, `report` every fault; either may be null. Discard the fields of a deck with faults. body[0 .. bodies) is work space; its contents are undefined afterwards. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies than `bodies`, reported as soon as their number is read."""),
     "c2d_image_sum": (c_int32, [
         ("solver", c_void_p, True, None),
         ("sum", POINTER(c_uint64), False, None),
     ], """c2d_status c2d_image_sum(const c2d_solver* solver, uint64_t* sum);
 
-The checksum of a solver's memory as it stands, between any two calls, in any state. It reads all of it, and changes nothing; the next call on the solver makes it void."""),
+The checksum of the memory of a solver, between any two calls, in any state. It reads all of the memory and changes nothing; the next call on the solver invalidates the sum."""),
     "c2d_attach_image": (c_int32, [
         ("out", POINTER(c_void_p), False, None),
         ("memory", c_void_p, False, None),
@@ -1179,7 +1179,7 @@ The checksum of a solver's memory as it stands, between any two calls, in any st
         ("why", POINTER(c2d_error), False, None),
     ], """c2d_status c2d_attach_image(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, uint64_t sum, c2d_error* why);
 
-c2d_attach of an image of which c2d_image_sum gave `sum` when it was copied. Errors: those of c2d_attach; STORE_CHECKSUM: it is another one now. On failure the image is as it was."""),
+c2d_attach for an image whose c2d_image_sum was `sum` when it was copied. Errors: those of c2d_attach; STORE_CHECKSUM: the sum differs now. On failure the image is unchanged."""),
     "c2d_memory_store_init": (None, [
         ("store", POINTER(c2d_memory_store), False, None),
         ("region", c_void_p, False, None),
@@ -1191,77 +1191,77 @@ Empty the store and give it region[0 .. bytes); any alignment."""),
         ("store", POINTER(c2d_memory_store), True, None),
     ], """uint64_t c2d_memory_store_need(const c2d_memory_store* store);
 
-Bytes that a region must have for all tapes opened so far, the one that failed for want of room included. A tape opened again with another size may need more than this if the region was not emptied by _init. UINT64_MAX if the count does not fit."""),
+Bytes that a region needs for all tapes opened so far, including one that failed for lack of room. A tape reopened with another size may need more than this unless _init emptied the region. UINT64_MAX if the number does not fit."""),
     "c2d_memory_store_port": (None, [
         ("store", POINTER(c2d_memory_store), False, None),
         ("out", POINTER(c2d_port), False, None),
     ], """void c2d_memory_store_port(c2d_memory_store* store, c2d_port* out);
 
-Set context, open, read, write, sync and close of *out; the rest of it is left alone."""),
+Set context, open, read, write, sync and close of *out; other members are unchanged."""),
     "c2d_posix_store_init": (c_int32, [
         ("store", POINTER(c2d_posix_store), False, None),
         ("folder", c_char_p, True, None),
     ], """int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder);
 
-Make the folder unless it is there (its parent must be), and in it the store's own; lock it until _done or the end of the process. Returns 0, C2D_POSIX_STORE_LOCKED, _FOREIGN or errno; after a failure nothing is held."""),
+Create the folder unless it exists (its parent must exist), and in it the folder of the store; lock it until _done or the end of the process. Returns 0, C2D_POSIX_STORE_LOCKED, _FOREIGN or errno; after a failure nothing is locked or open."""),
     "c2d_posix_store_port": (None, [
         ("store", POINTER(c2d_posix_store), False, None),
         ("out", POINTER(c2d_port), False, None),
     ], """void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
 
-Set context, open, read, write, sync, close, start_read, start_write and wait of *out; the rest of it is left alone."""),
+Set context, open, read, write, sync, close, start_read, start_write and wait of *out; other members are unchanged."""),
     "c2d_posix_store_expect": (None, [
         ("store", POINTER(c2d_posix_store), False, None),
         ("tape", c_int32, False, None),
         ("bytes", c_uint64, False, None),
     ], """void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes);
 
-Of this tape, when it is opened next, no more than so many bytes are reserved (all of it unless this is called: bounds of compressed elimination are ten times what it writes, and more). No such tape: nothing is done."""),
+Reserve at most so many bytes when this tape is opened next (default: all of it; the bounds of compressed elimination are ten times its actual size and more). Does nothing if there is no such tape."""),
     "c2d_posix_store_remove": (c_int32, [
         ("store", POINTER(c2d_posix_store), False, None),
     ], """int32_t c2d_posix_store_remove(c2d_posix_store* store);
 
-Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a file that is not there is no failure."""),
+Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a missing file is no failure."""),
     "c2d_posix_store_done": (c_int32, [
         ("store", POINTER(c2d_posix_store), False, None),
     ], """int32_t c2d_posix_store_done(c2d_posix_store* store);
 
-Close what is open and let go of the folder. Returns 0 or the first errno. The lock's file stays."""),
+Close all files and unlock the folder. Returns 0 or the first errno. The lock file stays."""),
     "c2d_posix_store_discard": (c_int32, [
         ("store", POINTER(c2d_posix_store), False, None),
         ("folder", c_char_p, True, None),
     ], """int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder);
 
-The same after _remove, and the lock's file and the store's own folder go too. `folder`, the name given to _init, is removed if nothing else is in it; null: it stays."""),
+The same after _remove, and delete the lock file and the folder of the store. `folder`, the name given to _init, is removed if it is empty then; null: it stays."""),
     "c2d_stdio_store_init": (c_int32, [
         ("store", POINTER(c2d_stdio_store), False, None),
         ("folder", c_char_p, True, None),
     ], """int32_t c2d_stdio_store_init(c2d_stdio_store* store, const char* folder);
 
-Remember the folder (copied; at most 999 bytes). Returns 0 or C2D_STDIO_STORE_NAME. Touches no file."""),
+Set the folder (copied; at most 999 bytes). Returns 0 or C2D_STDIO_STORE_NAME. Accesses no file."""),
     "c2d_stdio_store_port": (None, [
         ("store", POINTER(c2d_stdio_store), False, None),
         ("out", POINTER(c2d_port), False, None),
     ], """void c2d_stdio_store_port(c2d_stdio_store* store, c2d_port* out);
 
-Set context, open, read, write, sync and close of *out; the rest of it is left alone."""),
+Set context, open, read, write, sync and close of *out; other members are unchanged."""),
     "c2d_stdio_store_remove": (c_int32, [
         ("store", POINTER(c2d_stdio_store), False, None),
     ], """int32_t c2d_stdio_store_remove(c2d_stdio_store* store);
 
-Delete the tapes' files; close them first. Returns 0 or the first failure; a file that is not there is none."""),
+Delete the files of the tapes; close them first. Returns 0 or the first failure; a missing file is no failure."""),
     "c2d_threads_start": (c_int32, [
         ("pool", POINTER(c2d_threads), False, None),
         ("threads", c_int32, False, None),
     ], """int32_t c2d_threads_start(c2d_threads* pool, int32_t threads);
 
-Begin with `threads` threads, 1 ... C2D_THREADS_MOST, of which the one that calls the library is one. Signals are left to the caller's threads. Returns 0, or errno and nothing runs (EINVAL: number out of range)."""),
+Start a pool of `threads` threads, 1 ... C2D_THREADS_MOST, including the one that calls the library. The pool blocks all signals. Returns 0, or errno and no thread runs (EINVAL: number out of range)."""),
     "c2d_threads_port": (None, [
         ("pool", POINTER(c2d_threads), False, None),
         ("out", POINTER(c2d_port), False, None),
     ], """void c2d_threads_port(c2d_threads* pool, c2d_port* out);
 
-Put the pool into a port that is filled otherwise: the port's context becomes the pool, its other functions are called through it with the context they had. Who has a context of his own sets threads, and parallel_for to a function that calls c2d_threads_run."""),
+Add the pool to a port whose other members are set: the context of the port becomes the pool, and its other functions are called through it with their former context. Alternatively set threads yourself, and parallel_for to a function that calls c2d_threads_run."""),
     "c2d_threads_run": (None, [
         ("pool", POINTER(c2d_threads), False, None),
         ("n", c_int32, False, None),
@@ -1269,10 +1269,10 @@ Put the pool into a port that is filled otherwise: the port's context becomes th
         ("argument", c_void_p, False, None),
     ], """void c2d_threads_run(c2d_threads* pool, int32_t n, c2d_threads_task task, void* argument);
 
-task(argument, 0) ... task(argument, n - 1), with the caller's rounding mode and traps; all have run when it returns. From one thread at a time, and not from within a task. Threads wait for the next call, and the caller for the last task, by asking again and again for some ten microseconds, then asleep."""),
+Run task(argument, 0) ... task(argument, n - 1), with the caller's rounding mode and traps; all have run when it returns. Call it from one thread at a time, and not from within a task. Threads wait for the next call, and the caller for the last task, first by polling for some ten microseconds, then by sleeping."""),
     "c2d_threads_stop": (None, [
         ("pool", POINTER(c2d_threads), False, None),
     ], """void c2d_threads_stop(c2d_threads* pool);
 
-End the threads. The pool may be started anew."""),
+End the threads. The pool may be started again."""),
 }

@@ -43,7 +43,7 @@ class Model:
         if name == "set_nodes":
             values = inspect.signature(Solver.set_nodes).bind(None, *given, **named).args[1:]
         else:
-            values = calls.Arguments(FUNCTIONS[name], given, named).bind()  # what is wrong with them is told here
+            values = calls.Arguments(FUNCTIONS[name], given, named).bind()  # wrong arguments are reported here
         self._kept.append((name, given, named, line, values))
 
     def build(self, **options):

@@ -207,7 +207,7 @@ def has_points(word, text):
         try:
             text = pathlib.Path(word).read_text(encoding="utf-8", errors="replace")
         except OSError:
-            return False  # which the program tells better
+            return False  # the message of the program is better
     return re.search(r"^(\*POINTS|\s*stress\s|\s*want\s[^!\n]*\bstress\b)", text, re.M | re.I) is not None
 
 

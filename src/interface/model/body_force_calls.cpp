@@ -1,4 +1,4 @@
-// Body forces by calls.
+// c2d_set_body_force.
 #include "bie/body_force.hpp"
 #include "bie/panel.hpp"
 #include "interface/model/refuse.hpp"

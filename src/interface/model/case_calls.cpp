@@ -1,4 +1,4 @@
-// What an end carries in a load case, given after its condition or in place of what it carried before.
+// Prescribed values of element ends in load cases, new or replacing earlier ones.
 #include "interface/model/refuse.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
@@ -29,10 +29,10 @@ c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t loc
   return status == C2D_OK ? check_load_case(s, load_case) : status;
 }
 
-// A prescribed displacement that another card gave this node for this case.
+// A displacement already prescribed at this node in this load case.
 bool contradicts(double known, double value) { return known != 0.0 && known != value; }
 
-// Values that replace others contradict nobody, but symmetry and contact hold their displacements.
+// Replacing values cannot contradict others, but displacements fixed by symmetry or contact cannot be set.
 c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int32_t node, int q) {
   if (is_rigid(m, b)) {
     char why[96];
@@ -43,7 +43,7 @@ c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int
   if (!is_integrated(m, b, element))
     return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
   if (q < 2) return C2D_OK;
-  if (is_held_by_symmetry(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");
+  if (is_held_by_symmetry(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is fixed by symmetry here, expected 0");
   if (pair_of_node(m, b, node).pair >= 0) return refuse(s, kQuantity[q], " belongs to a contact node, expected 0");
   return C2D_OK;
 }
@@ -57,9 +57,9 @@ c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int 
     if (!is_usable(values[q])) return refuse_value(s, kQuantity[q], values[q], "a finite number");
     if (q < 2 && contact) return refuse(s, kQuantity[q], " is a contact traction here, expected 0");
     if (q < 2 && !traction_known(m, b, end, q)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
-    c2d_status held = C2D_OK;
-    if (replaces) held = check_held(s, m, b, element, node, q);
-    if (held != C2D_OK) return held;
+    c2d_status fixed = C2D_OK;
+    if (replaces) fixed = check_held(s, m, b, element, node, q);
+    if (fixed != C2D_OK) return fixed;
     if (q < 2) continue;
     if (!displacement_known(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
     const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + q - 2;
@@ -79,7 +79,7 @@ void set_end(const Model& m, int b, int32_t element, int l, const double values[
   }
 }
 
-// (Not put into c2d_set_values: its frame would stand below that of enter.)
+// Not part of c2d_set_values: its frame would add to that of enter.
 [[gnu::noinline]] c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
                                         const double values[4]) {
   c2d_status status = check_place(s, body, element, local, load_case);

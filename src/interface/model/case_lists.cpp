@@ -1,4 +1,4 @@
-// What the load cases carry, as it was given: conditions, point loads, body forces, motions of a rigid body.
+// Queries of load cases as given: conditions, point loads, body forces, motions of rigid bodies.
 #include "interface/model/refuse.hpp"
 #include "solver/solver.hpp"
 

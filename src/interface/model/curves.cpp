@@ -1,4 +1,4 @@
-// What surfaces are between boundary points, where it is told.
+// c2d_add_curve: given surfaces between boundary points.
 #include <string.h>
 
 #include "contact/slip_path.hpp"

@@ -1,4 +1,4 @@
-// Free zones by calls.
+// Free zones in c2d_add_zone.
 #include <string.h>
 
 #include "bie/transfer.hpp"
@@ -29,7 +29,7 @@ namespace c2d {
 
 namespace {
 
-// Ranges of a free zone: side 2's runs against side 1's, whichever way they were given.
+// Ranges of a free zone: stored in opposite directions, whatever directions were given.
 c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone& z) {
   for (int k = 0; k < 2; ++k) {
     const c2d_side& side = k == 0 ? given.side1 : given.side2;

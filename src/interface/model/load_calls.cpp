@@ -1,4 +1,4 @@
-// Loads by calls that are no conditions of the boundary, friction, and the path.
+// Point loads, friction and load path.
 
 #include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
@@ -8,7 +8,7 @@ namespace c2d {
 
 namespace {
 
-// Of either call, whose checks come to `status`.
+// Common part of both calls; `status`: result of their checks.
 c2d_status append_path(c2d_solver* s, c2d_status status, int32_t increments, const double* load, int32_t given) {
   if (status != C2D_OK) return status;
   if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);

@@ -1,5 +1,5 @@
-// The model by calls: problem, bodies, regions, and its completion. Every call checks its arguments, changes nothing if
-// they are wrong, and says why.
+// Model calls: problem, bodies, regions, completion. Every call checks its arguments; if they are wrong it changes nothing
+// and reports the reason.
 #include <string.h>
 
 #include "bie/columns.hpp"
@@ -10,7 +10,7 @@
 #include "model/symmetry.hpp"
 
 namespace c2d {
-C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options may ask for images
+C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options can request images
 C2D_MEETS(HolePart, c2d_link_holes);
 C2D_MEETS(CompressedPart, c2d_link_compressed);
 } // namespace c2d
@@ -44,7 +44,7 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
     return fail(s, C2D_ERR_ARGUMENT,
                 "this program is linked without compressed elimination: c2d_link_compressed links it, but not in small code");
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
-    return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
+    return fail(s, C2D_ERR_STATE, "symmetry by images can be chosen only before c2d_complete");
   if (ours.quadrature != s->options.quadrature || ours.keep_factors != s->options.keep_factors ||
       (!kSmallCode && ours.elimination != s->options.elimination))
     s->factors = 0;

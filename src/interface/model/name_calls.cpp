@@ -1,4 +1,4 @@
-// Names of bodies and zones. They decide nothing: they stand beside the numbers in messages and outputs.
+// Names of bodies and zones. They only accompany the numbers in messages and outputs.
 #include <string.h>
 
 #include "interface/model/refuse.hpp"
@@ -12,7 +12,7 @@ constexpr uint32_t kLegal = kBuilding | kComplete;
 constexpr size_t kRoom = 32;
 static_assert(sizeof Body::name == kRoom && sizeof Zone::name == kRoom && kLongestName + 1 == kRoom, "as the header says");
 
-// The name's place; null: what was asked for is not there, which was told.
+// Storage of the name; null: no such body or zone, which was reported.
 char* find_name(c2d_solver* s, int32_t kind, int32_t i, c2d_status& status) {
   status = check_ranges(s, {{"kind", kind, C2D_NAME_BODY, C2D_NAME_ZONE}});
   if (status == C2D_OK && kind == C2D_NAME_BODY) status = check_body_number(s, i);

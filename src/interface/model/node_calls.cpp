@@ -1,4 +1,4 @@
-// Boundary points by calls: from arrays, along lines and arcs.
+// Boundary points: from arrays, along lines and arcs.
 
 #include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
@@ -33,7 +33,7 @@ void set_point(c2d_solver* s, int32_t body, int32_t number, double x, double y) 
   m.node_line[body - 1][number - 1] = s->model.line;
 }
 
-// What generated points need before any is set. The sum of all sizes bounds every number on the way.
+// Checks of generated points before any is set. The sum of all magnitudes bounds every intermediate value.
 c2d_status check_generated(c2d_solver* s, int32_t body, int32_t first, int32_t last, const double* numbers, int32_t count) {
   c2d_status status = check_points(s, body, first, 1);
   if (status == C2D_OK && last <= first)

@@ -1,4 +1,4 @@
-// Platens by calls: ends that move as one rigid body, which is made here and tied to them.
+// c2d_add_platen: creates a rigid body and ties it to elements.
 #include <string.h>
 
 #include "interface/model/zone_calls.hpp"
@@ -7,14 +7,14 @@ using namespace c2d;
 
 namespace {
 
-// What the call gives, numbers from 1.
+// Arguments of the call, numbers from 1.
 struct GivenPlaten {
   c2d_side side;
   const int32_t* is_free;
   const double* point;
 };
 
-// The platen that is made next, from 0; -1: there is no room, which was told.
+// Number of the next platen, from 0; -1: no room, which was reported.
 int32_t next_platen(c2d_solver* s) {
   const int32_t meshed = static_cast<int32_t>(s->sizes.bodies - s->sizes.platens);
   for (int32_t b = meshed; b < s->sizes.bodies; ++b)
@@ -36,7 +36,7 @@ c2d_status check_platen(c2d_solver* s, const GivenPlaten& given) {
   return check_side_elements(s, given.side);
 }
 
-// Both sides of the tie are the range; pairs are all its nodes.
+// Both sides of the tie are the same range; its nodes are the pairs.
 c2d_status fill_tie(c2d_solver* s, const c2d_side& side, int32_t platen, Zone& z) {
   const Model m = model_of(s);
   const int32_t b = side.body - 1, count = side_elements(side), steps = s->sizes.function_nodes - 1;
@@ -50,7 +50,7 @@ c2d_status fill_tie(c2d_solver* s, const c2d_side& side, int32_t platen, Zone& z
   z.pairs = steps == 0 ? count : count * steps + (count == size && r.open == 0 ? 0 : 1);
   z.is_tied = 1;
   z.body[0] = platen, z.body[1] = b;
-  z.region[1] = region; // of the platen, whose list begins there, it is the first
+  z.region[1] = region; // the region list of the platen begins at this region
   for (int k = 0; k < 2; ++k) {
     z.first_element[k] = first;
     z.first_node[k] = functional_node(m, b, first, 0);
@@ -62,7 +62,7 @@ c2d_status fill_tie(c2d_solver* s, const c2d_side& side, int32_t platen, Zone& z
   return C2D_OK;
 }
 
-// The mesh of the body on the other side, from the zone's region on.
+// The platen shares the mesh of the other side, from the region of the zone on.
 void lend_mesh(const Body& from, int32_t region, Body& to) {
   for (const int32_t array : kMeshArrays) to.array[array] = from.array[array];
   to.array[kRegions] += region * static_cast<int64_t>(sizeof(Region));
@@ -94,5 +94,5 @@ extern "C" c2d_status c2d_add_platen(c2d_solver* s, int32_t body, int32_t first_
   name_platen(number, own.name);
   name_platen(number, z.name);
   keep_zone(s, z);
-  return c2d_set_rigid_load(s, platen + 1, 0, is_free, nullptr, point); // brings that part
+  return c2d_set_rigid_load(s, platen + 1, 0, is_free, nullptr, point); // links the part for rigid bodies
 }

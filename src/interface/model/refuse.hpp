@@ -1,5 +1,5 @@
 #pragma once
-// Refused calls of the model: told like a fault of the deck, with the place that c2d_set_line gave.
+// Refused model calls: reported like faults of a deck, with the position set by c2d_set_line.
 #include "interface/entry.hpp"
 #include "memory/text.hpp"
 
@@ -10,15 +10,15 @@ struct Refusal {
   Text text;
 };
 void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
-// Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
+// Each reports the fault and returns its status. Message: "what is VALUE, expected FIRST to LAST".
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
 c2d_status refuse_limit(c2d_solver* solver, const char* member, int64_t limit, int64_t needed); // of c2d_limits
 c2d_status refuse_body_limit(c2d_solver* solver, int32_t body, const char* member, int64_t limit, int64_t needed);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
 
-// Arguments one after another, the first that cannot be meant is refused by its name: integers out of range, null pointers,
-// numbers that are not finite.
+// Check arguments in order and refuse the first invalid one by its name: integers out of range, null pointers, numbers that are
+// not finite.
 struct Ranged {
   const char* name;
   int64_t value, first, last;
@@ -44,27 +44,27 @@ template <int32_t N> c2d_status check_numbers(c2d_solver* s, const Numbered (&ar
   return check_each(s, arguments, N);
 }
 
-// An array of the caller's with `count` entries `stride` numbers apart: refuses one that is null, and a stride that is
-// less than `least` or leads out of the address space.
+// A caller's array with `count` entries at distances of `stride` numbers: refuses null, and a stride that is
+// less than `least` or leaves the address space.
 c2d_status check_array(c2d_solver* solver, const char* name, const double* array, const char* stride_name, int64_t stride,
                        int64_t least, int32_t count);
 inline int64_t longest_stride(int32_t count) {
-  return PTRDIFF_MAX / static_cast<ptrdiff_t>(sizeof(double)) / count - C2D_POINT_FIELDS; // no division of 64 bits on a board
+  return PTRDIFF_MAX / static_cast<ptrdiff_t>(sizeof(double)) / count - C2D_POINT_FIELDS; // no 64-bit division
 }
 
 // The calls of section 5: legal in empty and building; `built`: something was changed.
 constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
 c2d_status enter_building(c2d_solver* solver);
 c2d_status built(c2d_solver* solver);
-// Loads may also be changed in state model, where they do not make the model incomplete.
+// Loads may also be changed in state model, which stays complete.
 c2d_status enter_loads(c2d_solver* solver);
 c2d_status loaded(c2d_solver* solver);
 c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
-// A load card of the deck: a piece of path that ends at `load` in case 1 and at zero in all others.
+// A load card of the deck: a path segment that ends at `load` in case 1 and at zero in all others.
 c2d_status add_load_card(c2d_solver* solver, int32_t increments, double load); // load_calls.cpp
 
-// Numbers of the interface and limits, whatever type they are kept in, have 32 bits (interface/create.cpp).
+// Numbers and limits of the interface have 32 bits, whatever type stores them (interface/create.cpp).
 template <class Value, class First, class Last>
 inline c2d_status refuse_number(c2d_solver* solver, c2d_status status, const char* what, Value value, First first, Last last) {
   return refuse_integer(solver, status, what, static_cast<int32_t>(value), static_cast<int32_t>(first),

@@ -1,4 +1,4 @@
-// Rigid bodies by calls.
+// c2d_set_rigid and c2d_set_rigid_load.
 #include "contact/reduction.hpp"
 #include "interface/model/refuse.hpp"
 #include "memory/parts.hpp"
@@ -17,12 +17,13 @@ extern "C" c2d_status c2d_set_rigid(c2d_solver* s, int32_t body, int32_t load_ca
   c2d_status status = enter_loads(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a rigid body needs another one that is not");
+  if (s->sizes.bodies < 2)
+    return refuse(s, C2D_ERR_ARGUMENT, "a model of one body cannot have a rigid body, expected a second, deformable body");
   if (!in_range(load_case, 0, s->sizes.load_cases))
     return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 0, s->sizes.load_cases);
   const Model m = model_of(s);
   if (s->state == C2D_STATE_MODEL && (!is_rigid(m, body - 1) || load_case == 0))
-    return refuse(s, C2D_ERR_STATE, "a body is made rigid before the model is complete");
+    return refuse(s, C2D_ERR_STATE, "a body can be made rigid only before c2d_complete");
   if (load_case > 0) {
     status = check_pointers(s, {{"motion", motion}, {"axis", axis}});
     if (status == C2D_OK)
@@ -49,7 +50,7 @@ extern "C" c2d_status c2d_set_rigid_load(c2d_solver* s, int32_t body, int32_t lo
   const Model m = model_of(s);
   Body& own = m.body[body - 1];
   if (s->state == C2D_STATE_MODEL && (own.free_rigidly == 0 || load_case == 0))
-    return refuse(s, C2D_ERR_STATE, "what is free of a rigid body is said before the model is complete");
+    return refuse(s, C2D_ERR_STATE, "free motions of a rigid body can be set only before c2d_complete");
   if (load_case == 0) {
     status = check_pointers(s, {{"is_free", is_free}, {"point", point}});
     if (status == C2D_OK) status = check_numbers(s, {{"point[0]", point[0]}, {"point[1]", point[1]}});

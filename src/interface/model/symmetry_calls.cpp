@@ -1,4 +1,4 @@
-// Lines of symmetry by calls.
+// c2d_set_symmetry.
 #include "interface/model/refuse.hpp"
 #include "memory/parts.hpp"
 #include "model/symmetry.hpp"
@@ -7,7 +7,7 @@ const c2d::SymmetryPart c2d::kSymmetryPart = {
     true, c2d_set_symmetry, validate_lines, lines_along, lines_at_corner, is_held_by_lines, fold_across};
 
 namespace c2d {
-C2D_BRINGS(c2d_link_holes); // images may complete one
+C2D_BRINGS(c2d_link_holes); // a boundary and its image can form a hole
 } // namespace c2d
 
 using namespace c2d;

@@ -1,4 +1,4 @@
-// Contact zones by calls.
+// c2d_add_zone and c2d_tie_zone.
 #include <string.h>
 
 #include "interface/model/zone_calls.hpp"
@@ -36,7 +36,7 @@ int32_t side_elements(const c2d_side& side) {
 
 namespace {
 
-// "contact element of body 3 (bolt) is NUMBER, expected 1 to MOST"
+// Message: "contact element of body 3 (bolt) is NUMBER, expected 1 to MOST".
 c2d_status check_contact_number(c2d_solver* s, const char* kind, int32_t body, int32_t number, int32_t most) {
   if (in_range(number, 1, most)) return C2D_OK;
   char what[80];
@@ -50,7 +50,7 @@ c2d_status check_contact_number(c2d_solver* s, const char* kind, int32_t body, i
 c2d_status refuse_range(c2d_solver* s, const char* kind, int32_t body, const char* expected) {
   Refusal r;
   start_refusal(r, s, C2D_ERR_ARGUMENT);
-  put_all(r.text, "the ", kind, " range of body ", Named{body, body_numbered(s, body).name}, " does not hold the number of ",
+  put_all(r.text, "the ", kind, " range of body ", Named{body, body_numbered(s, body).name}, " does not contain the number of ",
           kind, "s given", expected);
   report_fault(s, r.error);
   return C2D_ERR_ARGUMENT;
@@ -94,10 +94,10 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
     const Region region = m.region[b][z.region[k]];
     int32_t first_node, last_node;
     nodes_of_region(m, b, z.region[k], &first_node, &last_node);
-    // An open region is no ring to go round.
+    // The range of an open region cannot cross its end.
     const int32_t ring = region.open ? 0 : region.last - region.first + 1;
     const int32_t node_ring = region.open ? 0 : last_node - first_node + 1;
-    // Half of a ring is reached both ways, by its elements or by its nodes, not by both: the other ones tell.
+    // Half of a ring fits in both directions by its elements or by its nodes, but not by both: the other numbers decide.
     const int32_t by_numbers = side.last_node >= side.first_node ? 1 : -1;
     const int32_t by_nodes = range_step(z.first_node[k], side.last_node - 1, given.pairs, first_node, node_ring, by_numbers);
     z.element_step[k] = range_step(z.first_element[k], side.last_element - 1, z.elements, region.first, ring,
@@ -110,8 +110,8 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
   return C2D_OK;
 }
 
-// (Neither this nor the next is put into c2d_add_zone: their frames would stand below that of free zones.)
-// What any kind of zone needs: two different bodies that are known, and room.
+// Not part of c2d_add_zone, like the next function: their frames would add to that of free zones.
+// Checks for all kinds of zones: two known bodies, and room.
 [[gnu::noinline]] c2d_status check_zone(c2d_solver* s, const c2d_zone& zone) {
   const int32_t bodies = s->sizes.bodies;
   const bool self = (zone.kind & C2D_ZONE_SELF) != 0;

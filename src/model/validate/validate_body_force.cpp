@@ -9,7 +9,9 @@ void check_body_force(const Model& m, int b, int32_t load_case, Reporter& report
   const BodyForce& f = m.body_force[b][load_case];
   const double weight[2] = {f.bx, f.by}, axis[2] = {f.x0, f.y0};
   for (int c = 0; c < 2; ++c) {
-    if ((m.body[b].lines >> c & 1) == 0) continue; // its image may be forced the other way
+    // A body on the line is its own image: its force must be symmetric. A body off the line has an image with the mirrored
+    // force.
+    if ((m.body[b].lines >> c & 1) == 0) continue;
     const bool turns = f.rho_omega2 != 0.0 && fabs(axis[c] - head.line_at[c]) > kCoincident * head.length_unit;
     if (weight[c] == 0.0 && !turns) continue;
     report(reporter, in_body(b), "the body force of body ", body_named(m, b), " in load case ", load_case + 1,

@@ -1,4 +1,4 @@
-// Exactly one unknown per functional node and global component.
+// Boundary conditions: exactly one unknown per functional node and global component (model/unknowns.cpp).
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
@@ -40,15 +40,15 @@ void report_count(const Model& m, int b, int32_t node, int component, UnknownKin
   const int32_t pair = pair_of_node(m, b, node).pair;
   if (pair >= 0) f.entry.pair = pair + 1;
   say(f, "node ", node + 1, " of body ", body_named(m, b), " has ");
-  say(f, kind == UnknownKind::none ? "no unknown left in " : "more than one unknown in ", kAxis[component]);
-  if (pair >= 0 && is_contact_component(m.pair[pair], component)) say(f, " beside those of contact pair ", pair + 1);
+  say(f, kind == UnknownKind::none ? "no unknown in " : "more than one unknown in ", kAxis[component]);
+  if (pair >= 0 && is_contact_component(m.pair[pair], component)) say(f, " besides those of contact pair ", pair + 1);
   say(f, ": ");
   say_conditions(f, m, b, node, component);
   say(f, "; expected exactly one unknown");
   report(reporter, f);
 }
 
-// Tractions prescribed where the contact brings its own, the first of them.
+// Tractions prescribed at ends of contact pairs; one message names the first and their number.
 void check_contact_ends(const Model& m, int b, Reporter& reporter) {
   const int32_t f = m.head->function_nodes, ends = body_of(m, b).elements * f;
   int32_t count = 0, first = 0;
@@ -67,14 +67,14 @@ void check_contact_ends(const Model& m, int b, Reporter& reporter) {
   finding.entry.element = element + 1;
   finding.entry.zone = place.zone + 1;
   if (m.end_line[b][first] > 0) finding.entry.line = m.end_line[b][first];
-  say(finding, "the traction at end ", local + 1, " of element ", element + 1, " of body ", body_named(m, b),
-      " is prescribed, but it is that of zone ", zone_named(m, place.zone));
+  say(finding, "a traction is prescribed at end ", local + 1, " of element ", element + 1, " of body ", body_named(m, b),
+      ", which belongs to contact zone ", zone_named(m, place.zone));
   if (count > 1) say(finding, ", the first of ", count, " such ends");
-  say(finding, "; expected 0, or the ends of elements that are in no pair");
+  say(finding, "; expected 0 where a contact pair determines the traction");
   report(reporter, finding);
 }
 
-// Of a body, where both sides of a corner have one unknown traction; the sharpest.
+// Corners of a body at which one traction is shared by both sides: number, and the sharpest one.
 struct Corners {
   int32_t count, node, component;
   double angle;
@@ -89,7 +89,7 @@ void look_at_corner(const Model& m, int b, int32_t node, int component, const Un
     outward_normal(m, b, element[i], node_eta(per_element, unknown.end[i] % per_element), n[i]);
   }
   const double angle = angle_between(n[0], n[1]) / kDegree;
-  if (angle <= 1 || is_joint_of_arc(m, b, element[0], element[1])) return; // (the preceding one comes first)
+  if (angle <= 1 || is_joint_of_arc(m, b, element[0], element[1])) return; // a joint of chords of an arc is no corner
   if (corners.count++ > 0 && angle <= corners.angle) return;
   corners.node = node;
   corners.component = component;
@@ -101,8 +101,8 @@ void warn_corners(const Model& m, int b, const Corners& corners, Reporter& repor
   Finding f(C2D_WARN_CORNER, at_node(m, b, corners.node));
   say(f, "node ", corners.node + 1, " of body ", body_named(m, b), " is a corner of ", corners.angle,
       " degrees whose displacement in ", kAxis[corners.component],
-      " is prescribed: its unknown traction is taken to be the same on both sides");
-  if (corners.count > 1) say(f, "; the largest of ", corners.count, " such corners");
+      " is prescribed: one unknown traction is used on both sides of the corner");
+  if (corners.count > 1) say(f, "; the sharpest of ", corners.count, " such corners");
   report(reporter, f);
 }
 
@@ -112,10 +112,10 @@ void check_double_node(const Model& m, int b, int32_t node, int component, Repor
   if (!displacement_known(m, b, node, component) || !displacement_known(m, b, twin, component)) return;
   report(reporter, at_node(m, b, node), "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ",
          body_named(m, b), " have a prescribed displacement in ", kAxis[component],
-         ": two unknown tractions, one equation; expected it at one of them at most");
+         ": two unknown tractions but one equation; expected it at one of the two nodes at most");
 }
 
-// May a boundary point move along the normal somewhere?
+// Can any boundary point move along its normal, that is, can the body change its volume?
 bool can_move_outward(const Model& m, int b) {
   const int32_t f = m.head->function_nodes;
   for (int32_t element = 0; element < body_of(m, b).elements; ++element) {
@@ -131,7 +131,8 @@ bool can_move_outward(const Model& m, int b) {
   return false;
 }
 
-// A body that cannot change its volume, held everywhere: its pressure does no work and may be anything.
+// An incompressible body with prescribed normal displacement all round: a uniform pressure does no work on it, so the equations
+// do not determine the pressure.
 void check_pressure(const Model& m, int b, Reporter& reporter) {
   if (strain_poisson_ratio(m, b) < 0.5 - 1e-12 || can_move_outward(m, b)) return;
   report(reporter, at_element(m, b, 0), "body ", body_named(m, b),
@@ -144,7 +145,7 @@ void check_pressure(const Model& m, int b, Reporter& reporter) {
 bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int b = 0; b < m.head->bodies; ++b) {
-    if (is_rigid(m, b)) { // nothing is solved for there
+    if (is_rigid(m, b)) { // a rigid body has no equations
       if (frames) kRigidPart.check_rigid_zones(m, b, reporter);
       continue;
     }

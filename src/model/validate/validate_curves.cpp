@@ -1,4 +1,4 @@
-// Do the curves that are told fit the boundary points, and is no element in two of them?
+// Given curves: do they fit the boundary points, and is every element in one curve at most?
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/validate/validate.hpp"
@@ -8,9 +8,9 @@ namespace c2d {
 
 namespace {
 
-constexpr double kOff = 1e-3; // of its element's length: a point that is farther off does not lie on the curve
+constexpr double kOff = 1e-3; // of the element length: a point farther away does not lie on the curve
 
-// How far (x, y) is off a line through the ends of its range, or an arc.
+// Distance of (x, y) from an arc, or from the line through both ends of its range.
 double distance_off(const Curve& c, const double from[2], const double to[2], double x, double y) {
   if (c.kind == C2D_CURVE_ARC)
     return fabs(sqrt((x - c.centre[0]) * (x - c.centre[0]) + (y - c.centre[1]) * (y - c.centre[1])) - c.radius);
@@ -35,9 +35,9 @@ void check_points(const Model& m, int32_t curve, Reporter& reporter) {
       where.element = e + 1;
       if (c.line > 0) where.line = c.line;
       return report(reporter, where, c.kind == C2D_CURVE_ARC ? "arc" : "line", " of elements ", c.first + 1, " to ", c.last + 1,
-                    " of body ", body_named(m, b), ": point ", geometry_node(m, b, e, k) + 1, " lies ", off,
-                    " off it, expected at most ",
-                    most); // the first one will do
+                    " of body ", body_named(m, b), ": point ", geometry_node(m, b, e, k) + 1, " is ", off,
+                    " away from it, expected at most ",
+                    most); // one message per curve
     }
   }
 }
@@ -51,7 +51,7 @@ void check_ranges(const Model& m, int32_t curve, Reporter& reporter) {
     Where where = at_element(m, c.body, first);
     if (c.line > 0) where.line = c.line;
     report(reporter, where, "element ", first + 1, " of body ", body_named(m, c.body), " is in curves ", i + 1, " and ",
-           curve + 1, ", expected in one");
+           curve + 1, ", expected it in one curve only");
   }
 }
 

@@ -1,4 +1,4 @@
-// Is everything there, and are the numbers numbers? The other checks rely on what is found here.
+// Completeness of the data and usable numbers. All other checks rely on it, so it runs first.
 #include "memory/math.hpp"
 #include "model/validate/validate.hpp"
 #include "model/validate/validate_finding.hpp"
@@ -8,7 +8,7 @@
 namespace c2d {
 
 bool is_usable(double number) {
-  // By its bits: comparing with a signalling or quiet NaN may trap.
+  // By its bits: a comparison with a NaN may trap on hosts that enable floating-point exceptions.
   uint64_t pattern;
   memcpy(&pattern, &number, sizeof pattern);
   if ((pattern >> 52 & 0x7ff) == 0x7ff) return false;
@@ -45,8 +45,8 @@ void check_regions(const Model& m, int b, Reporter& reporter) {
     const Region& region = m.region[b][r];
     const int32_t least = region.open ? 1 : (body.element_nodes == 2 ? 3 : 2);
     if (region.last - region.first + 1 < least)
-      report_region(m, b, r, " has elements: ", region.last - region.first + 1, ", a closed curve needs at least ", least,
-                    reporter);
+      report_region(m, b, r, " has elements: ", region.last - region.first + 1, ", expected for a closed curve at least ",
+                    least, reporter);
   }
 }
 
@@ -76,13 +76,13 @@ void check_body(const Model& m, int b, Reporter& reporter) {
   check_points(m, b, reporter);
 }
 
-// One value on an element cannot follow a displacement that is linear along it, whatever the integrals: the patch test is
-// missed by as much on any mesh of equal elements, and only the far field converges.
+// A constant function cannot represent the linear displacement of a uniform stress: constant elements fail the patch test near
+// the boundary by the same amount on any uniform mesh; only the far field converges.
 void warn_constant_functions(const Model& m, Reporter& reporter) {
   if (m.head->function_nodes != 1) return;
   warn(reporter, C2D_WARN_CONSTANT, Where(),
-       "1 functional node per element: constant functions miss even a uniform stress, by 3 to 20 % near the boundary; "
-       "with 2 (linear functions) it is exact");
+       "1 functional node per element: with constant functions even a uniform stress is in error by 3 to 20 % near the "
+       "boundary; use 2 (linear functions), which represent it exactly");
 }
 
 } // namespace

@@ -38,7 +38,7 @@ Where at_node(const Model& m, int b, int32_t node) {
   Where out = {0, b + 1, 0, 0, 0, node + 1};
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
-  for (int i = 0; i < count; ++i) { // the first end that a card names, else the first
+  for (int i = 0; i < count; ++i) { // the first end with a condition card, whose line is known; else the first end
     const bool better = (m.end_code[b][ends[i]] & kGiven) != 0 && out.line == 0;
     if (i == 0 || better) out.element = ends[i] / m.head->function_nodes + 1;
     if (better && m.end_line[b][ends[i]] > 0) out.line = m.end_line[b][ends[i]];

@@ -6,7 +6,7 @@
 
 namespace c2d {
 
-// Where it is: numbers from 1 as in c2d_error, 0 where one does not apply.
+// Location of a fault: numbers from 1 as in c2d_error, 0 if not applicable.
 struct Where {
   int32_t line, body, zone, pair, element, node;
 };
@@ -19,7 +19,7 @@ Where in_zone(const Model& m, int32_t zone);
 Where in_zone(const Model& m, int32_t zone, int b, int32_t element);
 Where at_pair(const Model& m, int32_t pair); // with its zone
 
-// Bodies and zones with their names in texts: "zone ", zone_named(m, zone).
+// Bodies and zones with their names for messages: "zone ", zone_named(m, zone).
 struct NamedBody {
   const Model& m;
   int b;
@@ -47,7 +47,7 @@ struct Finding {
   c2d_error entry;
   Text text; // in entry.text
 };
-// It begins with "zone 3 (name)".
+// A finding whose text begins with "zone 3 (name)".
 struct ZoneFinding : Finding {
   ZoneFinding(const Model& m, int32_t zone);
   ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair); // a warning, about a pair of the zone
@@ -55,9 +55,9 @@ struct ZoneFinding : Finding {
 // Appends characters and numbers.
 template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) { put_all(finding.text, parts...); }
 
-// Hands it over and counts faults.
+// Passes the finding to the reporter and counts faults.
 void report(Reporter& reporter, const Finding& finding);
-// A fault, or a warning, whose text is these parts.
+// A fault, or a warning, with a text composed of these parts.
 template <class... Parts> C2D_IN_PLACE inline void report(Reporter& reporter, const Where& where, Parts... parts) {
   Finding finding(where);
   say(finding, parts...);
@@ -77,11 +77,11 @@ C2D_IN_PLACE inline void warn(Reporter& reporter, int32_t number, const Where& w
 }
 
 // ---- optional parts of validate_loads and validate_conditions (memory/parts.hpp) ----
-// A body force that is not symmetric has no part in a symmetric model.
+// Body forces of a body on a line of symmetry must be symmetric.
 void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter);
-// A rigid body takes no loads and moves by its cards alone, as the lines of symmetry allow.
+// A rigid body has no tractions or forces, and its prescribed and free motions respect the lines of symmetry.
 void check_rigid(const Model& m, int b, Reporter& reporter);
-// The pairs of its free zones are no more than what it meets can follow. Needs frames.
+// Its free zones have no more pairs than nodes of the other body that can follow them. Needs frames.
 void check_rigid_zones(const Model& m, int b, Reporter& reporter);
 
 } // namespace c2d

@@ -1,4 +1,8 @@
-// Are the boundaries proper closed curves with the material on their left?
+// Boundaries: simple closed curves with the material on their left.
+//
+// Phases per body: single elements (zero length, Jacobian, spikes); coincident points; crossings of elements; orientation and
+// nesting of regions. Each phase needs the previous one: coincident points would also be reported as crossings, and winding
+// numbers of crossing curves have no meaning.
 #include "memory/config.hpp"
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
@@ -9,12 +13,12 @@ namespace c2d {
 
 namespace {
 
-constexpr int32_t kMostTold = 10; // of coincidences, and of crossings, per body
+constexpr int32_t kMostListed = 10; // coincidences, and crossings, per body
 
-// Tells one more finding of a kind unless there were enough; the last one says so.
-void report_some(Finding& f, int32_t& told, Reporter& reporter) {
-  if (++told > kMostTold) return;
-  if (told == kMostTold) say(f, " (further ones are not listed)");
+// Reports one more finding of a kind, at most kMostListed; the last one states that more were omitted.
+void report_some(Finding& f, int32_t& found, Reporter& reporter) {
+  if (++found > kMostListed) return;
+  if (found == kMostListed) say(f, " (further ones are not listed)");
   report(reporter, f);
 }
 
@@ -31,7 +35,8 @@ void check_zero_length(const Model& m, int b, int32_t element, Reporter& reporte
   report(reporter, at_element(m, b, element), "element ", element + 1, " has zero length: ", trouble);
 }
 
-// The Jacobian of a curved element may neither vanish nor change its sense.
+// The tangent dx/deta of a curved element must neither vanish nor reverse: otherwise the mapping is not one-to-one, as with
+// inner nodes far from their equidistant positions.
 void check_jacobian(const Model& m, int b, int32_t element, Reporter& reporter) {
   constexpr int kSamples = 64;
   const double least = 1e-6 * 0.5 * element_length(m, b, element);
@@ -49,7 +54,7 @@ void check_jacobian(const Model& m, int b, int32_t element, Reporter& reporter) 
   }
   if (trouble == nullptr) return;
   report(reporter, at_element(m, b, element), "element ", element + 1, " is distorted: ", trouble, " near eta = ", eta,
-         "; expected inner nodes near equal parts of the curve");
+         "; expected inner nodes near equal divisions of the curve");
 }
 
 void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
@@ -64,7 +69,7 @@ void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
   if (n1[0] * n2[0] + n1[1] * n2[1] >= 0 || fabs(n1[0] * n2[1] - n1[1] * n2[0]) > 1e-9) return;
   Where where = at_element(m, b, next);
   where.node = geometry_node(m, b, next, 0) + 1;
-  report(reporter, where, "the boundary turns straight back from element ", element + 1, " to element ", next + 1,
+  report(reporter, where, "the boundary reverses its direction from element ", element + 1, " to element ", next + 1,
          ", expected an angle between them");
 }
 
@@ -86,8 +91,9 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
   return false;
 }
 
-// Pairs are looked at in a first pass by halves of halves. Only if that finds anything are all pairs gone through in order, to
-// tell of them. Small code goes straight to that.
+// All pairs of points and of elements must be compared. A first pass by recursive bisection with bounding boxes decides quickly
+// whether there is any fault; only then are all pairs visited in order, so that messages come in the order of the model. Small
+// code omits the first pass.
 constexpr int32_t kBoxes = 32;
 
 void widen(Box& box, const Box& by) {
@@ -110,9 +116,9 @@ template <class BoxOf> Box box_around_all(const Range& range, BoxOf box_of) {
   return all;
 }
 
-// visit(i, j) for i of `a` and j of `b`, i <= j, whose boxes meet, until it says true; returns whether it did. The ranges are
-// the same or apart. Halves that do not meet as a whole are left out: their boxes are found anew each time, which costs no
-// memory, and a boundary n log n of them.
+// Calls visit(i, j) for i in `a` and j in `b`, i <= j, whose boxes overlap, until it returns true; returns whether it did. The
+// ranges are equal or disjoint. Halves whose boxes do not overlap are skipped. Boxes are recomputed instead of stored: no
+// memory, and O(n log n) of them for a boundary.
 template <class BoxOf, class Visit> bool visit_meeting(const Range& a, const Range& b, BoxOf box_of, Visit visit) {
   const bool same = a.first == b.first;
   if (!same && !boxes_meet(box_around_all(a, box_of), box_around_all(b, box_of))) return false;
@@ -134,7 +140,7 @@ template <class BoxOf, class Visit> bool visit_meeting(const Range& a, const Ran
 
 bool some_coincide(const Model& m, int b, double near) {
   if (kSmallCode) return true;
-  const double half = 0.6 * near; // a little more than half the tolerance
+  const double half = 0.6 * near; // slightly more than half the tolerance: boxes of coincident points overlap for certain
   const auto box_of = [&](int32_t i) {
     const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
     return Box{p[0] - half, p[0] + half, p[1] - half, p[1] + half};
@@ -145,12 +151,12 @@ bool some_coincide(const Model& m, int b, double near) {
   });
 }
 
-// Boundary points of one body must differ, except the two of a legal double node.
+// Boundary points of a body must be distinct, except the two of a double node.
 int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
-  int32_t told = 0;
+  int32_t found = 0;
   const double near = coincidence_of(m, b);
-  if (!some_coincide(m, b, near)) return told;
+  if (!some_coincide(m, b, near)) return found;
   for (int32_t i = 0; i < body.geometry_nodes; ++i) {
     const double* p = m.xy[b] + 2 * i;
     for (int32_t j = i + 1; j < body.geometry_nodes; ++j) {
@@ -160,10 +166,10 @@ int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
       Finding f(at_point(m, b, j));
       say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", body_named(m, b), " coincide at (", p[0], ", ", p[1],
           "), expected different points");
-      report_some(f, told, reporter);
+      report_some(f, found, reporter);
     }
   }
-  return told;
+  return found;
 }
 
 // Do the polylines of two elements meet elsewhere than at the point that joins them? after, before: the
@@ -180,8 +186,8 @@ bool elements_cross(const Chords& p, const Chords& q, bool after, bool before) {
   return false;
 }
 
-// Most elements that meet are neighbours, and neither turns back: what is between them goes on in one direction. (Small code
-// does without these.) Does every chord go on along d, by more than rounding?
+// Fast test for neighbours: if all chords of two joined elements advance in one direction they cannot cross. It decides nearly
+// all cases on real boundaries; small code omits it. Does every chord advance along d, by more than rounding?
 bool advances(const Chords& c, const double d[2]) {
   double most = 0, least = HUGE_VAL;
   for (int i = 0; i <= c.count; ++i) most = fmax(most, fmax(fabs(c.x[i]), fabs(c.y[i])));
@@ -189,7 +195,7 @@ bool advances(const Chords& c, const double d[2]) {
   return least > 1e-13 * most * hypot(d[0], d[1]);
 }
 
-// From the start of one polyline to the end of another one.
+// The direction from the start of one polyline to the end of the next.
 bool advance_together(const Chords& p, const Chords& q) {
   const double d[2] = {q.x[q.count] - p.x[0], q.y[q.count] - p.y[0]};
   return advances(p, d) && (&p == &q || advances(q, d));
@@ -213,14 +219,14 @@ bool crosses_itself(const Chords& c) {
   return false;
 }
 
-// By what rounding may leave of coordinates.
+// Enlarged by the rounding of the coordinates.
 Box widened(const Box& b) {
   const double by = 1e-14 * fmax(fmax(fabs(b.x_min), fabs(b.x_max)), fmax(fabs(b.y_min), fabs(b.y_max)));
   return Box{b.x_min - by, b.x_max + by, b.y_min - by, b.y_max + by};
 }
 
 bool pair_crosses(const Chords& p, const Chords& q, double near) {
-  // Joined directly or through a double node: by position, which serves both.
+  // Joined directly or through a double node; comparing positions covers both.
   const bool after = same_point(p.x[p.count], p.y[p.count], q.x[0], q.y[0], near);
   const bool before = same_point(p.x[0], p.y[0], q.x[q.count], q.y[q.count], near);
   if (!kSmallCode && after != before && advance_together(after ? p : q, after ? q : p)) return false;
@@ -231,7 +237,7 @@ bool pair_crosses(const Chords& p, const Chords& q, double near) {
 bool some_cross(const Model& m, int b, double near) {
   if (kSmallCode) return true;
   Chords p, q;
-  int32_t last = -1; // whose chords p are
+  int32_t last = -1; // element whose chords p stores
   const Range all{0, body_of(m, b).elements};
   return visit_meeting(
       all, all, [&](int32_t i) { return box_around(m, b, i); },
@@ -247,7 +253,7 @@ bool some_cross(const Model& m, int b, double near) {
 
 void check_crossing(const Model& m, int b, Reporter& reporter) {
   const int32_t elements = body_of(m, b).elements;
-  int32_t told = 0;
+  int32_t found = 0;
   const double near = coincidence_of(m, b);
   if (!some_cross(m, b, near)) return;
   Chords p, q;
@@ -265,7 +271,7 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
       else
         say(f, "elements ", i + 1, " and ", j + 1, " of body ", body_named(m, b), " cross or touch each other");
       say(f, ", expected a boundary without crossings");
-      report_some(f, told, reporter);
+      report_some(f, found, reporter);
     }
   }
 }
@@ -290,7 +296,7 @@ int32_t outer_region(const Model& m, int b) {
 }
 
 void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter& reporter) {
-  // Not an end of an open one, which lies on the outer boundary's own way along the line.
+  // For an open region not its end, which lies on the closing of the outer boundary along the line of symmetry.
   const Region& curve = m.region[b][hole];
   const CurvePoint middle = curve_point(m, b, curve.first, 0.0);
   const double* corner = m.xy[b] + 2 * geometry_node(m, b, curve.first, 0);
@@ -308,7 +314,7 @@ void check_orientation(const Model& m, int b, bool crossings, Reporter& reporter
   const int32_t outer = outer_region(m, b);
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
     const double area = region_area(m, b, r);
-    double half = 0; // of the way round it: the length of one that is flat
+    double half = 0; // half of the perimeter: the length of a degenerate (flat) region
     for (int32_t e = m.region[b][r].first; e <= m.region[b][r].last; ++e) half += 0.5 * element_length(m, b, e);
     if (fabs(area) <= 1e-12 * half * half)
       report_region(m, b, r, "encloses no area", "a closed curve", reporter);

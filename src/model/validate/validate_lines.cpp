@@ -1,4 +1,8 @@
-// Lines of symmetry: those asked for, or found among the elements, and whether the model fits them.
+// Lines of symmetry: given, or detected among the elements; and whether the model fits them (METHOD 5).
+//
+// Phases: find lines whose elements carry the conditions of symmetry, if none is given; move points within 1e-9 of a line onto
+// it, so that later tests are exact; check that everything lies on one side; record the lines that each body meets; check
+// elements, nodes and open regions on the lines.
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
@@ -9,7 +13,7 @@ namespace c2d {
 
 namespace {
 
-constexpr double kOnLine = 1e-9; // of the bodies' size: points nearer than this lie on the line
+constexpr double kOnLine = 1e-9; // of the unit of length: points closer than this lie on the line
 constexpr const char* kAxis[2] = {"x", "y"};
 
 bool is_near(const Model& m, double coordinate, double line) {
@@ -31,8 +35,8 @@ bool is_prescribed_zero(const double* values, int64_t place, int64_t places, int
   return true;
 }
 
-// What keeps an element from being one of a symmetry line: zero displacement across (component `axis`) and
-// zero traction along, at every end. Null: nothing does.
+// Why an element on the line does not have the conditions of symmetry, or null if it has: zero displacement across the line
+// (component `axis`) and zero traction along it, at every end.
 const char* fault_of_axis_element(const Model& m, int b, int32_t element, int axis) {
   const int32_t f = m.head->function_nodes, cases = m.head->load_cases;
   const Body& body = body_of(m, b);
@@ -50,7 +54,7 @@ const char* fault_of_axis_element(const Model& m, int b, int32_t element, int ax
   return nullptr;
 }
 
-// All elements of a line: how many there are, and the first that does not fit.
+// Elements on a line: how many have the conditions of symmetry, and the first that does not.
 struct LineElements {
   bool on_every_body;
   int32_t fitting;
@@ -82,8 +86,8 @@ void report_axis_element(const Model& m, const LineElements& found, int axis, do
          ": expected zero displacement across a line of symmetry and zero traction along it");
 }
 
-// Bounding lines whose elements, some on every body, all carry the conditions of symmetry; the lower one of
-// two that are parallel. If there is none, the elements that came nearest are told.
+// Detects lines that bound the model and have elements of every body, all with the conditions of symmetry; of two parallel ones
+// the lower. If none qualifies, the message names the element that fails on the line with the most matching elements.
 bool find_lines(const Model& m, Reporter& reporter) {
   LineElements nearest = {false, 0, 0, -1, nullptr};
   int nearest_axis = 0;
@@ -122,7 +126,7 @@ bool find_lines(const Model& m, Reporter& reporter) {
 // ---- points
 // -------------------------------------------------------------------------------------------------------
 
-// Which side of the line the model lies on: that of the point farthest from it.
+// The side of the line on which the model lies: that of the farthest point. Points beyond are reported by check_side.
 double side_of_model(const Model& m, int axis) {
   double low = 0, high = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
@@ -170,7 +174,7 @@ void report_point(const Model& m, int b, int32_t point, const char* found, Repor
          m.xy[b][2 * point], ", ", m.xy[b][2 * point + 1], ") ", found);
 }
 
-// Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines' crossing.
+// Only ends of open regions and points next to axis elements may lie on a line, and no point at the crossing of both lines.
 void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
   const int last = body_of(m, b).element_nodes - 1;
   for (int k = 0; k <= last; ++k) {
@@ -191,7 +195,7 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
       report_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
 }
 
-// A platen meets the lines on which what it moves ends.
+// A platen has no mesh of its own: it meets the lines that its elements meet.
 int32_t lines_of_platen(const Model& m, int b) {
   const Zone& z = tie_of_platen(m, b);
   int32_t lines = 0;
@@ -201,8 +205,8 @@ int32_t lines_of_platen(const Model& m, int b) {
   return lines;
 }
 
-// A body without a point on a line lies on one side of it, and its image is another body. A line that no body meets would
-// mirror everything to no effect.
+// A body without a point on a line lies on one side of it, and its image is a separate body. A line that no body meets would
+// have no effect and is reported.
 void find_lines_met(const Model& m, Reporter& reporter) {
   int32_t met = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
@@ -271,7 +275,7 @@ bool validate_lines(const Model& m, Reporter& reporter) {
   return reporter.faults == before;
 }
 
-// ---- what others ask ----
+// ---- queries of other files ----
 
 int32_t lines_along(const Model& m, int b, int32_t element) {
   int32_t lines = m.body[b].lines;

@@ -1,4 +1,4 @@
-// Point loads lie inside their body, away from its boundary.
+// Point loads, body forces, rigid bodies and load cases.
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
@@ -28,8 +28,8 @@ Nearest nearest_element(const Model& m, int b, double x, double y) {
   return nearest;
 }
 
-// Inside the outer curve (winding 1) and in no hole (winding -1). A symmetry line is no boundary: points on it are
-// looked at a little off it.
+// Inside the outer curve (winding number 1) and in no hole (-1). A line of symmetry is no boundary of the complete body: a
+// point on it is shifted slightly into the modelled part before the test.
 bool inside_body(const Model& m, int b, double x, double y) {
   const ModelHeader& head = *m.head;
   const int32_t on = lines_through(head, x, y);
@@ -44,7 +44,7 @@ void say_equivalent(Finding& f, const PointLoad& p, int32_t element, double leng
   say(f, "; the equivalent uniform traction on element ", element + 1, " is (", p.fx / length, ", ", p.fy / length, ")");
 }
 
-// On a symmetry line a load is its own image; one across the line would be its own opponent.
+// On a line of symmetry a load coincides with its image; components across the line would cancel.
 bool acts_across_line(const Model& m, const PointLoad& p) {
   const int32_t on = lines_through(*m.head, p.x, p.y);
   return ((on & 1) != 0 && p.fx != 0.0) || ((on & 2) != 0 && p.fy != 0.0);
@@ -77,20 +77,20 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
         near.element + 1, ", expected a point inside");
   } else {
     say(f, "is ", near.distance, " away from element ", near.element + 1, ", less than its length ", length,
-        ", and loses force");
+        ": part of the force is lost");
     say_equivalent(f, p, near.element, length);
   }
   report(reporter, f);
 }
 
-// Loads of a rigid body count where they move it.
+// Loads of a rigid body act on its free motions only.
 bool loads_rigid(const Model& m, int b, const RigidMotion& motion) {
   for (int i = 0; i < 3; ++i)
     if ((m.body[b].free_rigidly & 1 << i) != 0 && motion.load[i] != 0) return true;
   return motion.ux != 0 || motion.uy != 0 || motion.rotation != 0;
 }
 
-// Does the case load anything? Whatever else may load a case adds itself here.
+// Does the load case load anything? New kinds of loads must be added here.
 bool case_prescribes(const Model& m, int32_t k) {
   for (int32_t i = 0; i < m.head->point_loads; ++i)
     if (m.point_load[i].load_case == k && (m.point_load[i].fx != 0 || m.point_load[i].fy != 0)) return true;

@@ -17,7 +17,7 @@ bool carries_load(const Model& m, int b) {
   return loaded;
 }
 
-// Bits of motions that a rigid body may make: those that are free, and in any load case those that are given.
+// Bits of the motions of a rigid body: free ones, and those prescribed in any load case.
 int32_t motions_made(const Model& m, int b) {
   int32_t made = body_of(m, b).free_rigidly;
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
@@ -27,14 +27,14 @@ int32_t motions_made(const Model& m, int b) {
   return made;
 }
 
-// What is wrong with a platen is told at its card.
+// Faults of a platen refer to the line of its card.
 Where at_platen(const Zone& z, Where where) {
   where.line = z.line;
   return where;
 }
 Where at_rigid(const Model& m, int b) { return is_platen(m, b) ? at_platen(tie_of_platen(m, b), in_body(b)) : in_body(b); }
 
-// Is an end free, as without a card?
+// Is an element end free of conditions, as without a card?
 bool is_left_free(const Model& m, int b, int32_t end) {
   const int64_t ends = static_cast<int64_t>(body_of(m, b).elements) * m.head->function_nodes;
   constexpr int kKnown = kKnownTx | kKnownTy | kKnownUx | kKnownUy, kTractions = kKnownTx | kKnownTy;
@@ -44,7 +44,7 @@ bool is_left_free(const Model& m, int b, int32_t end) {
   return free;
 }
 
-// Ends that the platen moves have no conditions.
+// Ends of elements of the platen must have no conditions: the platen determines displacement and traction.
 bool check_ends(const Model& m, int b, const Zone& z, Reporter& reporter) {
   const int32_t f = m.head->function_nodes;
   for (int32_t k = 0; k < z.elements; ++k)
@@ -52,13 +52,14 @@ bool check_ends(const Model& m, int b, const Zone& z, Reporter& reporter) {
       if (is_left_free(m, z.body[1], element * f + l)) continue;
       report(reporter, at_platen(z, at_element(m, z.body[1], element)), "end ", l + 1, " of element ", element + 1, " of body ",
              body_named(m, z.body[1]), " is moved by body ", body_named(m, b),
-             " and has a condition as well, expected an end without");
+             " and has a boundary condition as well, expected no condition there");
       return false;
     }
   return true;
 }
 
-// Elements beside it may hold its last nodes where it does not move.
+// The last nodes of the platen also belong to the neighbouring elements, which may fix them only in directions in which the
+// platen does not move.
 void check_neighbours(const Model& m, int b, const Zone& z, Reporter& reporter) {
   const int32_t made = motions_made(m, b);
   for (int32_t k = 0; k < z.pairs; ++k)
@@ -68,7 +69,7 @@ void check_neighbours(const Model& m, int b, const Zone& z, Reporter& reporter) 
       return report(reporter, at_platen(z, at_node(m, z.body[1], node)), "node ", node + 1, " of body ",
                     body_named(m, z.body[1]), " is moved by body ", body_named(m, b), ", and the element beside it prescribes ",
                     c == 0 ? "ux" : "uy",
-                    " there, expected no such condition, or a platen that does not move so and does not turn");
+                    " there, expected no such condition, or a platen that neither moves in this direction nor rotates");
     }
 }
 
@@ -77,7 +78,7 @@ void check_neighbours(const Model& m, int b, const Zone& z, Reporter& reporter) 
 void check_rigid(const Model& m, int b, Reporter& reporter) {
   if (carries_load(m, b))
     report(reporter, at_rigid(m, b), "body ", body_named(m, b),
-           " is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
+           " is rigid, expected no tractions, non-zero displacements or forces on it (*RIGID prescribes its motion)");
   if (is_platen(m, b) && check_ends(m, b, tie_of_platen(m, b), reporter)) check_neighbours(m, b, tie_of_platen(m, b), reporter);
   const int32_t lines = body_of(m, b).lines, prevented = lines | (lines != 0 ? 4 : 0);
   if ((body_of(m, b).free_rigidly & prevented) != 0)
@@ -101,7 +102,7 @@ void nodes_faced(const Model& m, const Pair& pair, int32_t* low, int32_t* high) 
   ZonePlace at = {0, 0, 0};
   find_contact_element(m, z.body[0], pair.element, &at);
   const double along = z.element_step[0] * pair.eta;
-  if (f == 1) { // between two elements that of both
+  if (f == 1) { // constant functions: between two elements both nodes
     *low = at.place - (along == -1.0 ? 1 : 0);
     *high = at.place + (along == 1.0 ? 1 : 0);
     return;
@@ -112,7 +113,8 @@ void nodes_faced(const Model& m, const Pair& pair, int32_t* low, int32_t* high) 
     if (along == node_eta(f, l)) *low = *high = at.place * (f - 1) + l;
 }
 
-// A rigid body on side 1 whose nodes the nodes of side 0 cannot follow, one each.
+// A rigid body on side 1: its pairs prescribe displacements of side 0, one per pair. If side 0 has fewer nodes than pairs over
+// some range the system is overdetermined. Greedy assignment of each pair to the first free node that it depends on.
 void check_density(const Model& m, int32_t zone, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   int32_t next = -1;
@@ -123,9 +125,9 @@ void check_density(const Model& m, int32_t zone, Reporter& reporter) {
     next = low > next ? low : next + 1;
     if (next <= high) continue;
     return report(reporter, in_zone(m, zone, z.body[0], pair.element), "zone ", zone_named(m, zone),
-                  ": the nodes of the rigid body ", body_named(m, z.body[1]), " are denser than those of body ",
-                  body_named(m, z.body[0]), " that they face, as far as its element ", pair.element + 1,
-                  "; expected no more than one for each, or the rigid body as the zone's first");
+                  ": the mesh of the rigid body ", body_named(m, z.body[1]), " is finer than that of body ",
+                  body_named(m, z.body[0]), " up to element ", pair.element + 1,
+                  "; expected at most one rigid node for each node faced, or the rigid body as side 1 of the zone");
   }
 }
 

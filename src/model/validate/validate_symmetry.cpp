@@ -15,7 +15,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
     allowed = false;
     report(reporter, in_body(b), "body ", body_named(m, b), " has ", body_of(m, b).geometry_nodes, " boundary points, ",
            body_of(m, b).open_regions,
-           " more than closed curves have: open regions end on a line of symmetry, and none is given");
+           " more than closed curves have: open regions end on a line of symmetry, but none is defined");
   }
   return allowed;
 }

@@ -1,4 +1,7 @@
-// Do contact zones refer to what is there, and do their sides face each other?
+// Contact zones: valid references, and sides that face each other.
+//
+// Phases: bodies and regions exist; free zones are fitted (model/free_zones.cpp) and pairs numbered; matching zones list the
+// nodes of their elements in corresponding order; no element or node is in two zones; elements face each other.
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
@@ -22,7 +25,7 @@ void report_side(const Model& m, int32_t zone, int side, const char* found, int3
   report(reporter, f);
 }
 
-// Two bodies that can meet: there, not the same, not both rigid.
+// Two existing bodies, different (except in self-contact) and not both rigid.
 void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   const int32_t before = reporter.faults;
@@ -31,9 +34,8 @@ void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
       report_zone(reporter, m, zone, ": there is no body ", b + 1, ", expected 1 to ", m.head->bodies);
   if (reporter.faults != before) return;
   if (z.body[0] == z.body[1] && z.is_self == 0)
-    report_zone(
-        reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
-        ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
+    report_zone(reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
+                ", expected two different bodies, or self-contact (C2D_ZONE_SELF; in a deck a minus before the second body)");
   else if (is_rigid(m, z.body[0]) && is_rigid(m, z.body[1]))
     report_zone(reporter, m, zone, ": bodies ", body_named(m, z.body[0]), " and ", body_named(m, z.body[1]),
                 " are both rigid, expected one at most");
@@ -46,7 +48,7 @@ int32_t nodes_along(const Model& m, int32_t elements) {
   return m.head->function_nodes == 1 ? elements : elements * nodes_per_element(m) + 1;
 }
 
-// Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither has.
+// Direction of a side along its boundary, from the node or element numbers, whichever has more than one; 0: undefined.
 int32_t direction(const Zone& z, int side) {
   if (z.pairs > 1) return z.node_step[side];
   return z.elements > 1 ? z.element_step[side] : 0;
@@ -61,7 +63,7 @@ void check_region(const Model& m, int32_t zone, int side, Reporter& reporter) {
   nodes_of_region(m, b, z.region[side], &first_node, &last_node);
   const int32_t count = zone_elements(z, side);
   if (count > elements) report_side(m, zone, side, "elements: ", count, ", more than its region has", reporter);
-  if (z.is_free != 0) return; // fitted later
+  if (z.is_free != 0) return; // the range of side 1 and its nodes are fitted later
   if (z.first_node[side] < first_node || z.first_node[side] > last_node)
     report_side(m, zone, side, "first node ", z.first_node[side] + 1, " is not in the region of its elements", reporter);
   if (z.pairs > last_node - first_node + 1)
@@ -76,7 +78,7 @@ void check_region(const Model& m, int32_t zone, int side, Reporter& reporter) {
                 ", expected the same direction", reporter);
 }
 
-// Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
+// Position of the first listed node along the elements of the zone, from 0; -1 if it is not one of their nodes.
 int32_t place_of_first_node(const Model& m, const Zone& z, int side) {
   const int b = z.body[side];
   const Region& r = m.region[b][z.region[side]];
@@ -118,7 +120,7 @@ int32_t zone_of_pair(const Model& m, int32_t pair) {
   return zone;
 }
 
-// Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
+// Elements in two zones, or nodes in two pairs. An element determines its traction once, so it can belong to one zone only.
 void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   const int b = z.body[side];
@@ -127,20 +129,20 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
     ZonePlace found;
     const int32_t element = zone_element(m, z, side, k);
     const bool in_zone = find_contact_element(m, b, element, &found);
-    if (C2D_NEVER(!in_zone)) continue;                      // it is one of a zone's
-    if (found.zone == zone && found.side == side) continue; // the earlier one is found
+    if (C2D_NEVER(!in_zone)) continue;                      // elements of a zone are always found
+    if (found.zone == zone && found.side == side) continue; // the search returns the first zone of the element
     if (count++ > 0) continue;
     first = element;
     other = found.zone;
   }
   if (count > 0) {
     Finding f(in_zone(m, zone, b, first));
-    const bool both = other == zone; // sides of one zone, on one body
+    const bool both = other == zone; // self-contact: on both sides of one zone
     say(f, "element ", first + 1, " of body ", body_named(m, b), both ? " is on both sides of zone " : " is in zones ",
         zone_named(m, other));
     if (!both) say(f, " and ", zone_named(m, zone));
     if (count > 1) say(f, ", the first of ", count, both ? " elements on both" : " elements in two zones");
-    say(f, both ? ", expected on one" : ", expected in one");
+    say(f, both ? ", expected on one only" : ", expected in one only");
     return report(reporter, f);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
@@ -151,7 +153,7 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
     say(f, "node ", node + 1, " of body ", body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, " of ");
     say(f, before == zone ? "zone " : "zones ", zone_named(m, before));
     if (before != zone) say(f, " and ", zone_named(m, zone));
-    say(f, ", expected in one");
+    say(f, ", expected in one pair only");
     report(reporter, f);
   }
 }
@@ -171,7 +173,7 @@ void check_lengths(const Model& m, int32_t zone, int side, Reporter& reporter) {
   }
 }
 
-// Direction of an element's outward normals on average: its chord turned by -90 degrees.
+// Mean outward normal of an element: its chord turned by -90 degrees.
 void average_normal(const Model& m, int b, int32_t element, double n[2]) {
   double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
@@ -185,15 +187,15 @@ void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
   for (int side = 0; side < 2; ++side) average_normal(m, z.body[side], zone_element(m, z, side, k), n[side]);
 }
 
-// `sound`: the bodies are.
+// `sound`: the bodies have no faults. Facing elements have opposing normals: their scalar product must be below -1/2.
 void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
     return report_zone(reporter, m, zone,
-                       ": numbers run in the same direction on both bodies, so that the elements do not face "
-                       "each other; expected up on one body and down on the other");
+                       ": numbers increase in the same direction on both sides, so that the elements do not face "
+                       "each other; expected increasing numbers on one side and decreasing ones on the other");
   }
-  if (!sound) return; // of a body that runs the wrong way no element would face the other one
+  if (!sound) return; // with a body of wrong orientation no element would face the other side
   int32_t count = 0, worst = 0;
   double least = 0.0;
   for (int32_t k = 0; k < z.elements; ++k) {
@@ -213,11 +215,11 @@ void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) 
   say(f, "zone ", zone_named(m, zone), ": element ", e1 + 1, " of body ", body_named(m, z.body[0]), " with normal (", n[0][0],
       ", ", n[0][1], ") and element ", e2 + 1, " of body ", body_named(m, z.body[1]), " with normal (", n[1][0], ", ", n[1][1],
       ") do not face each other");
-  if (count > 1) say(f, ", the least of ", count);
+  if (count > 1) say(f, ", the worst of ", count);
   report(reporter, f);
 }
 
-// Pairs of tied zones stand behind all others.
+// Pairs of tied zones are numbered last: their status never changes, and the tableau needs no columns for them (METHOD 10.6).
 void number_pairs(const Model& m) {
   int32_t pairs = 0;
   for (int32_t tied = 0; tied < 2; ++tied) {
@@ -231,14 +233,14 @@ void number_pairs(const Model& m) {
   m.head->pairs = pairs;
 }
 
-// Cut free zones down to what faces each other, and number the pairs of all zones again.
+// Fits free zones to the facing parts and numbers the pairs of all zones again.
 bool fit_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     m.zone[i].normal_part = find_normal_part(m, m.zone[i]);
     if (m.zone[i].is_free != 0) {
       check_lengths(m, i, 0, reporter);
-      if (reporter.faults != before) return false; // points would have no normals
+      if (reporter.faults != before) return false; // a zero-length element has no normal
       kFreeZonePart.fit_free_zone(m, i, reporter);
     }
   }
@@ -254,10 +256,10 @@ bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
   if (reporter.faults != before) return false;
   for (int32_t i = 0; i < m.head->zones; ++i)
     for (int side = 0; side < 2; ++side) check_region(m, i, side, reporter);
-  if (reporter.faults != before) return false; // the rest looks up what the zones name
+  if (reporter.faults != before) return false; // the following checks use the references of the zones
   if (!fit_zones(m, reporter)) return false;
   for (int32_t i = 0; i < m.head->zones; ++i) {
-    const bool platen = is_platen(m, m.zone[i].body[0]); // both sides are one
+    const bool platen = is_platen(m, m.zone[i].body[0]); // side 0 has no mesh of its own: both sides coincide
     if (m.zone[i].is_free == 0) {
       check_nodes(m, i, reporter);
       if (!platen) check_facing(m, i, sound, reporter);

@@ -67,7 +67,7 @@ std::string Axis::label(int i) const {
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
   std::string out = text;
   for (char& c : out)
-    if (c == ',') c = '.'; // whatever the locale says
+    if (c == ',') c = '.'; // independent of the locale
   return out[0] == '-' ? "&#8722;" + out.substr(1) : out;
 }
 
@@ -125,7 +125,7 @@ Axis make_log_axis(const Range& range, const std::string& name) {
   axis.name = name;
   axis.logarithmic = true;
   axis.low = round_number(first), axis.high = round_number(last);
-  axis.step = last - first > 9 ? 3.0 : 1.0; // more than three decades: powers of ten alone
+  axis.step = last - first > 9 ? 3.0 : 1.0; // more than three decades: only powers of ten
   axis.first = axis.step > 1.0 ? 3.0 * std::ceil(first / 3.0) : first;
   axis.ticks = static_cast<int>(std::floor((last - axis.first) / axis.step)) + 1;
   axis.power = 1.0, axis.decimals = 0;

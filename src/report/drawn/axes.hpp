@@ -1,5 +1,5 @@
 // Axes of a chart: a range rounded to steps of 1, 2 or 5, labels with as many digits as the step needs, a
-// power of ten and the unit in the axis's name, a light grid.
+// power of ten and the unit in the name of the axis, a light grid.
 #pragma once
 
 #include "report/drawn/svg.hpp"
@@ -32,7 +32,7 @@ struct Axis {
 Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about, bool tight = false,
                bool whole = false);
 
-// From the 1, 2 or 5 times a power of ten below the range to the one above it; of what is not positive nothing is shown.
+// From the 1, 2 or 5 times a power of ten below the range to the one above it; values that are not positive are not shown.
 Axis make_log_axis(const Range& range, const std::string& name);
 
 struct Chart {
@@ -41,18 +41,18 @@ struct Chart {
   bool zero_line = true; // where y = 0
   Point at(double vx, double vy) const;
 };
-// Grid, frame, tick labels and names. Without `labels_x` the x axis has ticks only (the chart below says the
-// rest).
+// Grid, frame, tick labels and names. Without `labels_x` the x axis has ticks only (the chart below has the
+// labels).
 void draw_axes(Svg& svg, const Chart& chart, bool labels_x = true);
-// A title in bold over the frame's left corner.
+// A title in bold above the left corner of the frame.
 void draw_heading(Svg& svg, const Box& frame, const std::string& text);
 
-// One scale for both directions: grows the ranges to the frame's shape, with at least `margin` pixels around
+// One scale for both directions: extends the ranges to the aspect of the frame, with at least `margin` pixels around
 // them.
 Chart make_view(const Box& frame, Range x, Range y, double margin, const std::string& unit);
-// Where a view of a part lies in that of the whole, large enough to be seen.
+// Marks in the whole view the frame of a detail view, large enough to be visible.
 void draw_zoom_frame(Svg& svg, const Chart& whole, const Chart& part);
-// Height that a view of these ranges wants at this width, within bounds.
+// Height of a view of these ranges at this width, within bounds.
 double view_height(const Range& x, const Range& y, double width, double lowest, double highest);
 
 // Entries in rows, left to right; a line sample, a filled box or a marker each.

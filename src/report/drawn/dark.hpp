@@ -1,4 +1,4 @@
-// Colours of the page and of its pictures where the reader's screen is dark.
+// Colours of the page and its pictures in dark mode.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 namespace app {
 
 struct DarkColour {
-  const char* light; // as presentation attributes of pictures have it
-  const char* dark;  // what stands for it there
+  const char* light; // as in the presentation attributes of pictures
+  const char* dark;  // its replacement
 };
 
-// Of the scale of contours alone there is none: it keeps its colours.
+// Only the contour scale has no replacements: it keeps its colours.
 extern const DarkColour kDarkColours[];
 extern const int kDarkColourCount;
 

@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-// Lagrange's polynomials over `count` equally spaced points of [-1, 1]; one point: constant.
+// Lagrange polynomials over `count` equally spaced points of [-1, 1]; one point: constant.
 double shape(int32_t count, int32_t k, double eta) {
   double product = 1.0;
   const double step = count > 1 ? 2.0 / (count - 1) : 0.0;

@@ -1,4 +1,4 @@
-// All that the pictures show, gathered once from the solver through the C interface.
+// The data of all pictures, collected once from the solver through the C interface.
 #pragma once
 
 #include "post/summary.hpp"
@@ -43,7 +43,7 @@ struct PairScene {
   bool symmetric; // a displacement of its node is prescribed: a line of symmetry
   int image_line; // 1 or 2: it lies on the line x = ... or y = ... of symmetry by images, 0: on none
 };
-// A pair, or its image beyond a line of symmetry, where what points along t points the other way.
+// A pair, or its image beyond a line of symmetry, where the direction t is reversed.
 struct ZoneSample {
   size_t pair; // from 0
   double s, turn;
@@ -60,7 +60,7 @@ struct ZoneScene {
   bool free = false;               // joins meshes that do not match: tn and tt are per length of side 2
 };
 
-// What a load case does beside the conditions of element ends.
+// Loads of a case other than conditions of element ends.
 struct PointLoad {
   int32_t body;
   Point at, force;
@@ -122,7 +122,7 @@ int image_line_at(const Summary& summary, Point p);
 // Outlines moved by `magnification` times the displacement.
 std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification);
 
-// What a table (C2D_PAIR_FIELDS per pair) says of a zone.
+// State of a zone from a table (C2D_PAIR_FIELDS per pair).
 struct ZoneFacts {
   double peak = 0.0;    // largest tn
   size_t peak_pair = 0; // from 0
@@ -132,7 +132,7 @@ struct ZoneFacts {
 };
 ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table);
 
-// Where on the load path a coefficient's last table stands: "load factor 1", and with several load cases or a
+// Position on the load path of the last table of a coefficient: "load factor 1", and with several load cases or a
 // load that also falls "step 5 (load factors 1, 0.5)".
 std::string place_on_path(const Scene& scene, size_t coefficient);
 // The same of the last coefficient, whose results the solver still has, with its name: "load factor 1, mu =

@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-// Where a functional node lies, and whether a displacement of it is prescribed.
+// Position of a functional node, and whether its displacement is prescribed.
 Point place_of_node(const BodyScene& body, size_t node, bool& held) {
   Point place;
   for (size_t i = 0; i < body.nodes.size(); ++i) {

@@ -52,8 +52,8 @@ bool cut(const Box& box, Point& a, Point& b) {
   return true;
 }
 
-// What is far outside a picture is left out before it is written: renderers count in fixed point, some to
-// 2^23 pixels only, and draw shapes that reach further wrongly.
+// Parts far outside a picture are clipped before writing: some renderers use fixed point up to
+// 2^23 pixels only and draw larger shapes wrongly.
 constexpr Box kPaper{-5e4, -5e4, 5e4, 5e4};
 
 bool on_paper(Point p) { return p.x >= kPaper.left && p.x <= kPaper.right && p.y >= kPaper.top && p.y <= kPaper.bottom; }
@@ -68,7 +68,7 @@ double within(Point p, int k) {
   }
 }
 
-// A closed curve cut to the paper side by side (Sutherland and Hodgman): what it encloses there stays the
+// A closed curve clipped to the paper side by side (Sutherland-Hodgman): the enclosed area there stays the
 // same, and its new edges run along the paper's.
 std::vector<Point> closed_on_paper(std::vector<Point> curve) {
   if (std::all_of(curve.begin(), curve.end(), on_paper)) return curve;

@@ -1,4 +1,4 @@
-// The key table: what sums up the contact of a zone, a row per recorded step, for the listing and the page.
+// The key table: key numbers of the contact of a zone, a row per recorded step, for the listing and the page.
 #pragma once
 
 #include "report/record.hpp"

@@ -31,8 +31,8 @@ void append_balance(std::string& out, const Summary& s) {
     append_vector(out, "sum", width, sum);
   }
   if (s.symmetry != 0)
-    out += "\n  of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
-           "what they balance\n";
+    out += "\n  totals cover the modelled half or quarter only; the remainder is carried across the lines of "
+           "symmetry\n";
 }
 
 void append_energy(std::string& out, const RunRecord& record) {

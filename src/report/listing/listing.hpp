@@ -20,20 +20,20 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& sum
 void append_step(std::string& out, const c2d_step& step, bool first);
 // Where stress is singular at the last state, by which power it grows and its intensity; nothing where there is no such corner.
 void append_corners(std::string& out, const RunRecord& record, const Summary& summary);
-// What every body has in the contact zones at the last state of a coefficient; `ends` of each body.
+// Contact results of every body at the last state of a coefficient; `ends` of each body.
 void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
                          const Summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached: `loads`, of every case.
 c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary, const std::vector<double>& loads);
-// What sums up the contact at the last state of every coefficient, with the errors that are stated.
+// Key numbers of the contact at the last state of every coefficient, with their stated errors.
 void append_quantities(std::string& out, const RunRecord& record, const Summary& summary);
 // The same step by step, of every zone.
 void append_key_tables(std::string& out, const RunRecord& record, const Summary& summary);
 // The meshes that were tried for a sketch, and the numbers with their stated errors; nothing if there was one mesh alone.
 void append_accuracy(std::string& out, const RunRecord& record);
-// Balance of forces, what sums up the contact, warnings, and how the run ended.
+// Balance of forces, key numbers of the contact, warnings, and outcome of the run.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
-// What of it answers the question, for a terminal where warnings stand already.
+// Its essential part, for a terminal that already shows the warnings.
 void append_short_ending(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

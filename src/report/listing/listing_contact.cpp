@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-// What every touching pair carries after a change of status (IOUT of 3 or more).
+// Tractions of all touching pairs after a change of status (IOUT of 3 or more).
 void append_answers(std::string& out, const c2d_step& step) {
   static const int kColumns[] = {C2D_TN, C2D_TT, C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_GAP, C2D_SLIP_SUM};
   out += "            pair           tn           tt          un1          ut1          un2          ut2"
@@ -101,7 +101,7 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
 
 namespace {
 
-// How n, t, tn and tt of zones are meant that have their sides on these bodies; `free`: one of them joins
+// Explains n, t, tn and tt of zones with their sides on these bodies; `free`: one of them joins
 // meshes that do not match.
 void append_frame(std::string& out, const Summary& s, const c2d_zone& zone, bool free) {
   const std::string body1 = body_text(s, zone.side1.body), body2 = body_text(s, zone.side2.body);

@@ -13,14 +13,14 @@ namespace app {
 
 void append_rule(std::string& out);
 void append_section(std::string& out, const std::string& title);
-// "Body 2 (bolt)", and what else the heading says.
+// "Body 2 (bolt)", and the rest of the heading.
 void append_body_section(std::string& out, const Summary& summary, int32_t body, const char* more = "");
 // "  name ............ value"; append_name stops before the value.
 std::string& append_name(std::string& out, const char* name);
 void append_item(std::string& out, const char* name, int64_t value);
 void append_item(std::string& out, const char* name, double value);
 void append_item(std::string& out, const char* name, const char* value);
-// How far the loads were, of all load cases.
+// The load factors reached, of all load cases.
 void append_loads(std::string& out, const std::vector<double>& factors);
 
 // Known components of every element end that is neither free of traction nor left to the contact, case by

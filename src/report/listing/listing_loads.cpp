@@ -90,7 +90,7 @@ c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary
         const c2d_status status = c2d_get_condition(solver, body, e, local, load_case, codes, values);
         if (status != C2D_OK) return status;
         const bool zero = values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0 && values[3] == 0.0;
-        if (is_free(codes, values) || (load_case > 1 && zero)) continue; // what is held was told with case 1
+        if (is_free(codes, values) || (load_case > 1 && zero)) continue; // supports were listed with case 1
         if (several) append_column(out, load_case, 8);
         append_column(out, e, 8);
         append_column(out, local, 8);

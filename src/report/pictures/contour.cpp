@@ -17,7 +17,7 @@ CellCorner between(const CellCorner& a, const CellCorner& b, double level) {
   return {{a.at.x + part * (b.at.x - a.at.x), a.at.y + part * (b.at.y - a.at.y)}, level};
 }
 
-// The part of a convex polygon on one side of a level (Sutherland and Hodgman's way of clipping).
+// The part of a convex polygon on one side of a level (Sutherland-Hodgman clipping).
 std::vector<CellCorner> cut(const std::vector<CellCorner>& polygon, double level, bool above) {
   std::vector<CellCorner> out;
   for (size_t i = 0; i < polygon.size(); ++i) {
@@ -58,7 +58,7 @@ bool cell_is_known(const Grid& g, size_t c, size_t r) {
   return g.known[g.at(c, r)] && g.known[g.at(c + 1, r)] && g.known[g.at(c, r + 1)] && g.known[g.at(c + 1, r + 1)];
 }
 
-// The band of a cell that lies in one band as a whole; else the number of bands.
+// The band of a cell that lies entirely in one band; else the number of bands.
 size_t whole_band(const Grid& g, size_t c, size_t r, const std::vector<double>& levels) {
   const size_t none = levels.size() - 1;
   if (!cell_is_known(g, c, r)) return none;

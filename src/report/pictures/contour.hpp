@@ -18,7 +18,7 @@ struct Grid {
   }
 };
 
-// Continues the field by `rings` nodes into the unknown, linearly where two known nodes stand in a row, so
+// Extrapolates the field by `rings` nodes, linearly from two known nodes in a row, so
 // that the cells cut by a body's boundary can be filled and then clipped.
 void extend(Grid& grid, int rings);
 

@@ -1,5 +1,5 @@
-// Where a magnified deformed shape draws bodies so that the gaps between them are magnified as their displacements are: what
-// is closed touches, what is open stands off, and what overlapped before a press fit does not float.
+// Positions of bodies in a magnified deformed shape, such that gaps are magnified like displacements: closed
+// pairs touch, open pairs stand apart, and initial overlaps of a press fit do not appear as gaps.
 #pragma once
 
 #include "report/drawn/scene.hpp"
@@ -16,7 +16,7 @@ public:
   // Of the last state of the last coefficient.
   explicit GapLift(const Scene& scene);
   double largest() const { return largest_; }
-  // By how much a point of a body moves for every unit of magnification beyond 1.
+  // Displacement of a point of a body per unit of magnification beyond 1.
   Point at(size_t body, Point p) const;
 
 private:

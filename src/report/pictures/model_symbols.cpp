@@ -6,9 +6,9 @@
 namespace app {
 namespace {
 
-// Symbols closer than this to one of their kind are left out.
+// Symbols closer than this to one of their kind are omitted.
 constexpr double kSpacing = 11.0;
-// Of what stands inside a body: length of an arrow from its middle, radius of a turn.
+// Symbols inside a body: length of an arrow from its middle, radius of a rotation.
 constexpr double kInnerArrow = 44.0, kTurnRadius = 20.0;
 
 // A load case has a colour and a dash of its own.
@@ -50,7 +50,7 @@ void draw_support(Svg& svg, Point p, double dx, double dy, bool both) {
   svg.line({rail.x - w * dy, rail.y + w * dx}, {rail.x + w * dy, rail.y - w * dx}, Stroke{colour::kInk, 1.0, ""});
 }
 
-// Outward direction along x or y at a node: a corner's symbol belongs to the side that it holds.
+// Outward direction along x or y at a node: the symbol of a corner belongs to the supported side.
 std::vector<Point> outward(const BodyScene& body) {
   std::vector<Point> out;
   for (size_t i = 0; i < body.nodes.size(); ++i) {
@@ -202,7 +202,7 @@ void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& pre
     const size_t ends = static_cast<size_t>(scene.summary.function_nodes);
     for (const Image& image : scene.images)
       for (size_t i = 0; i < body.conditions.size(); ++i) {
-        // On a line of symmetry by images what holds a node across it is the line.
+        // On a line of symmetry by images the line itself supports a node across it.
         const int line = image_line_at(scene.summary, body.ends[i]);
         const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2), line != 2 && is_held(body.conditions[i], 3)};
         const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
@@ -258,7 +258,7 @@ std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& presen
   const char* const words[] = {"traction",   "point load", "prescribed displacement",
                                "body force", "rotation",   rigid > 1 ? "motion of a rigid body" : "motion of the rigid body"};
   std::vector<LegendEntry> out;
-  if (present.support) out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
+  if (present.support) out.push_back({"support (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   for (size_t k = 0; k < scene.cases; ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       if (k >= present.load[s].size() || !present.load[s][k]) continue;

@@ -1,4 +1,4 @@
-// What stands at the bodies in the picture of the model: supports, and the loads of all cases.
+// Symbols at the bodies in the picture of the model: supports, and the loads of all cases.
 #pragma once
 
 #include "report/drawn/axes.hpp"
@@ -11,14 +11,14 @@ namespace app {
 // Kinds of symbols; forces have filled heads, prescribed motions open ones.
 enum class Symbol { kTraction, kPointLoad, kDisplacement, kBodyForce, kRotation, kRigidMotion, kSymbols };
 
-// What of the model is there, for the legend.
+// Kinds of symbols present, for the legend.
 struct Present {
   bool support = false;
   std::vector<bool> load[static_cast<size_t>(Symbol::kSymbols)]; // per load case
   void note(Symbol symbol, size_t load_case);
 };
 
-// Draws into a view and notes what it drew. Symbols that would crowd one another are left out.
+// Draws into a view and records what it drew. Symbols that would crowd each other are omitted.
 void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& present);
 void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& present);
 // What body forces, rotations and motions of rigid bodies cover, which stand inside bodies.

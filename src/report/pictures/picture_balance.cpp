@@ -18,7 +18,7 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
   svg.rectangle({std::min(zero, end), y, std::max(zero, end), y + 11.0}, fill, Stroke{ink, 0.8, ""});
 }
 
-// What the contact carries: of two bodies either is told, of more each zone.
+// Contact forces: of two bodies either one, of more every zone.
 std::string contact_text(const Scene& scene) {
   const Summary& s = scene.summary;
   if (!s.names_bodies())

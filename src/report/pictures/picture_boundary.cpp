@@ -82,8 +82,8 @@ c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, curves.entries) + 12.0;
   Picture picture{"boundary", "Stress along the boundary", "", ""};
   const int32_t number = static_cast<int32_t>(b) + 1;
-  const bool several = scene.summary.bodies > 2, told = several || !scene.summary.body_name[b].empty();
-  const std::string which = told ? " of " + body_label(scene, number) : "";
+  const bool several = scene.summary.bodies > 2, named = several || !scene.summary.body_name[b].empty();
+  const std::string which = named ? " of " + body_label(scene, number) : "";
   picture.title += which;
   if (several) picture.name += "_body" + std::to_string(number);
   Svg svg(picture.name, kPictureWidth, top + 250.0 + 44.0);

@@ -33,7 +33,7 @@ std::vector<Line> changes(const MeshLoop& loop) {
   return out;
 }
 
-// Of every kind of number that was asked for the error of the worst in units of its tolerance. The kinds that are worst in the
+// For every kind of requested number the largest error in units of its tolerance. The kinds that are worst in the
 // end come first.
 std::vector<Line> errors(const MeshLoop& loop) {
   std::map<std::string, Line> lines;
@@ -94,14 +94,12 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
 }
 
 std::string caption_of(bool has_errors) {
-  std::string out =
-      "Left: by how much tractions (of the worst contact, on average over it and the history) and energy differ from "
-      "those on the mesh before, with elements twice as long.";
+  std::string out = "Left: difference of tractions (of the worst contact, averaged over it and the history) and of energy from "
+                    "the previous mesh, with elements twice as long.";
   if (has_errors)
-    out +=
-        " Right: the stated errors of the numbers that were asked for, of every kind the worst, divided by their tolerances; "
-        "below the thick line they are as accurate as was asked. What is below " +
-        figure(kLeast) + " is left out. Errors are estimates, no bounds.";
+    out += " Right: stated errors of the requested numbers, the largest of every kind, divided by their tolerances; "
+           "below the thick line the tolerances are met. Values below " +
+           figure(kLeast) + " are omitted. Errors are estimates, not bounds.";
   return out;
 }
 

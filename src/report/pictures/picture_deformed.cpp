@@ -89,7 +89,7 @@ struct Zoom {
   int stretched = 0; // 1: x, 2: y has a larger scale, so that a gap is seen that is small against the zone
 };
 
-// The pairs' range, deformed and undeformed, images included. A flat zone is drawn true but stretched.
+// The range of the pairs, deformed and undeformed, images included. A flat zone is drawn to scale but stretched.
 // Otherwise surfaces that lie on each other from the start may be drawn with larger displacements, a gap may
 // not.
 Zoom choose_zoom(const Scene& scene) {
@@ -146,7 +146,7 @@ Chart stretched_view(const Box& frame, const Zoom& zoom, const std::string& unit
 }
 
 std::string scale_text(double magnification) {
-  return magnification == 1.0 ? "true scale" : "displacements &#215; " + figure(magnification, 9);
+  return magnification == 1.0 ? "to scale" : "displacements &#215; " + figure(magnification, 9);
 }
 
 std::string caption_of(const Scene& scene, const Extent& extent, double magnification) {
@@ -191,12 +191,12 @@ void draw_deformed(const Scene& scene, Pictures& out) {
     draw_view(svg, scene, view, near.magnification, nullptr);
     draw_heading(svg, part,
                  near.stretched == 0   ? "Contact " + contact_zones(scene) + ", " + scale_text(near.magnification)
-                 : near.stretched == 1 ? "Contact " + contact_zones(scene) + ", true, x stretched"
-                                       : "Contact " + contact_zones(scene) + ", true, y stretched");
+                 : near.stretched == 1 ? "Contact " + contact_zones(scene) + ", not magnified, x stretched"
+                                       : "Contact " + contact_zones(scene) + ", not magnified, y stretched");
   }
   Picture picture{"deformed", "Deformed shape", caption_of(scene, extent, magnification), ""};
   if (zoom && magnification > near.magnification && near.magnification == 1.0)
-    picture.caption += " In the left view the gaps between the bodies are magnified as the displacements are.";
+    picture.caption += " In the left view the gaps between the bodies are magnified like the displacements.";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

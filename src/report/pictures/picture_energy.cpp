@@ -61,7 +61,7 @@ void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const
     svg.mark(curve.mark, points[i], curve.size, curve.stroke.colour, curve.mark != Mark::kCircle);
 }
 
-// One row: work and elastic energy on the left, what friction took, which may be much less, on the right.
+// One row: work and elastic energy on the left, dissipation, which may be much less, on the right.
 void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom, bool labels) {
   const Box frames[2] = {{76.0, top, axes.dissipates ? 372.0 : kPictureWidth - 16.0, bottom},
                          {464.0, top, kPictureWidth - 16.0, bottom}};

@@ -12,7 +12,7 @@ namespace {
 Point mapped(const Chart& view, Point p) { return view.at(p.x, p.y); }
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// A rigid obstacle is hatched.
+// A rigid body is hatched.
 std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
   return scene.bodies[b].rigid ? svg.hatch(style_of(b).hatch, style_of(b).fill) : std::string(style_of(b).fill);
 }
@@ -302,7 +302,7 @@ void draw_model(const Scene& scene, Pictures& out) {
   const Chart view = make_view(whole, x, y, 40.0, scene.length_unit);
 
   Present present;
-  Svg trial("model", kPictureWidth, 0.0); // tells what is present before the height is known
+  Svg trial("model", kPictureWidth, 0.0); // finds what is present before the height is known
   ModelView(trial, scene, view, false, present).draw();
   if (zoom) ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
   const double legend_top = whole.bottom + 44.0, legend_width = kPictureWidth - left - right;

@@ -13,7 +13,7 @@ constexpr size_t kBands = 10;       // about
 constexpr double kLeastZoom = 1e-9; // of the bodies' size: the contact is a point, but for round-off
 constexpr double kHalfTurn = 3.14159265358979323846;
 
-// A window and what the bodies hold in it.
+// A window and the stress grids of the bodies in it.
 struct Window {
   Chart view;
   std::vector<Grid> grids; // per body
@@ -40,7 +40,7 @@ c2d_status stresses_at(const Scene& scene, size_t b, std::vector<double> points,
   return status;
 }
 
-// von Mises' stress of one body at the nodes of the window's grid that lie inside it.
+// von Mises stress of one body at the grid nodes of the window inside it.
 c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   const double wide = view.x.high - view.x.low, high = view.y.high - view.y.low;
   const double step = std::max(wide, high) / static_cast<double>(kNodesAcross - 1);
@@ -156,7 +156,7 @@ std::vector<double> choose_levels(const Window& window, Axis& axis, const std::s
     range.include(values[rank]);
   }
   if (range.low < 0.25 * range.high || range.high - range.low < 0.02 * range.high) range.include(0.0);
-  axis = make_axis(range, "von Mises' stress", unit, static_cast<int>(kBands));
+  axis = make_axis(range, "von Mises stress", unit, static_cast<int>(kBands));
   std::vector<double> levels;
   for (int i = 0; i < axis.ticks; ++i) levels.push_back(axis.tick(i));
   return levels;
@@ -232,7 +232,7 @@ c2d_status draw_stress_of(const Scene& scene, const std::string& name, const std
   const double middle = top + 0.5 * high;
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
-  picture.caption = "von Mises' stress at " + place_at_end(scene);
+  picture.caption = "von Mises stress at " + place_at_end(scene);
   picture.caption += ": the largest value in the picture is " + figure(peak.value, scene.stress_unit) + " at (" +
                      figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " in " + body_label(scene, static_cast<int64_t>(peak.body) + 1);

@@ -36,7 +36,7 @@ struct Layers {
   bool shows(double s) const { return window.empty || (s >= window.low && s <= window.high); }
 };
 
-// At an edge the pressure may be as large as one likes. Where the rest of the zone, 97 % of its length, stays
+// At an edge the pressure may be unbounded. If the rest of the zone, 97 % of its length, stays
 // below a sixth of the largest value, the axis ends above the rest.
 double find_top(const Layers& l, size_t column) {
   std::vector<std::pair<double, double>> sizes; // size, and the length along which it stands
@@ -57,7 +57,7 @@ double find_top(const Layers& l, size_t column) {
   return HUGE_VAL;
 }
 
-// Values and, with a coefficient, Coulomb's bounds, as far as `top`.
+// Values and, with a coefficient, the Coulomb limits, up to `top`.
 Range range_of(const Layers& l, size_t column, double mu_bound, double top) {
   Range range;
   range.include(0.0);
@@ -82,7 +82,7 @@ void draw_earlier(Svg& svg, const Layers& l, size_t column, const Chart& chart) 
   for (const Snapshot* s : l.earlier) svg.polyline(curve_of(l.zone, s->table, column, chart), kEarlier[i++ % 3]);
 }
 
-// Markers tell the status: full circle stick, triangle slip, cross open, square tied. Those beyond the axis are left out.
+// Markers show the status: full circle stick, triangle slip, cross open, square tied. Those beyond the axis are omitted.
 void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, const char* ink) {
   const std::vector<Point> places = curve_of(l.zone, l.record.table, column, chart);
   for (size_t i = 0; i < places.size(); ++i) {
@@ -92,7 +92,7 @@ void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, co
   }
 }
 
-// Says which values the axis leaves out.
+// States which values lie beyond the axis.
 void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
   size_t beyond = 0, largest = l.zone.first;
   for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
@@ -148,7 +148,7 @@ std::string caption(const Layers& l) {
   else if (l.mu > 0.0)
     out += "; no pair sticks";
   out += l.zone.free ? ". tn and tt are per unit of length of " + body_label(l.scene, l.zone.body[1]) + "." : ".";
-  if (l.zone.has_images) out += " What lies beyond the line of symmetry is the image.";
+  if (l.zone.has_images) out += " The part beyond the line of symmetry is the image.";
   return out;
 }
 
@@ -233,7 +233,7 @@ Range around_edge(const Layers& l, size_t last, int outwards) {
   return out;
 }
 
-// Does what counts happen there: slip beside stick, or the largest pressure?
+// Is this edge important: slip beside stick, or the largest pressure?
 bool says_much(const Layers& l, const Range& window) {
   bool slips = false, sticks = false, holds = false;
   double most = 0.0;
@@ -248,7 +248,7 @@ bool says_much(const Layers& l, const Range& window) {
   return holds || (l.mu > 0.0 && slips && sticks);
 }
 
-// The first and the last edge at which so much happens in so little of the zone that it cannot be seen in the whole.
+// The first and the last edge with important detail in so small a part of the zone that the whole view does not show it.
 std::vector<Range> find_windows(const Layers& l) {
   constexpr double kLittle = 0.2; // of the zone
   const std::vector<ZoneSample>& p = l.zone.samples;

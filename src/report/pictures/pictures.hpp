@@ -39,7 +39,7 @@ c2d_status draw_boundary_stress(const Scene& scene, Pictures& out);
 void draw_path(const Scene& scene, Pictures& out);
 // Loads and supports against contact forces of each body.
 void draw_balance(const Scene& scene, Pictures& out);
-// Work, elastic energy and dissipation against the load; nothing if the library tells no energies.
+// Work, elastic energy and dissipation against the load; nothing if the library has no energies.
 void draw_energy(const Scene& scene, Pictures& out);
 // Filled contours of the stress inside the bodies, on grids of their own. Fails as c2d_interior does.
 c2d_status draw_stress(const Scene& scene, Pictures& out);
@@ -49,7 +49,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out);
 void draw_meshes(const Scene& scene, Pictures& out);
 void draw_convergence(const Scene& scene, Pictures& out);
 
-// All of them. Fails only if results could not be had from the solver.
+// All of them. Fails only if the solver cannot return results.
 c2d_status draw_pictures(const Scene& scene, Pictures& out);
 
 // Calls `draw` for every zone with results of the first coefficients, up to kMostCharts times.

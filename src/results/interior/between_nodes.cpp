@@ -1,3 +1,13 @@
+// Overlap of the bodies between the nodes of side 1 of a free zone (sides count from 0 here, from 1 in messages).
+//
+// Contact conditions are enforced at the functional nodes of side 1 only (node-to-surface collocation). A boundary point of
+// side 0 between two such nodes can penetrate side 1 unnoticed, as in any one-pass node-to-segment method (Wriggers,
+// Computational Contact Mechanics, chapter on discretisation). Phases:
+//   1. For each pair: its position along side 0 and the change of its gap since the undeformed state.
+//   2. For each boundary point of side 0 between two successive pairs: its initial distance from the chord of side 1, plus the
+//      linearly interpolated change of gap; negative means penetration.
+//   3. Correct for the curvature of side 1 (bulge over the chord), subtract the uncertainty of the surface, keep the deepest.
+// Only penetration above 5 % of the largest closure of gaps is reported: less does not affect the pressure.
 #include "results/interior/between_nodes.hpp"
 
 #include "memory/math.hpp"
@@ -9,17 +19,16 @@ namespace c2d {
 
 namespace {
 
-constexpr double kMatters = 0.05;   // of what the bodies have come closer
-constexpr double kTolerance = 1e-5; // of the distance of the nodes
-constexpr double kAtANode = 1e-6;   // of an element: a point there faces the node
+constexpr double kMatters = 0.05;   // of the largest closure of a gap: less is not reported
+constexpr double kTolerance = 1e-5; // of the distance of two nodes: less is round-off of their positions
+constexpr double kAtANode = 1e-6;   // of an element: a point this close faces a node, where the gap is enforced
 
 struct Overlap {
   double size = 0.0, closed = 0.0, x = 0.0, y = 0.0;
   int32_t zone = -1, pair = -1;
 };
 
-// What is known of a pair: its place along side 0, in elements, its node of side 1, and how much nearer or farther the surfaces
-// are now than they were made.
+// A pair: its position along side 0 in elements, its node on side 1, and the change of its gap since the undeformed state.
 struct Place {
   double along, x, y, change;
 };
@@ -43,7 +52,8 @@ struct Gap {
   double part(double along) const { return (along - a.along) / (b.along - a.along); }
 };
 
-// By how much the surface of side 1 is outside the chord between the two nodes, at a part of it.
+// Height of the surface of side 1 above the chord between the two nodes at the fraction `part`. Both nodes lie on one element;
+// if they do not, side 1 has a corner between them and the chord is used. *doubt: uncertainty of the surface (METHOD 8.6).
 double bulge(const Model& m, const Zone& z, const Gap& gap, double part, const double n[2], double* doubt) {
   const int b = z.body[1], f = m.head->function_nodes;
   int32_t from[2], to[2];
@@ -62,7 +72,8 @@ double bulge(const Model& m, const Zone& z, const Gap& gap, double part, const d
   return 0.0;
 }
 
-// How far a boundary point of side 0 is inside the other body now; negative: it is outside.
+// Depth of a boundary point of side 0 inside the other body; negative: outside. The point is projected onto the chord along the
+// interpolated normal. The bulge is evaluated only if the chord alone shows penetration: it costs a surface construction.
 double depth_at(const Session& session, const Zone& z, const Gap& gap, double along, const double p[2], double least) {
   const Model& m = session.model;
   const Pair &one = m.pair[gap.first], &two = m.pair[gap.second];
@@ -70,7 +81,7 @@ double depth_at(const Session& session, const Zone& z, const Gap& gap, double al
   const double n[2] = {one.nx + part * (two.nx - one.nx), one.ny + part * (two.ny - one.ny)}, size = hypot(n[0], n[1]);
   const double across = dx * n[1] - dy * n[0], cx = p[0] - gap.a.x, cy = p[1] - gap.a.y;
   if (size == 0.0 || across == 0.0) return 0.0;
-  const double at = (cx * n[1] - cy * n[0]) / across; // of the chord
+  const double at = (cx * n[1] - cy * n[0]) / across; // fraction along the chord where the normal through the point meets it
   const double open = ((at * dx - cx) * n[0] + (at * dy - cy) * n[1]) / size;
   const double change = gap.a.change + part * (gap.b.change - gap.a.change);
   const double depth = -open - change;
@@ -104,7 +115,9 @@ double compliance(const Model& m, int b) {
   return is_rigid(m, b) ? 0.0 : (1.0 - strain_poisson_ratio(m, b)) / (2.0 * shear_modulus(m, b));
 }
 
-// By how much the loads close gaps of a zone, or, where there are none, what its pressure does to a length of the surface.
+// Scale of the deformation: the largest closure of a gap. Conforming surfaces have no gaps to close; there the pressure times
+// the compliance 1/E* of both bodies times the length of a pair estimates the local indentation (Johnson, Contact Mechanics,
+// chapter 2).
 double closed_in(const Session& session, const Zone& z) {
   const Model& m = session.model;
   double closed = 0.0, pressure = 0.0, length = 0.0;
@@ -126,6 +139,7 @@ void look_in_zone(const Session& session, int32_t zone, Overlap& worst) {
     const bool forward = now.along > before.along;
     const Gap gap = forward ? Gap{z.first_pair + k - 1, z.first_pair + k, before, now}
                             : Gap{z.first_pair + k, z.first_pair + k - 1, now, before};
+    // Neighbouring pairs lie close together on side 0; a jump of half the zone is the closing of a ring.
     const double elements = gap.b.along - gap.a.along;
     if (elements > 0.0 && 2 * elements < zone_elements(z, 0)) look_between(session, zone, gap, closed, worst);
     before = now;
@@ -146,11 +160,10 @@ bool tell_between_nodes(const Session& session, Text& out, int32_t* zone, int32_
   put(out, worst.size, 3);
   put_all(out, " at (", worst.x, ", ", worst.y, ")");
   if (worst.closed > 0.0) {
-    put(out, ", where they come closer by ");
+    put(out, ", while the loads close gaps by at most ");
     put(out, worst.closed, 3);
-    put(out, " at most");
   }
-  put(out, ": contact conditions hold at the nodes of side 2 alone, refine it there");
+  put(out, ": contact conditions are enforced at the nodes of side 2 only; refine side 2 there");
   return true;
 }
 

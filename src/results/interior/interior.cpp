@@ -1,4 +1,27 @@
 // Displacements and stresses at interior points (METHOD 16.3).
+//
+// Equations. Somigliana's identity for displacements and its derivative for stresses (Brebbia, Telles and Wrobel, Boundary
+// Element Techniques, 1984), thesis (3.32) to (3.34):
+//   u(P) = int U t ds - int T u ds,   sigma(P) = int D t ds - int S u ds,
+// here in Muskhelishvili's complex notation, METHOD (16.2) and METHOD (16.3).
+//
+// Phases:
+//   1. Back substitution, so that u and t are known on all boundaries.
+//   2. Placing, per body: nearest boundary point and winding number decide whether a point is inside, on the boundary, or
+//      outside (results/interior/interior_placing.cpp).
+//   3. Integrals of every element over the inside points (results/interior/interior_elements.cpp), or of cells of elements for
+//   large
+//      bodies (results/interior/interior_cells.cpp). The displacement of the nearest boundary point is subtracted from u first.
+//      A translation has no stress, so the result is unchanged, but the strongly singular integrals stay small near the
+//      boundary.
+//   4. Add the known fields: point loads, body forces, the reference displacement, and the rigid-body terms rho and omega of
+//   the
+//      balanced equations METHOD (2.5).
+//   5. Write displacements, stresses and derived quantities. Points on the boundary take the boundary state.
+//
+// Order of loops. Points in blocks that fit in the cache, elements inside: each element is prepared once per block. Sums of a
+// point are accumulated in its own row of the caller's output array, so the memory needed does not grow with the number of
+// points.
 #include "results/interior/interior.hpp"
 
 #include <string.h>
@@ -37,8 +60,8 @@ namespace {
   prepare_field(t, nullptr, out);
 }
 
-// What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
-// what it does.)
+// The traction of one piece of a free zone as a field element. Not inlined: its frame must not add to that of the search for
+// the next piece, nor to that of the integration.
 [[gnu::noinline]] void field_of_piece(const Session& session, const TransferWalk& walk, FieldElement& out) {
   Transfer piece;
   kFreeZonePart.make_transfer(session.model, Quadrature::accurate, walk, piece);
@@ -55,7 +78,8 @@ namespace {
   add_element(acting, points);
 }
 
-// Tractions that free zones hand over to a body.
+// Adds the mortar-transferred tractions of free zones to a body. They are polynomial on the pieces between the nodes of both
+// sides, not on its elements, and are therefore integrated piece by piece (METHOD 9.2).
 [[gnu::noinline]] c2d_status add_transferred(const Session& session, int b, const Points& points) {
   TransferWalk walk{};
   walk.body = b;
@@ -67,7 +91,7 @@ namespace {
   return C2D_OK;
 }
 
-// Whatever is known in closed form at a point: so far point loads.
+// Field of the point loads of the body at a point: Kelvin's solution, in closed form.
 PointField known_field(const Session& session, int b, double x, double y) {
   const Model& m = session.model;
   const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
@@ -81,7 +105,8 @@ PointField known_field(const Session& session, int b, double x, double y) {
   return sum;
 }
 
-// That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
+// Adds to the integrals of a point: point loads and their images, body forces, the subtracted reference displacement, and the
+// rigid-body terms rho + omega e_z x (x - x0), which absorb the collocation error and cause no stress.
 [[gnu::noinline]] void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
   const double x = p.x, y = p.y;
   const double unit = session.model.head->length_unit;
@@ -119,7 +144,8 @@ void write_point(const Session& session, int b, const double u[2], const PlaneSt
   out[C2D_POINT_FLAG] = flag;
 }
 
-// A point that lies in body b or on its boundary.
+// Results of a point inside body b or on its boundary. Points of a symmetric model were folded into the modelled part: the
+// signs fx, fy reflect the results back.
 void finish_point(const Session& session, int b, const Points& points, int32_t i) {
   const Model& m = session.model;
   const double fx = points.folding(i, 0), fy = points.folding(i, 1);
@@ -157,7 +183,7 @@ enum class Pass { afar, placing, integrals, displacements };
   look_from_afar(in.element, points);
 }
 
-// One element on these points. Small code does without the first pass.
+// One pass of one element over the points. The pass `afar` only saves time, and small code omits it.
 template <Pass pass> void act(const Session& session, int b, int32_t element, const Points& points) {
   if constexpr (pass == Pass::integrals)
     integrate_element(session, b, element, points);
@@ -169,15 +195,16 @@ template <Pass pass> void act(const Session& session, int b, int32_t element, co
     place_from_afar(session, b, element, points);
 }
 
-// Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
-// are threads for it; and elements in runs, between which the caller is told of the progress.
+// Points are processed in blocks that stay in the cache while all elements act on them; threads take different blocks, so the
+// order of summation for a point, and with it every bit of the result, does not depend on their number. Elements are processed
+// in runs, and progress is reported between runs.
 constexpr int32_t kBlockOfPoints = 1024, kRunOfElements = 32; // the first a multiple of kBatch
 
 struct BlockJob {
   const Session* session;
   const Points* points;
   int b;
-  int32_t first_point, first_element, last_element; // this one not
+  int32_t first_point, first_element, last_element; // elements up to but excluding last_element
 
   Points block(int32_t i) const { return some_points(*points, first_point + i * kBlockOfPoints, kBlockOfPoints); }
 };
@@ -200,7 +227,7 @@ template <Pass pass> c2d_status run_plain_pass(const Session& session, int b, co
   return C2D_OK;
 }
 
-// All elements of the body on all points, in one of the passes.
+// One pass of all elements of the body over all points.
 template <Pass pass> c2d_status run_pass(const Session& session, int b, const Points& points) {
   const int32_t elements = session.model.body[b].elements;
   if constexpr (kSmallCode) return run_plain_pass<pass>(session, b, points);
@@ -232,8 +259,8 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
   return status;
 }
 
-// The points of one body that are not in an earlier one, complete but for writing them out. (Not inlined, like the next:
-// their frames would stand below that of back substitution.)
+// Evaluates the points of one body that no earlier body contains, except for writing them. Not inlined, like the next: their
+// frames would add to that of back substitution.
 [[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   if (!kSmallCode && kCompressedPart.has_far_cells(session, b)) return kCompressedPart.evaluate_by_cells(session, b, points);
   c2d_status status = place_points(session, b, points);
@@ -255,13 +282,13 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
   }
 }
 
-// A number, and no absurd one.
+// Excludes NaN, infinity and coordinates whose squares would overflow.
 bool may_lie_inside(const Points& points, int32_t i) {
   const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
   return fabs(at[0]) < bound && fabs(at[1]) < bound;
 }
 
-// Results while nothing is solved yet.
+// Zero boundary results, for states without a solution (unsupported rigid-body motions).
 void clear_boundary(const Session& session) {
   const ModelHeader& head = *session.model.head;
   for (int b = 0; b < head.bodies; ++b) {
@@ -273,7 +300,9 @@ void clear_boundary(const Session& session) {
   }
 }
 
-// Just inside the body, and in error by that part of an element times the strain.
+// Distance from the boundary, in half lengths of the element, at which the limit from inside is evaluated. The displacement
+// changes over it by about 1e-7 of the strain times the element length, far below the residuals of interest; much smaller
+// distances would lose digits in the near-singular integrals.
 constexpr double kInside = 1e-7;
 
 [[gnu::noinline]] void place_inside(const Session& session, int b, const BoundaryPlace& at, const double u[2], PointSums& out) {
@@ -290,7 +319,7 @@ constexpr double kInside = 1e-7;
   out.place = place_of(b, C2D_POINT_INSIDE);
 }
 
-// Not inlined: its elements must not stand below what follows.
+// Not inlined: its frame, with elements, must not add to those of the following calls.
 [[gnu::noinline]] c2d_status add_displacements(const Session& session, int b, const Points& points) {
   return run_pass<Pass::displacements>(session, b, points);
 }
@@ -326,6 +355,7 @@ c2d_status off_interpolation(const Session& session, int b, int32_t count, const
   if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
   for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
     complete_sums(session, b, points, rows[i]);
+    // The limit from inside contains half of the residual of the equation, METHOD (16.8).
     for (int c = 0; c < 2; ++c) out[2 * i + c] = 2.0 * (rows[i].u[c] * unit - out[2 * i + c]);
   }
   return status;

@@ -1,6 +1,6 @@
 #pragma once
-// Interior points, and the boundary's state between its nodes, for interior points and c2d_get. The boundary results must be
-// current; body and element count from 0. Everything in the caller's units.
+// Results at interior points, and the state of the boundary between its nodes, for interior points and c2d_get. The boundary
+// results must be current; body and element count from 0. All values are in the caller's units.
 #include "bie/boundary_stress.hpp"
 #include "model/geometry.hpp"
 #include "solver/session.hpp"
@@ -21,23 +21,23 @@ struct BoundaryState {
 // du_ds: from this element and the neighbours that join it smoothly.
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta);
 
-// The same as an image has it.
+// The state of the reflected boundary.
 BoundaryState mirrored_state(const BoundaryState& s, int image);
-// The state on the other side of the node at an element's end eta, where it has the state s itself.
+// The state on the other side of the node at the end eta of an element whose own state there is s.
 BoundaryState beyond(const Session& session, int b, const BoundaryState& s, const Neighbour& other, double eta);
-// Is a node a corner whose two tractions make a tensor? The states of both sides.
+// Is a node a corner sharp enough that its two tractions determine the stress tensor? s, t: states of both sides.
 bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t);
 
 // Stress on an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
-// At a node, from the states on its two sides; image: of which line of symmetry the second is the first's, 0: of none.
+// At a node, from the states on its two sides; image: line of symmetry across which the second is the image of the first, or 0.
 PlaneStress joint_stress(const Session& session, int b, const BoundaryState& s, const BoundaryState& t, int image);
 double stress_across(const Session& session, int b, const PlaneStress& s);
 
 // field: C2D_END_SXX ... C2D_END_PRINCIPAL2; end = element * function_nodes + local.
 double end_stress(const Session& session, int32_t field, int b, int32_t end);
 
-// What c2d_interior is asked: as its arguments.
+// The arguments of c2d_interior.
 struct PointsAsked {
   int32_t count;
   const double* xy;
@@ -45,19 +45,19 @@ struct PointsAsked {
   double* out;
   int64_t out_stride;
 };
-// All of it, in one body (from 1) or any (0), back substitution included. Errors are recorded.
+// Evaluates them in one body (from 1) or in any (0), including back substitution. Errors are recorded.
 c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked);
 
-// Points of the boundary of one body that is not rigid, between its nodes.
+// A point of the boundary of a deformable body.
 struct BoundaryPlace {
   int32_t element;
   double eta;
 };
-// As many as the stack may hold.
+// Limited by the stack.
 constexpr int32_t kPlacesAtOnce = kSmallCode ? 1 : 24;
 void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]);
-// What the boundary equation adds to the displacement interpolated there, METHOD (16.8): count <= kPlacesAtOnce
-// vectors. The boundary must be current. Errors are recorded: STORE_..., CANCELLED.
+// Residual of the boundary equation, added to the interpolated displacement in METHOD (16.8): count <= kPlacesAtOnce vectors.
+// The boundary results must be current. Errors are recorded: STORE_..., CANCELLED.
 c2d_status off_interpolation(const Session& session, int b, int32_t count, const BoundaryPlace* at, double* out);
 
 } // namespace c2d

@@ -1,3 +1,22 @@
+// Interior points of large bodies by a tree of multipole expansions (METHOD 16.7).
+//
+// Direct evaluation costs points times elements. Far from a group of elements their field is smooth and a short series
+// represents it: the tree code of the fast multipole family (Greengard and Rokhlin, J. Comput. Phys. 73, 1987; for elasticity
+// in boundary elements see Liu, Fast Multipole Boundary Element Method, 2009).
+//
+// Phases:
+//   1. make_cells. A binary tree along the contour. For every leaf the coefficients f_j, x_j of METHOD (16.11) about its
+//   middle;
+//      parents by shifting those of their children (binomial series).
+//   2. place_block. Nearest boundary point and winding number for a block of points, by a walk down the tree: a cell that
+//   cannot
+//      contain the nearest point and does not surround the point contributes only the winding of its chord.
+//   3. sum_block. Displacements and stresses by the same walk: a cell at a distance of three radii or more contributes its
+//      expansion METHOD (16.10), closer ones are opened, leaves are integrated element by element.
+//
+// A constant displacement subtracted per point (results/interior/interior.cpp) would change the coefficients of every cell for
+// every point. Instead a fixed one, the mean over the boundary (`rest`), is built into the coefficients; the difference to the
+// point's own value acts on a whole chain of elements through its two end points only.
 #include "results/interior/interior_cells.hpp"
 
 #include "bie/integrals/kernels.hpp"
@@ -23,12 +42,15 @@ struct CellJob {
   int32_t first; // leaf of task 0
 };
 
+// Prepares one element with nodal tractions t and displacements u as the source of a field.
 void element_field(const Session& session, int b, int32_t element, Measure measure, const Complex* t, const Complex* u,
                    FieldElement& out) {
   make_integrator(session.model, b, element, Quadrature::accurate, measure, out.in);
   prepare_field(t, u, out);
 }
 
+// One leaf: its bounding circle and the coefficients of its elements. Contact tractions of side 1 are measured per length of
+// side 0 and are added as a second field of the same element.
 void make_leaf(void* argument, int32_t task) {
   const CellJob& job = *static_cast<const CellJob*>(argument);
   const Session& session = *job.session;
@@ -50,6 +72,8 @@ void make_leaf(void* argument, int32_t task) {
   }
 }
 
+// Mean nodal displacement: subtracted from the coefficients of all cells, so that a large rigid-body translation does not
+// cancel against itself in their sums.
 Complex mean_displacement(const Session& session, int b) {
   const int32_t nodes = session.model.body[b].nodes;
   Complex sum = {0.0, 0.0};
@@ -69,6 +93,8 @@ Material material_of(const Model& m, int b) {
   return {1.0 / (4.0 * kPi * (1.0 - nu)), 3.0 - 4.0 * nu};
 }
 
+// Builds the tree of a body unless it exists already. It is stored in the work memory of back substitution, which is free now.
+// The tree serves all later calls at the same load; progress and cancellation are checked between groups of leaves.
 c2d_status make_cells(const Session& session, int b) {
   c2d_solver* s = session.solver;
   CellJob job{&session, b, cells_of(session, b), 0};
@@ -83,23 +109,24 @@ c2d_status make_cells(const Session& session, int b) {
     if (status != C2D_OK) return status;
     run_tasks(workers, leaves - job.first < step ? leaves - job.first : step, make_leaf, &job);
   }
+  // Upward pass, from the leaves to the root.
   const double kappa = material_of(session.model, b).kappa;
   for (int32_t d = cells.depth - 1; d >= 0; --d)
     for (int32_t i = 0; i < int32_t{1} << d; ++i) make_parent(&cells.at(d + 1, 2 * i), kappa, cells.at(d, i));
-  if (s->back_substituted != 0) s->back_substituted = 2 + b;
+  if (s->back_substituted != 0) s->back_substituted = 2 + b; // records whose tree is in memory
   return C2D_OK;
 }
 
 // ---- walking -------------------------------------------------------------------------------------------------------------
 
-// What both walks know.
+// Common part of both walks.
 struct Visit {
   const Session& session;
   int b;
   const Points& block;
 
   Complex seen(int image, double x, double y) const { return {block.seen(image, 0, x), block.seen(image, 1, y)}; }
-  // Is a point, or an image of it, within so many radii of the cell's middle?
+  // Is the point, or one of its images, within `radii` cell radii of the middle of the cell?
   bool is_within(const FarCell& cell, double radii, double x, double y) const {
     const int32_t lines = block.lines(b);
     const double reach = radii * cell.field.radius;
@@ -118,7 +145,8 @@ struct Visit {
   }
 };
 
-// Nearest boundary point and winding number.
+// Walk for the nearest boundary point and the winding number. A cell must be opened if it may contain a nearer boundary point
+// than the best so far, or if the point lies in its circle: then the elements may wind around it differently from their chord.
 struct PlacingVisit : Visit {
   bool is_near(const FarCell& cell, int32_t row) const {
     const PointSearch& p = block.search(row);
@@ -142,7 +170,7 @@ struct PlacingVisit : Visit {
   }
 };
 
-// Displacement and stress.
+// Walk for displacements and stresses: far cells by their expansion, near leaves by their elements.
 struct FieldVisit : Visit {
   Material material;
   Complex rest;
@@ -174,8 +202,9 @@ struct FieldVisit : Visit {
   }
 };
 
-// No boundary point is farther than all of the leaf that lies nearest by its middle. (Some leaf has elements, and so has one of
-// the two halves that are asked for.)
+// Upper bound of the distance to the boundary: descend to the child with the nearer middle, down to a leaf; all its points lie
+// within |P - c| + R. Not always the nearest leaf, but any upper bound is valid, and a tight one prunes the walk. Some leaf has
+// elements, so at least one of two children is never empty.
 void bound_distance(const FarCells& cells, PointSearch& p) {
   const Complex at = {p.x, p.y};
   int32_t i = 0;
@@ -225,6 +254,7 @@ void sum_block(void* argument, int32_t task) {
        FieldVisit{{*job.session, job.b, block}, material_of(job.session->model, job.b), *job.cells.rest});
 }
 
+// Runs a task on all blocks of points, on as many threads as the port offers.
 c2d_status run_blocks(PointJob& job, void (*task)(void*, int32_t)) {
   const Session& session = *job.session;
   const Workers workers = workers_of(&session.solver->port);

@@ -1,14 +1,16 @@
 #pragma once
-// Points inside a large body (METHOD 16.7): its elements are taken together in cells of a binary tree along the contour, and
-// each point meets of every part of the contour the largest cell that is far from it, or the elements themselves. With
-// compressed elimination (solver/compressed.hpp) alone: the tree lies in what back substitution has left of its work.
+// Interior points of large bodies (METHOD 16.7): the elements are grouped in clusters of a binary tree along the contour
+// (FarCell). For each part of the contour a point uses the largest cluster that is far enough away, or the elements themselves.
+// Only with compressed elimination (solver/compressed.hpp): the tree uses the work memory that back substitution no longer
+// needs.
 #include "results/interior/interior_placing.hpp"
 
 namespace c2d {
 
-// Does this body have one? By its size and elimination alone, so that no number depends on which points are asked for together.
+// Is the tree used for this body? It depends on its size and elimination only, so that results do not depend on which points
+// are evaluated together.
 bool has_far_cells(const Session& session, int b);
-// Places the points that are not placed yet and sums up all that the body's elements add to those inside. Errors: CANCELLED.
+// Locates the points that have no place yet and sums the contributions of all elements to those inside. Errors: CANCELLED.
 c2d_status evaluate_by_cells(const Session& session, int b, const Points& points);
 
 } // namespace c2d

@@ -1,3 +1,14 @@
+// Contribution of one boundary element to displacements and stresses at interior points (METHOD 16.3).
+//
+// Phases:
+//   1. nodal_values: displacements and tractions of the element in the units of the equations. Particular solutions of body
+//      forces are subtracted, because the integrals represent u - u_p. Contact tractions of side 1 are measured per length of
+//      side 0 and form a separate set; mortar-transferred tractions are omitted, they are integrated by pieces.
+//   2. prepare_field: polynomial coefficients in the local frame of the element.
+//   3. For every inside point and every image of a symmetric model: the integrals of METHOD (16.2) and METHOD (16.3), in closed
+//      form on straight elements. Eight points at a time where vector instructions exist; points near the element one by one,
+//      because their integrals need other formulas.
+//   4. Close to a node the stress is smoothed (results/interior/interior_nodes.cpp).
 #include "results/interior/interior_elements.hpp"
 
 #include "bie/body_force.hpp"
@@ -12,6 +23,8 @@ C2D_USES(BodyForcePart);
 
 namespace {
 
+// One point. For an image the point is reflected instead of the element: the element is prepared once, and its field is
+// reflected back when it is added.
 template <bool smooths> void add_element_at(Acting& acting, const Points& points, int32_t i) {
   PointSums& p = points.sums(i);
   if (!is_inside(p.place, acting.b)) return;
@@ -28,7 +41,8 @@ template <bool smooths> void add_element_at(Acting& acting, const Points& points
   }
 }
 
-// Eight points at a time; those near the element one by one.
+// Batches of eight points; those near the element one by one. Lanes without an inside point get a place far from the element,
+// where the kernel is regular, and their results are discarded: this avoids branches in the vector code. False: not available.
 template <bool smooths> bool add_element_batches(Acting& acting, const Points& points) {
   const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
@@ -75,7 +89,7 @@ template <bool smooths> void add_element(Acting& acting, const Points& points) {
 
 } // namespace
 
-// (Not inlined, like those below that need them: each goes deep, and has large frames.)
+// Not inlined, like the functions below that call it: each has a large frame and calls deep functions.
 [[gnu::noinline]] void nodal_values(const Session& session, int b, int32_t element, NodalValues& out) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
@@ -88,7 +102,7 @@ template <bool smooths> void add_element(Acting& acting, const Points& points) {
     get_traction(session, b, element * nf + l, t);
     out.u[l] = {length * d[0], length * d[1]};
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
-    double transferred[2]; // of free zones: comes by pieces
+    double transferred[2]; // from free zones: integrated by pieces, hence subtracted here
     transferred_traction(session, b, element, l, transferred);
     const PairSide at = pair_of_end(m, b, element, l);
     const bool shared = at.pair >= 0 && at.side == 1;
@@ -120,7 +134,8 @@ namespace {
   add_element<true>(acting, points);
 }
 
-// For displacements alone: of what the element has itself, or the contact's tractions.
+// The own values of the element, or its contact tractions, without smoothing: displacements need none, and a contact traction
+// of side 1 acts together with the own values, to which the smoothing has been applied.
 [[gnu::noinline]] void add_values(const Session& session, int b, int32_t element, Measure measure, const Complex* t,
                                   const Complex* u, const Points& points) {
   Acting acting{&session, b, element, nullptr, {}};
@@ -141,6 +156,7 @@ template <bool stresses> void integrate(const Session& session, int b, int32_t e
 
 } // namespace
 
+// Reports progress and checks for cancellation between elements.
 c2d_status pause_at_points(const Session& session, int b, int32_t elements) {
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_BACK, b + 1, elements, session.model.body[b].elements);

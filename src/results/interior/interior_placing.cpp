@@ -1,3 +1,16 @@
+// Locates points: inside a body, on its boundary, or outside.
+//
+// A point is inside if the boundary winds around it once (holes run clockwise and contribute -1). Phases:
+//   1. begin_placing: start values. look_from_afar: the middle points of all elements give an upper bound of the distance to
+//   the
+//      boundary; it costs little and spares most elements the next step.
+//   2. look_at_element: the nearest point of each element that may undercut the bound (Newton iteration, model/element.cpp),
+//   and
+//      its share of the winding number. Without lines of symmetry the share is the crossing number of the chord with a ray
+//      (point in polygon: Hormann and Agathos, Comput. Geom. 20, 2001). A curved element near the point may pass it on the
+//      other side than its chord: then the exact angle minus that of the chord is added.
+//   3. end_placing: points with winding number 1 become inside points with the displacement of the nearest boundary point.
+// With lines of symmetry boundaries are open curves: crossing numbers are not closed, and angles over all images are added.
 #include "results/interior/interior_placing.hpp"
 
 #include "bie/body_force.hpp"
@@ -14,11 +27,11 @@ C2D_USES(BodyForcePart);
 
 namespace {
 
-constexpr double kOnBoundary = 1e-9; // of the element's length
-constexpr double kNearNode = 0.1;    // of the shorter element that meets there
-constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
+constexpr double kOnBoundary = 1e-9; // of the length of the element: closer points are boundary points
+constexpr double kNearNode = 0.1;    // of the shorter element at the node: within this distance a point is flagged
+constexpr double kNearStep = 0.5;    // the same for constant elements, whose displacement itself jumps at element ends
 
-// Visits the points that have no place yet; rows one after another without looking each up.
+// Visits the points without a place. Consecutive rows need no index list, which is the inner loop of large calls.
 template <class Visit> void for_unplaced(const Points& points, Visit visit) {
   if (kSmallCode || !points.chosen) {
     double* row = points.out;
@@ -44,6 +57,8 @@ void look_closely(const Integrator& in, int b, int32_t element, PointSearch& p) 
   if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
 }
 
+// Can the element, inside its circle of radius R about its middle, come closer than the best distance so far? Compared by
+// squares, to avoid a square root per point and element; small code uses the shorter form.
 bool may_be_nearest(const Integrator& in, const PointSearch& p) {
   const double x = p.x - in.element.c[0][0], y = p.y - in.element.c[0][1];
   if (kSmallCode) return length_of(x, y) - in.radius <= p.distance;
@@ -56,8 +71,8 @@ void add_winding(const Integrator& in, int32_t lines, const Points& points, Poin
     if (is_image(lines, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
 }
 
-// How often the chord from a to b, both less P, crosses the ray from P along x, upwards less downwards: over a closed boundary
-// that is the winding number as well.
+// Signed crossings of the chord from a to b (relative to P) with the ray from P along x: +1 upwards, -1 downwards. Over a
+// closed boundary their sum is the winding number, like the sum of angles / (2 pi), without evaluating an arctangent.
 double crossings(Complex a, Complex b) {
   const bool up = a.im <= 0.0;
   if (up == (b.im <= 0.0) || (a.re * b.im - a.im * b.re > 0.0) != up) return 0.0;
@@ -65,7 +80,7 @@ double crossings(Complex a, Complex b) {
 }
 double angle_of_chord(Complex a, Complex b) { return atan2(a.re * b.im - a.im * b.re, dot(a, b)) / (2.0 * kPi); }
 
-// Curves near P may pass it on the other side than their chords.
+// Adds the crossings of an element, corrected by the exact angle if a curved element is near. False: angles are needed.
 bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
   if (kSmallCode || lines != 0) return false;
   const Element& e = in.element;
@@ -80,7 +95,8 @@ bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
   return true;
 }
 
-// Of the ends of the element with the nearest boundary point.
+// Is the point close to a node, where the tractions of the discrete solution jump? Only the ends of the element with the
+// nearest boundary point can be that close.
 bool is_near_node(const Model& m, int b, const PointSearch& p) {
   const int32_t element = static_cast<int32_t>(p.element);
   const Element e = element_of(m, b, element);
@@ -120,8 +136,7 @@ void begin_placing(const Points& points) {
   }
 }
 
-// A point of the element as an upper bound of the distance from the boundary, squared: most elements need no closer
-// look then.
+// Squared distance to the middle of the element as an upper bound of the distance to the boundary.
 void look_from_afar(const Element& e, const Points& points) {
   for_unplaced(points, [&](PointSearch& p) {
     const double x = p.x - e.c[0][0], y = p.y - e.c[0][1], square = x * x + y * y;
@@ -129,12 +144,12 @@ void look_from_afar(const Element& e, const Points& points) {
   });
 }
 
-// The bound must be undercut, also by a point to which it belongs.
+// Increases the bound a little, so that in the next phase the middle point that set it also undercuts it.
 void leave_afar(const Points& points) {
   for_unplaced(points, [](PointSearch& p) { p.distance = (1.0 + 1e-12) * sqrt(p.distance) + kRounding; });
 }
 
-// Nearest boundary point and winding number of the points not yet placed, from one element.
+// Updates nearest boundary point and winding number of the points without a place, for one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
   for_unplaced(points, [&](PointSearch& p) {
     if (may_be_nearest(in, p)) look_closely(in, b, element, p);

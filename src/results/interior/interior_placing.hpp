@@ -1,6 +1,6 @@
 #pragma once
-// Points of c2d_interior on their way: where they lie, found element by element. Coordinates, distances and sums are in
-// the length unit of the equations.
+// Points of c2d_interior: location and intermediate sums, accumulated element by element. Coordinates, distances and sums are
+// in the length unit of the equations.
 #include "bie/columns.hpp"
 #include "bie/far_field.hpp"
 #include "bie/integrals/batch.hpp"
@@ -12,8 +12,8 @@
 
 namespace c2d {
 
-// What is known of a point until its results are complete, kept in its row of the caller's answer. While it is looked for,
-// and of one on the boundary for good:
+// Intermediate data of a point, stored in its row of the caller's output until the results are complete. During the search, and
+// finally for points on the boundary:
 struct PointSearch {
   double x, y;
   double distance, element, eta; // of the nearest boundary point
@@ -21,7 +21,7 @@ struct PointSearch {
   double unused[4];
   double place; // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
-// Once it is placed inside:
+// Once it is known to be inside:
 struct PointSums {
   double x, y;
   double u[2], stress[3]; // stress: trace, deviator
@@ -31,9 +31,9 @@ struct PointSums {
 };
 static_assert(sizeof(PointSearch) == C2D_POINT_FIELDS * sizeof(double) && sizeof(PointSums) == sizeof(PointSearch) &&
                   offsetof(PointSearch, place) == offsetof(PointSums, place),
-              "fill a row of the answer, and end alike");
+              "both fill one output row and share its last member");
 constexpr double kUnplaced = 0.0, kNowhere = 1.0;
-constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
+constexpr double kBeyondAll = 1e60; // times the size of the bodies: squares of larger coordinates may overflow
 constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 
 struct Points {
@@ -53,7 +53,7 @@ struct Points {
   PointSums& sums(int32_t i) const { return *reinterpret_cast<PointSums*>(out + row(i) * out_stride); }
   double& place(int32_t i) const { return search(i).place; }
 
-  // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
+  // Points of symmetric models are folded into the modelled part, and their results reflected back.
   double folded(int32_t i, int c) const {
     double p[2] = {xy[row(i) * xy_stride], xy[row(i) * xy_stride + 1]};
     fold(*model->head, p);
@@ -63,7 +63,7 @@ struct Points {
   double x(int32_t i) const { return folded(i, 0) / unit; }
   double y(int32_t i) const { return folded(i, 1) / unit; }
   int32_t lines(int b) const { return model->body[b].lines; }
-  // A coordinate in the length unit as an image's element sees it.
+  // A coordinate in the length unit, reflected as for the elements of an image.
   double seen(int image, int c, double scaled) const {
     return (image >> c & 1) != 0 ? 2.0 * (model->head->line_at[c] / unit) - scaled : scaled;
   }
@@ -73,20 +73,20 @@ inline double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
 inline bool is_near_node(double place, int b) { return place == place_of(b, C2D_POINT_NEAR_NODE); }
 inline bool is_inside(double place, int b) { return place == place_of(b, C2D_POINT_INSIDE) || is_near_node(place, b); }
 
-// In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small code, the same is
-// found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on
-// its boundary, and has displacement and place of the nearest boundary point.
+// Order of calls: begin_placing; look_from_afar for all elements, then leave_afar (optional, saves time; not in small code);
+// look_at_element for all elements; end_placing. Afterwards every point inside body b or on its boundary is placed, with the
+// displacement and position of the nearest boundary point.
 void begin_placing(const Points& points);
 void look_from_afar(const Element& e, const Points& points);
 void leave_afar(const Points& points);
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);
 void end_placing(const Session& session, int b, const Points& points);
-// look_at_element, of an element by its number.
+// look_at_element for an element given by its number.
 void place_by_element(const Session& session, int b, int32_t element, const Points& points);
-// What elements between two points add to the winding number of a point that is not between them and their chord: the chord's
-// angle, or as crossings are counted (both add up to the same over a closed boundary).
+// Contribution of a chain of elements to the winding number of a point that is not between the chain and its chord: the angle
+// of the chord, or its crossings (over a closed boundary both have the same sum).
 double chord_winding(const Chain& chain, bool by_angle, Complex at);
-// Those from `first` on, `most` at most.
+// The points from `first` on, at most `most`.
 inline Points some_points(const Points& points, int32_t first, int32_t most) {
   const int32_t rest = points.count - first;
   Points out = points;

@@ -1,3 +1,17 @@
+// Discretisation error indicators of boundary elements (METHOD 16.6).
+//
+// The boundary integral equation and the contact conditions are satisfied at nodes only. Their residuals between the nodes tell
+// where the mesh is too coarse. Residual-based indicators for boundary elements in general: Carstensen and Stephan, Math.
+// Comput. 64 (1995).
+//
+// Phases for a group of elements:
+//   1. Sample points eta = -1, -1/2, 0, 1/2, 1 on each element, and the points of the other side that face them.
+//   2. Residual of the integral equation: the displacement of METHOD (16.8), u + 2 (u_in - u), with u_in evaluated just inside
+//      the body, minus the interpolated u. At element ends it is zero by collocation.
+//   3. Relative motion of the two sides including these residuals; from it, with the surfaces, the gap r_n where the contact is
+//      closed and the tangential drift r_t where it sticks.
+//   4. Energies of the residuals, METHOD (16.9): E*/(4 pi) L int (r')^2 ds, the elastic energy of the pressure that would
+//      remove a residual of wave number pi/L from a half plane.
 #include "results/warnings/indicator.hpp"
 
 #include "bie/integrals/kernels.hpp"
@@ -18,29 +32,30 @@ C2D_USES(RigidPart);
 
 namespace {
 
-// An element's ends and the points between; at its ends the boundary equation holds.
+// Sample points of an element. At the ends the boundary equation is satisfied (collocation), so only three points cost an
+// integration.
 constexpr int kSamples = 5;
 constexpr double kEta[kSamples] = {-1.0, -0.5, 0.0, 0.5, 1.0};
-constexpr int32_t kElementsAtOnce = kSmallCode ? 1 : 8; // all elements of a body act on the points of some
+constexpr int32_t kElementsAtOnce = kSmallCode ? 1 : 8; // integrating over a boundary once for several elements is faster
 
 struct Sampled {
-  int32_t element, zone, side; // zone -1: none
-  FacePoint faced[kSamples];   // on the zone's other side; place -1: none
-  double off[kSamples][2];     // what the equation adds to the displacement
-  double w[kSamples][2];       // u of side 1 less u of side 0, with what the equations of both add
+  int32_t element, zone, side; // zone -1: in no contact zone
+  FacePoint faced[kSamples];   // facing point on the other side; place -1: none
+  double off[kSamples][2];     // residual displacement of the integral equation
+  double w[kSamples][2];       // u of side 1 minus u of side 0, with the residuals of both
 };
 
 // The point of side 1 - side that faces one of `side`.
 bool find_facing(const Model& m, const Zone& z, int side, const FacePoint& at, FacePoint& out) {
   if (z.is_free != 0) return side == 0 ? kFreeZonePart.facing_point(m, z, at, out) : kFreeZonePart.face_point(m, z, at, out);
-  out = at; // what a platen holds it holds there
-  if (is_platen(m, z.body[1 - side])) return true;
+  out = at;
+  if (is_platen(m, z.body[1 - side])) return true; // a platen has no mesh: it coincides with the elements it moves
   out.element = zone_element(m, z, 1 - side, at.place);
   out.eta *= z.element_step[0] * z.element_step[1];
   return true;
 }
 
-// (Not inlined, like the next: the search goes deep.)
+// Not inlined, to limit the stack: the search for facing points needs many frames.
 [[gnu::noinline]] void find_contact(const Model& m, int b, int32_t element, Sampled& out) {
   ZonePlace place;
   out = Sampled{};
@@ -56,7 +71,7 @@ bool find_facing(const Model& m, const Zone& z, int side, const FacePoint& at, F
 
 // ---- displacements ----
 
-// Times a factor, added.
+// out += factor * u at a boundary point, interpolated or from the rigid-body motion.
 void add_displacement_at(const Session& session, int b, const FacePoint& at, double factor, double out[2]) {
   double u[2];
   if (is_rigid(session.model, b)) {
@@ -68,7 +83,8 @@ void add_displacement_at(const Session& session, int b, const FacePoint& at, dou
   for (int c = 0; c < 2; ++c) out[c] += factor * u[c];
 }
 
-// What the equation of a body adds, a few places at a time; `finish` does the last ones.
+// Collects places and evaluates the residual of the integral equation for several at once, which reads the boundary data once
+// for all of them; `finish` evaluates the rest.
 struct Equation {
   const Session& session;
   int b;
@@ -87,7 +103,7 @@ struct Equation {
     return status;
   }
   c2d_status add(const FacePoint& point, double* sum) {
-    if (is_rigid(session.model, b) || fabs(point.eta) == 1.0) return C2D_OK; // it holds at ends
+    if (is_rigid(session.model, b) || fabs(point.eta) == 1.0) return C2D_OK; // no equations, or satisfied by collocation
     at[count] = BoundaryPlace{point.element, point.eta};
     to[count++] = sum;
     return count < kPlacesAtOnce ? c2d_status{C2D_OK} : finish();
@@ -104,7 +120,7 @@ struct Equation {
   return status == C2D_OK ? equation.finish() : status;
 }
 
-// Of those that face body `of`.
+// Residuals of body `of` at the points that face the samples. The minus sign: w is the difference of the two sides.
 [[gnu::noinline]] c2d_status sample_faced(const Session& session, int of, Sampled* sampled, int32_t count) {
   Equation equation{session, of, 0, {}, {}, -1.0};
   c2d_status status = C2D_OK;
@@ -117,6 +133,7 @@ struct Equation {
   return status == C2D_OK ? equation.finish() : status;
 }
 
+// Adds the interpolated displacements to the residuals and orients the difference from side 0 to side 1.
 [[gnu::noinline]] void complete_motion(const Session& session, int b, Sampled& s) {
   for (int i = 0; i < kSamples; ++i) {
     for (int c = 0; c < 2; ++c) s.w[i][c] += s.off[i][c];
@@ -131,10 +148,10 @@ struct Equation {
 
 enum StatusBit { kOpenBit = 1, kStickBit = 2, kSlipBit = 4, kTiedBit = 8 };
 
-// The pairs of the element of side 1 at a sample, interpolated.
+// State of the pairs of an element of side 1 at a sample point, interpolated with the shape functions.
 struct PairsThere {
-  int32_t statuses;                // bits
-  double n[2], p, spare, wt, slip; // spare: what is left to the bound of friction; slip: since it began
+  int32_t statuses;                // bits of all pairs of the element
+  double n[2], p, spare, wt, slip; // spare: mu p - |q|; slip: |w_t| since slip began
 };
 
 void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
@@ -146,7 +163,7 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   if (!tied && pair.status != C2D_OPEN) {
     if (pair.mu == 0.0)
       out.statuses |= kSlipBit;
-    else if (pair.tangential != 0) // one that symmetry holds is what its neighbours are
+    else if (pair.tangential != 0) // on an axis of symmetry a pair neither sticks nor slips: its neighbours decide
       out.statuses |= pair.status == C2D_STICK ? kStickBit : kSlipBit;
   }
   out.n[0] += part * pair.nx;
@@ -163,19 +180,20 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   double value[kElementNodes];
   shape(m.head->function_nodes, at.eta, value);
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    if (value[l] == 0.0) continue; // at a node the others do not count
+    if (value[l] == 0.0) continue; // at a node only its own pair counts
     const PairSide end = pair_of_end(m, z.body[1], at.element, l);
     if (end.pair >= 0)
       add_pair(session, end.pair, value[l], out);
     else
-      out.statuses |= kOpenBit; // ends beside the pairs carry nothing
+      out.statuses |= kOpenBit; // an element end without a pair carries no traction
   }
   const double size = hypot(out.n[0], out.n[1]);
   for (double& n : out.n) n = size > 0.0 ? n / size : 0.0;
   return out;
 }
 
-// Between the surfaces before any load, less what interference has closed of it, and what slip has added.
+// Gap of the undeformed surfaces at a sample: initial gap, minus the part of an initial overlap that interference has removed,
+// plus the change due to slip along curved surfaces (METHOD 8.7).
 [[gnu::noinline]] double gap_without_motion(const Session& session, const Zone& z, const FacePoint at[2], const double n[2],
                                             double wt) {
   const Model& m = session.model;
@@ -189,14 +207,16 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   return left + kCurvePart.slip_gap(m, z, at, n, wt, t.slip[z.first_pair].even);
 }
 
-// What an element has so far: residuals at its samples, and the work of what should be zero.
+// Residuals of the contact conditions of an element. In the integrals p*gap and (mu p - |q|)*slip both factors cannot be
+// non-zero in the exact solution (complementarity); on an element that is partly closed they measure the error.
 struct Residuals {
   int32_t statuses;
   double normal[kSamples], tangential[kSamples];
-  double gap, drift; // the largest
-  double both;       // sum of pressure times gap, and of spare friction times slip, where it is half open and half stuck
+  double gap, drift; // largest magnitudes
+  double both;       // sum of p*gap on partly open elements and of (mu p - |q|)*slip on partly sticking ones
 };
 
+// Where all pairs are closed any gap is an error; where some are open only penetration is.
 void look_at_gap(const PairsThere& now, double gap, double& residual, Residuals& out) {
   const bool open = (now.statuses & kOpenBit) != 0, closed = (now.statuses & (kStickBit | kSlipBit)) != 0 || !open;
   residual = open && gap > 0.0 ? 0.0 : gap;
@@ -204,6 +224,7 @@ void look_at_gap(const PairsThere& now, double gap, double& residual, Residuals&
   if (open && closed) out.both += fmax(now.p, 0.0) * fmax(gap, 0.0);
 }
 
+// Where all pairs stick the tangential displacement between nodes must follow the nodal values; where slip occurs it is free.
 void look_at_drift(const PairsThere& now, double drift, double& residual, Residuals& out) {
   residual = 0.0;
   if ((now.statuses & (kOpenBit | kStickBit)) != kStickBit) return;
@@ -228,7 +249,7 @@ void look_at_sample(const Session& session, const Sampled& s, int i, Residuals& 
   const PairsThere now = pairs_there(session, z, at[1]);
   out.statuses |= now.statuses;
   const double wn = s.w[i][0] * now.n[0] + s.w[i][1] * now.n[1], wt = s.w[i][0] * now.n[1] - s.w[i][1] * now.n[0];
-  if (z.is_tied != 0) {
+  if (z.is_tied != 0) { // a tie allows no relative motion at all
     out.normal[i] = wn;
     out.tangential[i] = wt;
     out.gap = fmax(out.gap, fabs(wn));
@@ -239,8 +260,8 @@ void look_at_sample(const Session& session, const Sampled& s, int i, Residuals& 
   look_at_drift(now, wt - now.wt, out.tangential[i], out);
 }
 
-// Of the steps from sample to sample. A constant function's node is in the middle: its ends are what the points between make
-// likely.
+// Sum of squares of the steps between samples: h times int (r')^2 ds for a residual that is linear between them. Constant
+// elements have their node in the middle; the values at their ends are extrapolated from the inner samples.
 double sum_of_squares(const Model& m, const double* r, int64_t stride) {
   double at[kSamples], sum = 0.0;
   for (int i = 0; i < kSamples; ++i) at[i] = r[i * stride];
@@ -252,10 +273,13 @@ double sum_of_squares(const Model& m, const double* r, int64_t stride) {
   return sum;
 }
 
+// 1/E' of a half plane: (1 - nu^2)/E = (1 - nu)/(2G) (Johnson, Contact Mechanics, chapter 2).
 double compliance(const Model& m, int b) {
   return is_rigid(m, b) ? 0.0 : (1.0 - strain_poisson_ratio(m, b)) / (2.0 * shear_modulus(m, b));
 }
 
+// Fills the columns of one element from its samples. With four intervals of length L/4 the factor L E*/(4 pi) of METHOD (16.9)
+// becomes E*/pi for the sum of squared steps.
 [[gnu::noinline]] void fill_row(const Session& session, int b, const Sampled& s, double* out) {
   const Model& m = session.model;
   for (const double* off : s.off) out[C2D_OFF_EQUATION] = fmax(out[C2D_OFF_EQUATION], hypot(off[0], off[1]));
@@ -275,7 +299,7 @@ double compliance(const Model& m, int b) {
                                 out[C2D_OFF_LENGTH] / (kSamples - 1) * r.both;
 }
 
-// What is known of an element before anything is solved.
+// Columns that do not depend on the solution.
 void begin_row(const Model& m, int b, int32_t element, double* row) {
   for (int c = 0; c < C2D_OFF_FIELDS; ++c) row[c] = 0.0;
   ZonePlace at;

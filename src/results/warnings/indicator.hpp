@@ -1,5 +1,5 @@
 #pragma once
-// What a mesh leaves open between its nodes (METHOD 16.6): of every element, for a host that refines where it is most.
+// Discretisation error indicators of elements (METHOD 16.6), for hosts that refine their mesh.
 #include "solver/session.hpp"
 
 namespace c2d {

@@ -1,3 +1,11 @@
+// Warnings about the surfaces of contact zones, at the end of a path.
+//
+// For every zone the closure of each pair, initial gap minus current gap, is compared with
+//   1. the smallest remaining gap: if nothing touches and the loads close less than a tenth of that gap, the zone or the
+//   position
+//      of the bodies is probably wrong (C2D_WARN_FAR);
+//   2. the uncertainty of the surface between boundary points (METHOD 8.6) at closed pairs: if it exceeds 2 % of the largest
+//      closure, the interpolated surface decides the contact (C2D_WARN_SURFACE).
 #include "results/warnings/surface_warnings.hpp"
 
 #include "contact/frames.hpp"
@@ -7,14 +15,14 @@ namespace c2d {
 
 namespace {
 
-constexpr double kFar = 10;       // times what the loads have closed
-constexpr double kMatters = 0.02; // of what the bodies come closer
+constexpr double kFar = 10;       // times the largest closure: a larger remaining gap is far
+constexpr double kMatters = 0.02; // of the largest closure: a larger uncertainty is reported
 
-// What the loads have done to the gaps of a zone.
+// Closure of the gaps of a zone.
 struct Closing {
-  int32_t touching, nearest,
-      doubtful;              // pairs: how many, now or from the start; with the least gap; the closed one of most doubt
-  double least, most, doubt; // that gap; the most that a gap was closed by; that doubt
+  int32_t touching;          // number of pairs that touch now or initially
+  int32_t nearest, doubtful; // pair with the smallest gap; closed pair with the largest uncertainty
+  double least, most, doubt; // smallest gap; largest closure; largest uncertainty
 };
 
 Closing closing_of(const Session& session, const Zone& z) {
@@ -27,6 +35,7 @@ Closing closing_of(const Session& session, const Zone& z) {
     const double closed = pair.gap - gap;
     if (closed > c.most) c.most = closed;
     if (c.nearest < 0 || gap < c.least) c.nearest = i, c.least = gap;
+    // A pair without initial gap counts as touching also after it has opened: its zone is where it should be.
     if (pair.status == C2D_OPEN && pair.gap > 0.0) continue;
     ++c.touching;
     if (pair.status == C2D_OPEN) continue;
@@ -56,12 +65,12 @@ void warn_surfaces(Session& session) {
     if (session.model.zone[zone].is_tied != 0) continue;
     const Closing c = closing_of(session, session.model.zone[zone]);
     if (c.touching == 0 && c.least > kFar * c.most)
-      tell_zone(session, C2D_WARN_FAR, zone, c.nearest, "nothing touches, and nothing is near: the least gap is ", c.least,
-                " at pair ", c.nearest + 1, ", the loads close at most ", c.most);
+      tell_zone(session, C2D_WARN_FAR, zone, c.nearest, "the surfaces stay far apart: the smallest gap is ", c.least,
+                " at pair ", c.nearest + 1, ", the loads close gaps by at most ", c.most);
     if (c.touching > 0 && c.doubt > kMatters * c.most && c.most > 0.0)
-      tell_zone(session, C2D_WARN_SURFACE, zone, c.doubtful, "between boundary points the surfaces may be off by ", c.doubt,
-                " at pair ", c.doubtful + 1, ", where the bodies come closer by ", c.most,
-                " at most: refine, or tell the curve");
+      tell_zone(session, C2D_WARN_SURFACE, zone, c.doubtful, "between boundary points the surfaces are uncertain by ", c.doubt,
+                " at pair ", c.doubtful + 1, ", while the loads close gaps by at most ", c.most,
+                ": refine there, or define the curve");
   }
 }
 

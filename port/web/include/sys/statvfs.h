@@ -1,4 +1,4 @@
-/* Room on a disk, which a page has not: nothing is told, and the program goes on as where the system tells nothing. */
+/* Free space of a disk, which a page has not: no space is reported, and the program continues as on systems without that information. */
 #pragma once
 struct statvfs {
   unsigned long f_blocks, f_frsize, f_bavail;
