@@ -59,7 +59,7 @@
 
 /* ---------------------------------------------------------------- tapes --------------------------------------------
 
-   Blocks of each tape and bytes of each block, never less than what c2d_tape_need tells, for limits with panel_columns from 1
+   Blocks of each tape and bytes of each block, never less than c2d_tape_need returns, for limits with panel_columns from 1
    to 31 and a workspace of C2D_LIMITS_BYTES or more. (Panels of a width that the library chooses are known to c2d_tape_need
    alone.) Of LOWER and UPPER: blocks are added up over the bodies, the largest block counts. */
 #define C2D_LOWER_BLOCKS(function_nodes, points, elements, regions, pairs, load_cases, panel_columns, keep_factors)    \

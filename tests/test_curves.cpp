@@ -452,8 +452,8 @@ TEST_CASE("curves: *CURVE cards, their faults and those of what they tell") {
   says("*CURVE ARC 1 1 1 0 0 x\n", "radius");
   says("*CURVE ARC 1 1 1 0 0 -1\n", "a radius above zero");
   says("*CURVE LINE 1 3 2\n", "a range of one region, going up");
-  says("*CURVE LINE 1 2 3\n", "line of elements 2 to 3 of body 1: point 3 lies 0.7071");
-  says("*CURVE ARC 1 3 3 0.5 0.5 0.8\n", "arc of elements 3 to 3 of body 1: point 3 lies 0.0928");
+  says("*CURVE LINE 1 2 3\n", "line of elements 2 to 3 of body 1: point 3 is 0.7071");
+  says("*CURVE ARC 1 3 3 0.5 0.5 0.8\n", "arc of elements 3 to 3 of body 1: point 3 is 0.0928");
   says("*CURVE LINE 1 3 3\n*CURVE SPLINE 1 2 4\n", "element 3 of body 1 is in curves 1 and 2, expected it in one curve only");
   // An arc that fits: the corners of the square lie on a circle. Middles of the sides have no node: nothing changes.
   const std::string plain = told_of(""), arc = told_of("*CURVE ARC 1 3 3 0.5 0.5 0.70710678\n");

@@ -306,7 +306,7 @@ TEST_CASE("conditions and point loads") {
   check_squares(24, "1   1    3 1100", 6, 10, "local node number is 3, expected 1 to 2");
   check_squares(23, "    1    1 1102", 15, 15, "is 2, expected 0 to 1");
   check_squares(23, "    1    11100 ", 11, 11, "expected a blank");
-  check_squares(23, "1   1    1 1100", 1, 1, "generated");
+  check_squares(23, "1   1    1 1100", 1, 1, "generates conditions");
   check_squares(24, "1   1    1 1100", 2, 10, "expected an end after that of the card before (element 1 node 1)");
   check_squares(24, "3   1    2 1100", 1, 1, "is 3, expected 0 to 1");
   check_squares(23, "    1    1 11005", 16, 16, "expected a blank");

@@ -306,7 +306,7 @@ TEST_CASE("zones: ranges, steps, sides") {
   d = with(4, 4, 7, 1, 8, 4, -1, 5);
   check_fault(d, "the first pair is node 2 along the elements of body 1 and node 1");
   d = with(5, 4, 7, 1, 7, 1, 1, 1);
-  check_fault(d, "run in the same direction");
+  check_fault(d, "increase in the same direction");
   d = with(3, 2, 5, 1, 5, 4, -1, 5); // elements 5, 6 of body 1: its right side
   check_fault(d, "element 5 of body 1 with normal (1, ");
   CHECK(d.find("do not face each other, the worst of 2") != nullptr);

@@ -597,7 +597,7 @@ TEST_CASE("free zones: bad input") {
   const std::string beside = fault([](Problem& p) { // its right side
     p.free_zones[0].first_element[1] = 11, p.free_zones[0].last_element[1] = 13;
   });
-  CHECK_MESSAGE(says(beside, "does not face"), beside);
+  CHECK_MESSAGE(says(beside, "no element of body 2 faces body 1"), beside);
   const std::string away = fault([](Problem& p) {
     for (size_t i = 0; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] += 5;
   });

@@ -147,7 +147,7 @@ void leave_cards(Deck& deck, const char* name, bool reported) {
   Words words;
   for (; next_data_card(deck, words); reported = true)
     if (!reported)
-      fault(deck.cards, 0, 0, "the card does not belong to the keyword *", name,
+      fault(deck.cards, 0, 0, "the card does not belong to *", name,
             " above it, expected a keyword card or the end of the deck");
 }
 

@@ -162,10 +162,10 @@ public:
   std::vector<double> solve(double& misfit) const {
     Column rest = values_;
     for (size_t i = 0; i < rest.size(); ++i) rest[i] *= std::pow(samples_[i / 2].d / largest_, -power_);
-    Column held = rest; // without rigid-body motion, for the size of the rest
-    least_squares({columns_[0], columns_[1], columns_[2]}, held);
+    Column deformation = rest; // without rigid-body motion, for the size of the rest
+    least_squares({columns_[0], columns_[1], columns_[2]}, deformation);
     const std::vector<double> out = least_squares(columns_, rest);
-    const double all = product(held, held);
+    const double all = product(deformation, deformation);
     misfit = all > 0 ? std::sqrt(product(rest, rest) / all) : 0;
     return out;
   }

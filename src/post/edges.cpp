@@ -144,16 +144,16 @@ namespace {
 
 // Locked-in slip of stuck pairs continues smoothly beyond the border: the value there of the parabola through the three stuck
 // pairs next to it, or fewer.
-double held_slip(const LineState& state, const View& view, int32_t stuck, double at) {
-  double held = 0;
+double locked_slip(const LineState& state, const View& view, int32_t stuck, double at) {
+  double locked = 0;
   const int32_t n = std::min(stuck, 3);
   for (int32_t i = 0; i < n; ++i) {
     double factor = state.slip[static_cast<size_t>(view.at(-i))];
     for (int32_t j = 0; j < n; ++j)
       if (j != i) factor *= (at - view.distance(-j)) / (view.distance(-i) - view.distance(-j));
-    held += factor;
+    locked += factor;
   }
-  return held;
+  return locked;
 }
 
 int32_t run_of(const LineState& state, const View& view, int32_t first, int step, int32_t status) {
@@ -180,7 +180,7 @@ bool has_advanced(const LineState& state, const View& view, int32_t slipping) {
 // 5/2.
 double border_beyond(const LineState& state, int32_t stuck, int direction) {
   const View view(state.line, stuck, direction);
-  const int32_t slipping = run_of(state, view, 1, 1, C2D_SLIP), held = run_of(state, view, 0, -1, C2D_STICK);
+  const int32_t slipping = run_of(state, view, 1, 1, C2D_SLIP), locked = run_of(state, view, 0, -1, C2D_STICK);
   const int32_t behind = view.at(slipping + 1);
   const bool more = behind >= 0 && state.status[static_cast<size_t>(behind)] == C2D_STICK;
   const bool advanced = has_advanced(state, view, slipping);
@@ -188,7 +188,7 @@ double border_beyond(const LineState& state, int32_t stuck, int direction) {
   std::vector<EdgeSample> samples;
   for (int32_t k = 1; k <= use; ++k) {
     const double at = view.distance(k);
-    const double slip = std::fabs(state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at));
+    const double slip = std::fabs(state.slip[static_cast<size_t>(view.at(k))] - locked_slip(state, view, locked, at));
     samples.push_back({at, advanced ? std::pow(slip, 0.4) : std::cbrt(slip * slip)});
   }
   return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples, advanced ? 0 : kBefore);

@@ -152,8 +152,8 @@ bool PlaceFinder::is_guided(int32_t body, int32_t element) const {
       int32_t codes[4];
       double values[4];
       if (c2d_get_condition(solver_, body, element, local, load_case, codes, values) != C2D_OK) return false;
-      const int held = 2 + across, along = 1 - across; // codes are those of tx ty ux uy; 0: known
-      if (codes[held] != 0 || values[held] != 0 || codes[along] != 0 || values[along] != 0) return false;
+      const int supported = 2 + across, along = 1 - across; // codes are those of tx ty ux uy; 0: known
+      if (codes[supported] != 0 || values[supported] != 0 || codes[along] != 0 || values[along] != 0) return false;
     }
   return true;
 }

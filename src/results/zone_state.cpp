@@ -2,7 +2,7 @@
 //
 // Force and moment on side 1 (sides count from 0): F = int tau ds, M = int x cross tau ds about the origin, with the exact
 // integrals of the shape functions along the side to whose length tau refers (side 0; in free zones side 1). The forces of all
-// zones of a body therefore add up to its contact resultant (results/body_state.cpp).
+// zones of a body, with the sign of its side, therefore add up to its contact resultant (results/body_state.cpp).
 #include "results/zone_state.hpp"
 #include "bie/columns.hpp"
 #include "memory/math.hpp"

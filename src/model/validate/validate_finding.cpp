@@ -1,3 +1,5 @@
+// Construction of faults and warnings. A finding fills c2d_error in place: numbers from 1 and the line of the caller's input
+// come from its location, the text is appended part by part, without memory allocation.
 #include "model/validate/validate_finding.hpp"
 
 #include <string.h>

@@ -1,3 +1,5 @@
+// Entry to the optional part for lines of symmetry (model/validate/validate_lines.cpp). Programs without images do not link it;
+// then open regions have no line on which they could end and are refused here.
 #include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate/validate_finding.hpp"

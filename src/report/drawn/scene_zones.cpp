@@ -8,12 +8,12 @@ namespace app {
 namespace {
 
 // Position of a functional node, and whether its displacement is prescribed.
-Point place_of_node(const BodyScene& body, size_t node, bool& held) {
+Point place_of_node(const BodyScene& body, size_t node, bool& supported) {
   Point place;
   for (size_t i = 0; i < body.nodes.size(); ++i) {
     if (static_cast<size_t>(body.nodes[i]) != node) continue;
     place = body.ends[i];
-    held = held || body.conditions[i].known(2) || body.conditions[i].known(3);
+    supported = supported || body.conditions[i].known(2) || body.conditions[i].known(3);
   }
   return place;
 }

@@ -56,7 +56,7 @@ public:
   void mark(Mark mark, Point at, double size, const char* ink, bool filled = true);
   // A shaft with a head of `size` at `to`; the shaft alone is dashed.
   void arrow(Point from, Point to, const Stroke& stroke, double size = 5.0, Head head = Head::kFilled);
-  // `text` may hold entities: pass words of the user through escape_xml first. `turned`: reads upwards.
+  // `text` may contain entities: pass words of the user through escape_xml first. `turned`: reads upwards.
   // `halo`: with a white rim, over lines.
   void text(Point at, const std::string& text, double size, Anchor anchor = Anchor::kStart, const char* ink = colour::kInk,
             bool turned = false, bool halo = false);

@@ -46,11 +46,11 @@ void GapLift::place(const Scene& scene, const std::vector<Source>& pairs) {
     for (const ZoneScene& zone : scene.zones) {
       const size_t one = static_cast<size_t>(zone.body[0]) - 1, two = static_cast<size_t>(zone.body[1]) - 1;
       if (one == two || before[one] == before[two]) continue;
-      const size_t moved = before[one] ? two : one, held = before[one] ? one : two;
+      const size_t moved = before[one] ? two : one, fixed = before[one] ? one : two;
       const double sign = before[one] ? 1.0 : -1.0;
       const size_t every = zone.pairs / kMostSources + 1;
       for (size_t p = zone.first; p < zone.first + zone.pairs; p += every) {
-        const Point base = at(held, pairs[p].at);
+        const Point base = at(fixed, pairs[p].at);
         const Point by{base.x + sign * pairs[p].by.x, base.y + sign * pairs[p].by.y};
         for (const Image& image : scene.images) of_[moved].push_back({image.place(pairs[p].at), image.direction(by)});
       }

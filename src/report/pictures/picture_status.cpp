@@ -13,7 +13,7 @@ struct Band {
   const std::string* status;
 };
 
-// In event following the status of a point holds until the next point; between the increments of the deck's
+// With event stepping the status of a point is valid until the next point; between the increments of the deck's
 // stepping only what was found at their ends is known, and is shown below them.
 std::vector<Band> find_bands(const CoefficientHistory& history, const std::vector<double>& height, bool backwards) {
   std::vector<Band> out;

@@ -235,17 +235,17 @@ Range around_edge(const Layers& l, size_t last, int outwards) {
 
 // Is this edge important: slip beside stick, or the largest pressure?
 bool says_much(const Layers& l, const Range& window) {
-  bool slips = false, sticks = false, holds = false;
+  bool slips = false, sticks = false, has_peak = false;
   double most = 0.0;
   for (const ZoneSample& p : l.zone.samples) {
     const double* row = l.record.table.data() + p.pair * C2D_PAIR_FIELDS;
     const bool inside = p.s >= window.low && p.s <= window.high;
-    if (row[C2D_TN] > most) most = row[C2D_TN], holds = inside;
+    if (row[C2D_TN] > most) most = row[C2D_TN], has_peak = inside;
     const int status = static_cast<int>(row[C2D_STATUS]);
     slips = slips || (inside && status == C2D_SLIP);
     sticks = sticks || status == C2D_STICK;
   }
-  return holds || (l.mu > 0.0 && slips && sticks);
+  return has_peak || (l.mu > 0.0 && slips && sticks);
 }
 
 // The first and the last edge with important detail in so small a part of the zone that the whole view does not show it.

@@ -11,7 +11,7 @@ namespace app {
 
 struct Picture {
   std::string name;    // file name without .svg, begins its ids
-  std::string title;   // may hold entities, as all text here
+  std::string title;   // may contain entities, as all text here
   std::string caption; // one or two sentences with the key numbers
   std::string svg;     // the whole file
 };

@@ -1,4 +1,4 @@
-/* Free space of a disk, which a page has not: no space is reported, and the program continues as on systems without that information. */
+/* Free space of a disk, which a page has not: none is reported, as on systems without that information. */
 #pragma once
 struct statvfs {
   unsigned long f_blocks, f_frsize, f_bavail;
