@@ -18,6 +18,8 @@ ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)
 $(warning src/sources.mk is out of date (make relist): $(addprefix +,$(NOT_LISTED)) $(addprefix -,$(NOT_FOUND)))
 endif
 list:
+	@{ $(FAMILY_TEXT); } | cmp -s - src/program/family_sketches.inc || \
+	  { echo 'src/program/family_sketches.inc differs from examples/families: make relist writes it anew'; exit 1; }
 	@$(foreach s,$(NOT_LISTED),echo 'in the folders, not in src/sources.mk: $(s)';) \
 	 $(foreach s,$(NOT_FOUND),echo 'in src/sources.mk, not in the folders: $(s)';) \
 	 $(if $(strip $(NOT_LISTED)$(NOT_FOUND)),echo 'make relist writes src/sources.mk anew'; exit 1,\
@@ -30,3 +32,8 @@ relist:
 	   $(call lines,POST_SOURCES,$(FOUND_POST)) \
 	   $(call lines,REPORT_SOURCES,$(FOUND_REPORT)) $(call lines,PROGRAM_SOURCES,$(FOUND_PROGRAM)) } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
+	@{ $(FAMILY_TEXT); } > src/program/family_sketches.inc
+
+# The sketches that contact2d make knows, as text that the program includes; make relist writes it anew.
+FAMILY_TEXT = for f in examples/families/*.c2s; do \
+  printf '{"%s", R"c2s(' $$(basename $$f .c2s); cat $$f; printf ')c2s"},\n'; done

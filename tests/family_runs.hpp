@@ -4,7 +4,7 @@
 
 #include "paths.hpp"
 #include "post/cracks.hpp"
-#include "program/families/family.hpp"
+#include "program/families.hpp"
 #include "solver_runs.hpp"
 
 #include <algorithm>

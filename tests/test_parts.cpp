@@ -242,7 +242,7 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
     } models[] = {{deck_with("*UNITS mm N"), false, nullptr},
                   {deck_with("*BODY FORCE 1 1 0.0 -1.0"), false, "c2d_set_body_force"},
                   {deck_with("*RIGID"), false, "c2d_set_rigid"},
-                  {read_file(paths::root() + "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
+                  {read_file(made("hertz")), false, "c2d_set_symmetry"},
                   {free_zone_deck(), false, "c2d_link_free_zones"},
                   {kHoleDeck, false, "c2d_link_holes"},
                   {read_file(paths::root() + "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};

@@ -214,8 +214,8 @@ TEST_CASE("pictures: words of the user cannot break a page") {
 
 TEST_CASE("pictures: where side 1 is straight along an axis that is the abscissa, else the length along it") {
   Shown flat, round;
-  show(flat, example("make_mindlin.dat"));
-  show(round, example("make_disc_in_hole.dat"));
+  show(flat, made("mindlin"));
+  show(round, made("disc_in_hole"));
   CHECK(contains(flat.figures["tractions"], ">x, along body 1"));
   CHECK(contains(flat.page, "<td>x = "));
   CHECK(contains(round.figures["tractions"], ">distance s from "));
@@ -268,7 +268,7 @@ TEST_CASE("pictures: a platen is glued, and no contact to look at; a tie neither
     CHECK(!contains(shown.figures["stress_zone"], std::string("text-anchor=\"end\" fill=\"#222222\"") + far));
 
   Shown tied;
-  show(tied, example("make_bimaterial.dat"));
+  show(tied, made("bimaterial"));
   REQUIRE(tied.result.status == 0);
   for (const auto& figure : tied.figures) CHECK_MESSAGE(figure.first.compare(0, 6, "status") != 0, figure.first);
   CHECK(contains(tied.figures["tractions"], ">tied</text>"));

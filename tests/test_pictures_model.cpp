@@ -123,7 +123,7 @@ TEST_CASE("pictures: a zone on a line of symmetry goes on beyond it") {
 
 TEST_CASE("pictures: loads and supports stand on all sides of a symmetric model") {
   Shown shown;
-  show(shown, example("make_disc_in_hole.dat"));
+  show(shown, made("disc_in_hole"));
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
   check_page(shown);
   std::vector<Element> arrows, lines;
@@ -227,7 +227,7 @@ TEST_CASE("pictures: energy of every coefficient, as the JSON says") {
 
 TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") {
   Shown shown;
-  show(shown, example("make_punch.dat"));
+  show(shown, made("punch"));
   REQUIRE(shown.result.status == 0);
   check_page(shown);
   const std::vector<PairRow> rows = last_rows(read_file(shown.folder / "c.csv"), 0.265);
@@ -251,7 +251,7 @@ TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") 
 
 TEST_CASE("pictures: a flat zone is stretched, so that its gap is seen") {
   Shown shown;
-  show(shown, example("make_mindlin.dat"));
+  show(shown, made("mindlin"));
   REQUIRE(shown.result.status == 0);
   CHECK(contains(shown.figures["deformed"], "Contact zone, not magnified, y stretched"));
   check_page(shown);

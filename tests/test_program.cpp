@@ -236,7 +236,7 @@ TEST_CASE("program: the seconds of the JSON summary are those of the run") {
     return static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
   };
   const Folder folder;
-  REQUIRE(contact2d("make stack plates=10 n=3 >" + quoted(folder / "d")).status == 0);
+  REQUIRE(contact2d("make stack plates=7 n=3 >" + quoted(folder / "d")).status == 0);
   const auto start = std::chrono::steady_clock::now();
   const double before = used_by_children();
   REQUIRE(

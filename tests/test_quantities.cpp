@@ -355,9 +355,9 @@ TEST_CASE("quantities: lengths along a curved side") {
 TEST_CASE("quantities: friction of a contact that sticks up to its edge") {
   std::string deck, error;
   REQUIRE(families::make_deck("mindlin", {"n=20", "steps=1", "Q=0.9", "move=0.0005"}, deck, error));
-  const std::string heading = "! coefficients of friction\n1 0.3";
-  REQUIRE(deck.find(heading) != std::string::npos);
-  deck.replace(deck.find(heading), heading.size(), "! coefficients of friction\n1 1e6");
+  const std::string card = "*FRICTION\n1 0.3\n";
+  REQUIRE(deck.find(card) != std::string::npos);
+  deck.replace(deck.find(card), card.size(), "*FRICTION\n1 1E6\n");
   many::Machine machine(deck);
   const Run run = follow(machine);
   const std::vector<Quantity> K = Run::all(run.record.steps.at(1).quantities, Measure::kEdgeFriction);
@@ -437,7 +437,9 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   const std::string deck = folder / "deck.dat", program = "'" + paths::program() + "' ";
   REQUIRE(test::run_shell(program + "make mindlin n=10 > '" + deck + "'").status == 0);
   std::string text = test::read_file(deck);
-  text.replace(text.find("*PATH"), 0, "*NAME ZONE 1 pad, left\n");
+  const std::string name = "*NAME ZONE 1 zone on zone1\n";
+  REQUIRE(test::contains(text, name));
+  text.replace(text.find(name), name.size(), "*NAME ZONE 1 pad, left\n");
   test::write_file(deck, text);
   const test::Result run = test::run_shell(program + "run '" + deck + "' --listing '" + (folder / "l") + "' --json '" +
                                            (folder / "j") + "' --summary '" + (folder / "s") + "'");

@@ -203,7 +203,7 @@ TEST_CASE("report: of twenty coefficients as many are drawn as can be told apart
 
 TEST_CASE("report: of more than 400 increments the table has the last 400") {
   Outputs o;
-  run_all(o, replaced(small_hertz(), "\n1 1\n*SYMMETRY", "\n410 1\n*SYMMETRY"));
+  run_all(o, replaced(small_hertz(), "*PATH\n1 1\n", "*PATH\n410 1\n"));
   CHECK(o.status == 0);
   const size_t table = o.shown.page.find("<details>");
   REQUIRE(table != std::string::npos);

@@ -249,5 +249,5 @@ TEST_CASE("sketch: a load may be a formula of the place") {
   tells(held + "traction b.e x {1/0}\n", "is not a finite number");
   tells(held + "traction b.e x 1 x 2\n", "x is given twice");
   tells(held + "traction b.e\n", "expected fx or fy");
-  tells(std::string(kSquare) + "move b.s x {y}\n", "no parameter is called 'y'");
+  tells(std::string(kSquare) + "move b.s x {z}\n", "no parameter is called 'z'");
 }

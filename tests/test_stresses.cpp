@@ -105,13 +105,12 @@ TEST_CASE("stresses: a ring under pulsating pressure, states and ranges against 
 
 TEST_CASE("stresses: the last step is that of --interior and --boundary, points outside a grid are left out") {
   const Folder folder;
-  write_file(folder / "deck", read_file(paths::root() + "/examples/make_mindlin.dat") + "*POINTS\ngrid 2 -2 -1 2 1 5 5\n");
+  write_file(folder / "deck", read_file(made("mindlin")) + "*POINTS\ngrid 2 -2 -1 2 1 5 5\n");
   const Result result =
       contact2d("run '" + (folder / "deck") + "' -q --no-progress --stresses '" + (folder / "s") + "' --interior '" +
                 (folder / "i") + "' --boundary '" + (folder / "b") + "' --csv '" + (folder / "c") + "'");
   CHECK(result.status == 0);
-  CHECK(contact2d("run '" + paths::root() + "/examples/make_mindlin.dat' -q --no-progress --csv '" + (folder / "alone") + "'")
-            .status == 0);
+  CHECK(contact2d("run '" + made("mindlin") + "' -q --no-progress --csv '" + (folder / "alone") + "'").status == 0);
   CHECK(read_file(folder / "c") == read_file(folder / "alone")); // what is asked on the way changes nothing
   const std::vector<Row> states = table_of(read_file(folder / "s")), points = table_of(read_file(folder / "i")),
                          ends = table_of(read_file(folder / "b"));

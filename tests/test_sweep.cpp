@@ -53,9 +53,9 @@ std::string filled_well(const std::string& deck, const std::vector<app::Setting>
 // A family's deck with a parameter in it: the number of increments.
 std::string hertz_deck() {
   std::string deck = contact2d("make hertz n=8").out;
-  const size_t at = deck.find("\n1 50\n1 1\n");
+  const size_t at = deck.find("*PATH\n1 1\n");
   REQUIRE(at != std::string::npos);
-  return deck.replace(at, 10, "\n1 50\n{steps=2} {load}\n");
+  return deck.replace(at, 10, "*PATH\n{steps=2} {load}\n");
 }
 
 std::vector<std::string> columns_of(const std::string& row) {

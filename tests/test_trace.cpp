@@ -50,8 +50,8 @@ struct Replayed {
 
 Replayed replay(const std::string& deck, const std::string& options = "") {
   const Folder folder;
-  const Result run = run_shell("'" + paths::program() + "' run '" + paths::root() + "/examples/" + deck + "' --csv '" +
-                               (folder / "csv") + "' --trace '" + (folder / "trace") + "' --listing /dev/null " + options);
+  const Result run = run_shell("'" + paths::program() + "' run '" + deck + "' --csv '" + (folder / "csv") + "' --trace '" +
+                               (folder / "trace") + "' --listing /dev/null " + options);
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const std::vector<Row> trace = table(folder / "trace"), steps = table(folder / "csv");
   Replayed out;
@@ -90,7 +90,8 @@ Replayed replay(const std::string& deck, const std::string& options = "") {
 } // namespace
 
 TEST_CASE("trace: replayed, it gives the statuses of every recorded step") {
-  for (const std::string deck : {"make_mindlin.dat", "half_cylinder.dat", "make_cylinder_friction.dat", "roller.dat"}) {
+  for (const std::string& deck : {made("mindlin"), paths::root() + "/examples/half_cylinder.dat", made("cylinder_friction"),
+                                  paths::root() + "/examples/roller.dat"}) {
     CAPTURE(deck);
     const Replayed seen = replay(deck);
     CHECK(seen.events > 5);
@@ -98,12 +99,11 @@ TEST_CASE("trace: replayed, it gives the statuses of every recorded step") {
   }
 }
 
-TEST_CASE("trace: of the increments of a deck, too") { CHECK(replay("make_mindlin.dat", "--stepping deck").events > 5); }
+TEST_CASE("trace: of the increments of a deck, too") { CHECK(replay(made("mindlin"), "--stepping deck").events > 5); }
 
 TEST_CASE("trace: a column for each load case, and it changes no result") {
   const Folder folder;
-  const std::string run =
-      "'" + paths::program() + "' run '" + paths::root() + "/examples/make_mindlin.dat' --listing /dev/null --csv '";
+  const std::string run = "'" + paths::program() + "' run '" + made("mindlin") + "' --listing /dev/null --csv '";
   REQUIRE(run_shell(run + (folder / "a") + "' --trace '" + (folder / "t") + "'").status == 0);
   REQUIRE(run_shell(run + (folder / "b") + "'").status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));

@@ -2,7 +2,7 @@
 
 #include "c2d_memory.h"
 #include "contact2d.h"
-#include "program/families/family.hpp"
+#include "program/families.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -147,12 +147,14 @@ int count_of(const LoadCards& cards) {
 }
 
 std::string make_deck(const std::vector<std::string>& settings, const LoadCards& cards) {
-  families::ProblemModel model;
-  std::string error;
-  if (!families::make_model("cylinder_friction", settings, model, error)) return "";
-  model.loads.clear();
-  for (const Increments& card : cards) model.loads.push_back({card.count, card.load});
-  return families::write_deck(model);
+  std::string deck, error;
+  if (!families::make_deck("cylinder_friction", settings, deck, error)) return "";
+  deck.erase(deck.find("*PATH")); // its last cards
+  std::ostringstream path;
+  path.precision(17);
+  path << "*PATH\n";
+  for (const Increments& card : cards) path << card.count << " " << card.load << "\n";
+  return deck + path.str();
 }
 
 // ---- the continuum

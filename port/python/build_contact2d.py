@@ -172,7 +172,7 @@ def build_sdist(sdist_directory, config_settings=None):
         for module in sorted((HERE / NAME).glob("*.py")):
             archive.add(str(module), "%s/%s/%s" % (base, NAME, module.name))
         kept = ["LICENSE", "port/packaging/contact2d.map"]
-        for pattern in ("include/*.h", "src/sources.mk", "src/**/*.[ch]pp", "port/*/*.[ch]*"):
+        for pattern in ("include/*.h", "src/sources.mk", "src/**/*.[ch]pp", "src/**/*.inc", "port/*/*.[ch]*"):
             kept += [str(path.relative_to(ROOT)) for path in ROOT.glob(pattern)]
         for name in sorted(set(kept)):
             archive.add(str(ROOT / name), "%s/source/%s" % (base, name))

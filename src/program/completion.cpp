@@ -1,6 +1,6 @@
 #include "program/completion.hpp"
 
-#include "program/families/family.hpp"
+#include "program/families.hpp"
 #include "program/option_table.hpp"
 
 namespace app {

@@ -21,8 +21,6 @@
 namespace app {
 namespace {
 
-constexpr double kFineness = 2; // of a mesh that no tolerance asks for
-
 void print(const DeckFile& deck, const sketch::Fault& fault) {
   c2d_error entry = C2D_INIT(c2d_error);
   entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
@@ -80,7 +78,8 @@ void show(const MeshRound& round, size_t number) {
 int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
                 MeshLoop& loop) {
   if (!drawing.adapts || !sketch.adapts) {
-    deck.replace_by_deck(sketch::deck_of(sketch, sketch::first_mesh(sketch, kFineness)));
+    deck.replace_by_deck(sketch::deck_of(sketch, sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch)
+                                                               : sketch::given_mesh(sketch)));
     return 0;
   }
   if (const int status = drawing.before_search ? drawing.before_search(files) : 0; status != 0) return status;

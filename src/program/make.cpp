@@ -1,10 +1,12 @@
 #include "program/make.hpp"
 
 #include "program/exit_code.hpp"
-#include "program/families/family.hpp"
+#include "program/families.hpp"
 #include "program/output_file.hpp"
 #include "program/voice.hpp"
 #include "report/text.hpp"
+
+#include <sstream>
 
 namespace app {
 namespace {
@@ -27,7 +29,10 @@ int make_deck(const Options& options) {
     return print(families::describe(*family));
   std::string deck, error;
   if (families::make_deck(name, settings, deck, error)) return print(deck);
-  say("contact2d: " + shown(error) + "\n");
+  std::istringstream lines(error);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) text += (text.empty() ? "contact2d: " : "") + shown(line) + "\n";
+  say(text);
   return kExitUsage;
 }
 

@@ -158,16 +158,16 @@ void several_bodies() {
   for (const char* order : {"order=1", "order=2"})
     table("Stack of plates", "stack", {order}, "n", {3, 5, 9},
           {{"stress", [](const Solution& s) { return uniform_error(s, 1, 0.2); }}});
-  const auto rollers = [](const char* title, const std::vector<std::string>& settings, const std::vector<double>& middles,
-                          double p0) {
-    table(title, "rollers", settings, "n", {4, 8, 16, 32},
+  const auto rollers = [](const char* title, const char* family, const std::vector<std::string>& settings,
+                          const std::vector<double>& middles, double p0) {
+    table(title, family, settings, "n", {4, 8, 16, 32},
           {{"p0, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).peak; }},
            {"edge, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).edge; }},
            {"p, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).curve; }}});
   };
-  rollers("Three rollers between rigid platens", {}, {-250, 0, 250}, 1000 / 0.91 / 200);
-  rollers("Roller between half planes", {"rollers=1", "platens=elastic"}, {0}, 1000 / 1.82 / 200);
-  rollers("Roller between cylinders", {"rollers=1", "platens=cylinders"}, {0}, 1000 / 1.82 / 100);
+  rollers("Three rollers between rigid platens", "rollers", {}, {0, 250}, 1000 / 0.91 / 200);
+  rollers("Roller between half planes", "roller_between", {}, {0}, 1000 / 1.82 / 200);
+  rollers("Roller between cylinders", "roller_between", {"platens=cylinders"}, {0}, 1000 / 1.82 / 100);
   for (const char* place : {"place=under", "place=between"})
     table("Bearing without clearance, rigid rings", "bearing", {place}, "n", {4, 8, 16, 32},
           {{"share of the load",
@@ -197,13 +197,13 @@ void cracks() {
   for (const char* order : {"order=1", "order=2"}) {
     table("Crack in the middle, half of the width", "crack", {order}, "n", {100, 200, 400},
           {{"K1, tension", [](const Solution& s) { return intensity(s) / crack_factors(0.5).centre - 1; }}});
-    table("Edge crack, half of the width", "crack", {order, "shape=edge"}, "n", {100, 200, 400},
+    table("Edge crack, half of the width", "crack_edge", {order}, "n", {100, 200, 400},
           {{"K1, tension", [](const Solution& s) { return intensity(s) / crack_factors(0.5).edge - 1; }}});
-    table("Edge crack, half of the width", "crack", {order, "shape=edge", "tension=0", "bending=1"}, "n", {100, 200, 400},
+    table("Edge crack, half of the width", "crack_edge", {order, "tension=0", "bending=1"}, "n", {100, 200, 400},
           {{"K1, bending", [](const Solution& s) { return intensity(s) / crack_factors(0.5).bending - 1; }}});
     table("Crack in a wide plate, closed in part", "crack", {order, "W=40", "tension=0", "bending=40"}, "n", {100, 200, 400},
           {{"K1 at the open tip", [](const Solution& s) { return intensity(s) / std::sqrt(8.0 / 27) - 1; }},
-           {"closed length", [](const Solution& s) { return (opens_at(s.zone(2)) + 1) / (2.0 / 3) - 1; }}});
+           {"closed length", [](const Solution& s) { return (opens_at(s.zone(1)) + 1) / (2.0 / 3) - 1; }}});
     table("Crack in a wide plate, sheared", "crack", {order, "W=40", "shear=1"}, "n", {100, 200, 400},
           {{"K2", [](const Solution& s) { return s.cracks.front().K2 / std::sqrt(kPi) - 1; }}});
   }

@@ -65,6 +65,7 @@ private:
 };
 
 bool Writer::is_curved(size_t b) const {
+  if (mesh_.given && s_.order == 1 && !s_.bodies[b].rigid) return false;
   for (const Outline& outline : s_.bodies[b].outlines)
     for (const Curve& curve : outline.curves)
       if (curve.shape->form() != Form::kLine) return true;
@@ -266,12 +267,12 @@ void Writer::history() {
   card("*PATH");
   const std::string fitted = interference_case() > s_.cases.size() ? " 1" : "";
   if (s_.pieces == 0) {
-    std::string text = std::to_string(s_.steps) + " 1";
+    std::string text = std::to_string(s_.steps.front()) + " 1";
     for (size_t c = 1; c < s_.cases.size(); ++c) text += " 0";
     return card(text + fitted);
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
-    std::string text = std::to_string(s_.steps);
+    std::string text = std::to_string(s_.steps[std::min(piece, s_.steps.size() - 1)]);
     for (const LoadCase& c : s_.cases) text += number(c.factors[piece]);
     card(text + fitted);
   }
@@ -359,6 +360,7 @@ void Writer::curves() {
     return curve.contact >= 0 && !s_.interfaces[s_.contacts[static_cast<size_t>(curve.contact)].interface].tied;
   };
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
+    if (mesh_.given && !s_.bodies[b].rigid) continue;
     int element = 0;
     for (const MeshedOutline& outline : mesh_.bodies[b])
       for (size_t i = 0; i < outline.curves.size();) {

@@ -41,6 +41,7 @@ Jet arc_sine(const Jet& a) {
 }
 Jet arc_cosine(const Jet& a) { return subtract({std::acos(a.v), 0, 0}, subtract(arc_sine(a), {std::asin(a.v), 0, 0})); }
 Jet absolute(const Jet& a) { return a.v < 0 ? negate(a) : a; }
+Jet whole(const Jet& a) { return {std::floor(a.v), 0, 0}; }
 Jet lesser(const Jet& a, const Jet& b) { return a.v < b.v ? a : b; }
 Jet greater(const Jet& a, const Jet& b) { return a.v > b.v ? a : b; }
 Jet angle_of(const Jet& y, const Jet& x) { // derivatives are those of atan(y/x), in any quadrant
@@ -55,14 +56,16 @@ struct Function {
   Jet (*one)(const Jet&);
   Jet (*two)(const Jet&, const Jet&);
 };
-const Function kFunctions[] = {
-    {"sin", 1, sine, nullptr},         {"cos", 1, cosine, nullptr},      {"tan", 1, tangent, nullptr},
-    {"asin", 1, arc_sine, nullptr},    {"acos", 1, arc_cosine, nullptr}, {"atan", 1, arc_tangent, nullptr},
-    {"sqrt", 1, square_root, nullptr}, {"exp", 1, exponential, nullptr}, {"log", 1, logarithm, nullptr},
-    {"abs", 1, absolute, nullptr},     {"atan2", 2, nullptr, angle_of},  {"min", 2, nullptr, lesser},
-    {"max", 2, nullptr, greater},      {"-", 1, negate, nullptr},        {"+", 2, nullptr, add},
-    {"-", 2, nullptr, subtract},       {"*", 2, nullptr, multiply},      {"/", 2, nullptr, divide},
-    {"^", 2, nullptr, power}};
+const Function kFunctions[] = {{"sin", 1, sine, nullptr},         {"cos", 1, cosine, nullptr},
+                               {"tan", 1, tangent, nullptr},      {"asin", 1, arc_sine, nullptr},
+                               {"acos", 1, arc_cosine, nullptr},  {"atan", 1, arc_tangent, nullptr},
+                               {"sqrt", 1, square_root, nullptr}, {"exp", 1, exponential, nullptr},
+                               {"log", 1, logarithm, nullptr},    {"abs", 1, absolute, nullptr},
+                               {"atan2", 2, nullptr, angle_of},   {"min", 2, nullptr, lesser},
+                               {"max", 2, nullptr, greater},      {"floor", 1, whole, nullptr},
+                               {"-", 1, negate, nullptr},         {"+", 2, nullptr, add},
+                               {"-", 2, nullptr, subtract},       {"*", 2, nullptr, multiply},
+                               {"/", 2, nullptr, divide},         {"^", 2, nullptr, power}};
 
 int find_function(const std::string& name, int arguments) { // 0: any number
   for (int i = 0; i < static_cast<int>(std::size(kFunctions)); ++i)

@@ -1,5 +1,6 @@
 #include "program/sketch/mesh.hpp"
 
+#include "program/sketch/elements.hpp"
 #include "program/sketch/outline.hpp"
 #include "program/sketch/refine.hpp"
 
@@ -36,7 +37,7 @@ struct Sizes {
 
 class Mesher {
 public:
-  Mesher(const Sketch& sketch, double fineness) : s_(sketch), fineness_(fineness) {}
+  Mesher(const Sketch& sketch, double fineness, bool given) : s_(sketch), fineness_(fineness) { mesh_.given = given; }
   Mesh run();
 
 private:
@@ -46,6 +47,7 @@ private:
   void gaps(size_t contact);
   void spread(const MeshedOutline& outline, size_t first);
   void divide(MeshedCurve& curve, const Sizes& sizes) const;
+  void give(int body, MeshedOutline& outline) const;
 
   const Sketch& s_;
   double fineness_;
@@ -200,6 +202,29 @@ void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
   curve.ends.push_back(curve.measure.length());
 }
 
+// Elements as statements divide drawn curves; of a curve that is cut each piece has its share of them.
+void Mesher::give(int body, MeshedOutline& outline) const {
+  std::vector<MeshedCurve>& curves = outline.curves;
+  for (size_t first = 0, next; first < curves.size(); first = next) {
+    double whole = 0;
+    for (next = first; next < curves.size() && (next == first || !curves[next].curve->is_first); ++next)
+      whole += curves[next].measure.length();
+    const Division* const division = division_of(s_, body, *curves[first].curve);
+    if (division == nullptr) continue;
+    const std::vector<double> ends = divided_ends(*division, whole);
+    double begin = 0;
+    for (size_t i = first; i < next; ++i) {
+      const double length = curves[i].measure.length(), near = next - first > 1 ? 1e-9 * whole : 0;
+      curves[i].ends.assign(1, 0.0);
+      for (const double end : ends)
+        if (end > begin + near && end < begin + length - near) curves[i].ends.push_back(end - begin);
+      curves[i].ends.push_back(length);
+      curves[i].given = true;
+      begin += length;
+    }
+  }
+}
+
 // Do curves of a body belong to one side of a contact, or to a platen?
 bool are_on_one_side(const Sketch& s, int body, const Curve& a, const Curve& b) {
   const auto on = [&](const Drive& d) { return d.side && d.side->body == body && d.side->has(a.name) && d.side->has(b.name); };
@@ -225,7 +250,7 @@ Mesh Mesher::run() {
         if (outline.open != open) continue;
         outlines.push_back({open, {}});
         for (const Curve* curve : curves_in_order(s_, static_cast<int>(mesh_.bodies.size()), outline))
-          outlines.back().curves.push_back({curve, Measure(curve->shape), {}, {}});
+          outlines.back().curves.push_back({curve, Measure(curve->shape), {}, {}, false});
       }
     mesh_.bodies.push_back(std::move(outlines));
   }
@@ -244,6 +269,8 @@ Mesh Mesher::run() {
   for (auto& outlines : mesh_.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) divide(curve, sizes_[index++]);
+  for (size_t b = 0; b < mesh_.bodies.size() && mesh_.given; ++b)
+    for (MeshedOutline& outline : mesh_.bodies[b]) give(static_cast<int>(b), outline);
   for (size_t k = 0; k < s_.contacts.size(); ++k) align(k, mesh_);
   return std::move(mesh_);
 }
@@ -255,6 +282,8 @@ bool holds_pairs(const Sketch& sketch, const Curve& curve) {
          !sketch.interfaces[sketch.contacts[static_cast<size_t>(curve.contact)].interface].tied;
 }
 
-Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
+Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness, false).run(); }
+
+Mesh given_mesh(const Sketch& sketch) { return Mesher(sketch, kWithoutSearch, !sketch.divisions.empty()).run(); }
 
 } // namespace sketch

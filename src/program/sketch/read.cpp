@@ -46,7 +46,9 @@ const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},
                                              {"stress", &Reader::stress},
                                              {"want", &Reader::want},
                                              {"tolerance", &Reader::tolerance},
-                                             {"limit", &Reader::limit}};
+                                             {"limit", &Reader::limit},
+                                             {"elements", &Reader::elements},
+                                             {"require", &Reader::require}};
 
 bool is_sketch(const std::string& text, const std::string& name) {
   constexpr std::string_view kEnding = ".c2s";
@@ -68,6 +70,7 @@ bool is_sketch(const std::string& text, const std::string& name) {
 std::vector<std::string> Reader::words() {
   std::vector<std::string> out;
   for (const Keyword& keyword : kKeywords) out.push_back(keyword.name);
+  out.push_back("when");
   return out;
 }
 
@@ -90,7 +93,7 @@ void Reader::read(const std::string& text) {
     const size_t end = std::min(text.find('\n', at), text.size());
     try {
       std::vector<Word> words = words_of(std::string_view(text).substr(at, end - at), line);
-      if (!words.empty()) {
+      if (applies(words)) {
         Statement s(std::move(words), s_.parameters);
         statement(s);
       }
@@ -102,6 +105,17 @@ void Reader::read(const std::string& text) {
     at = end + 1;
   }
   finish();
+}
+
+// `when value statement`: the statement is there where the value is not 0.
+bool Reader::applies(std::vector<Word>& words) {
+  while (!words.empty() && words[0].is("when")) {
+    Statement condition(words, s_.parameters);
+    if (condition.number("a value, 0 where the statement behind it is not to be") == 0) return false;
+    if (!condition.has_more()) condition.missing("a statement");
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  return !words.empty();
 }
 
 // What only the whole sketch can tell. Shapes are judged if all statements could be read.
@@ -142,13 +156,16 @@ void Reader::units(Statement& s) {
 
 void Reader::plane(Statement& s) {
   once(s, "plane strain or stress");
-  s_.plane_stress = s.choice({"strain", "stress"}) == 1;
+  s_.plane_stress =
+      s.is_number() ? s.whole("0 for plane strain, 1 for plane stress", 0, 1) == 1 : s.choice({"strain", "stress"}) == 1;
 }
 
 void Reader::functions(Statement& s) {
   once(s, "a statement of functions");
-  s_.order = static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
-  s_.chooses_order = false;
+  const int order = s.is_number() ? s.whole("1 for linear functions, 2 for quadratic, 3 for cubic ones, 0 for any", 0, 3)
+                                  : static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
+  s_.order = std::max(order, 1);
+  s_.chooses_order = order == 0;
 }
 
 // Pairs of a name and a value; later values may use earlier ones. One that is given from outside keeps that value.
@@ -164,6 +181,13 @@ void Reader::parameter(Statement& s) {
     const auto given = given_.find(name);
     s_.parameters[name] = given == given_.end() ? value : given->second;
   } while (s.has_more());
+}
+
+// require value text: the text is an error where the value is below 0.
+void Reader::require(Statement& s) {
+  const bool holds = s.number("what is not to be below 0") >= 0;
+  const std::string why = s.take("what is wrong otherwise, in quotes").text;
+  if (!holds) throw Fault{s.at(), why};
 }
 
 void Reader::symmetry(Statement& s) {

@@ -124,11 +124,11 @@ Point Reader::force_vector(Statement& s) {
   return {value[0].value_or(0), value[1].value_or(0)};
 }
 
-void Reader::components(Statement& s, std::optional<double> value[2]) {
+void Reader::components(Statement& s, Condition& c) {
   do {
     const size_t axis = s.choice({"x", "y"});
-    if (value[axis]) s.fail(std::string(axis == 0 ? "x" : "y") + " is given twice");
-    value[axis] = s.number("its value");
+    if (c.value[axis]) s.fail(std::string(axis == 0 ? "x" : "y") + " is given twice");
+    field(s, c, axis, "its value");
   } while (s.has_more());
 }
 
@@ -151,7 +151,7 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   Condition c;
   c.at = s.at(), c.load_case = case_, c.kind = kind;
   c.side = side(s, kind == Condition::kDisplacement ? &c.part : nullptr);
-  if (kind == Condition::kDisplacement) components(s, c.value);
+  if (kind == Condition::kDisplacement) components(s, c);
   while (kind == Condition::kTraction && (s.has_more() || (!c.value[0] && !c.value[1]))) {
     field(s, c, force_axis(s, c.value), "its value");
   }

@@ -22,18 +22,13 @@ double tolerance_of(Statement& s, double value) {
   return value;
 }
 
-int whole(Statement& s, const std::string& what, int most) {
-  const double value = s.number(what);
-  if (!(value >= 1 && value <= most) || value != static_cast<int>(value))
-    s.fail(show(value) + ": expected " + what + ", a whole number from 1 to " + std::to_string(most));
-  return static_cast<int>(value);
-}
-
 } // namespace
 
 void Reader::steps(Statement& s) {
   once(s, "a statement of steps");
-  s_.steps = whole(s, "the number of steps of each piece of the history", 100000);
+  s_.steps.clear();
+  do s_.steps.push_back(s.whole("the number of steps of each piece of the history", 1, 100000));
+  while (s.has_more());
 }
 
 // Where displacements and stresses are printed.
@@ -105,7 +100,7 @@ void Reader::limit(Statement& s) {
       break;
     case 1:
       once(s, "a limit of elements");
-      s_.most_elements = whole(s, "how many elements", 1000000);
+      s_.most_elements = s.whole("how many elements", 1, 1000000);
       break;
     default: once(s, "a limit of work"); s_.most_work = s.positive("how many multiplications");
     }

@@ -22,6 +22,7 @@ private:
     void (Reader::*read)(Statement&);
   };
   static const Keyword kKeywords[];
+  bool applies(std::vector<Word>& words);
   void statement(Statement& s);
   void finish();
 
@@ -92,7 +93,7 @@ private:
   void given(Statement& s, Condition::Kind kind);
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
-  void components(Statement& s, std::optional<double> value[2]);
+  void components(Statement& s, Condition& c);
   size_t force_axis(Statement& s, const std::optional<double> value[2]);
   Point force_vector(Statement& s);
   void field(Statement& s, Condition& c, size_t axis, const std::string& what);
@@ -107,6 +108,10 @@ private:
   void want_points(Statement& s, Want want);
   void tolerance(Statement& s);
   void limit(Statement& s);
+
+  // elements.cpp
+  void elements(Statement& s);
+  void require(Statement& s);
 
   const Parameters& given_;
   std::set<std::string> told_; // what may stand once

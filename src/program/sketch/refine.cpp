@@ -147,17 +147,23 @@ void align(size_t contact, Mesh& mesh) {
     return curve.curve->contact == static_cast<int>(contact) && curve.curve->side == side;
   };
   std::vector<std::vector<Point>> chains; // element ends of side 1, curve by curve
+  bool given = mesh.given;
   for (const auto& outlines : mesh.bodies)
     for (const MeshedOutline& outline : outlines)
       for (const MeshedCurve& curve : outline.curves) {
         if (!on(curve, 1)) continue;
         chains.push_back({});
+        given = given && curve.given;
         for (const double s : curve.ends) chains.back().push_back(curve.curve->shape->at(curve.measure.u_at(s)));
       }
   for (auto& outlines : mesh.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves)
-        if (on(curve, 0)) face(chains, curve);
+        if (on(curve, 0) && !curve.given) {
+          if (given) curve.ends = {0, curve.measure.length()};
+          face(chains, curve);
+          curve.given = given;
+        }
 }
 
 Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const std::vector<Spot>& spots) {

@@ -126,6 +126,21 @@ struct LoadCase {
   std::vector<double> factors; // at the end of each piece of the history
 };
 
+// Elements of a stretch of a curve: equal ones, or sizes at its ends that grow from there.
+struct Stretches {
+  int count = 0;              // 0: graded
+  double first = 0, last = 0; // sizes at the ends; 0: any
+  double growth = 1.3;        // of an element against the one before
+  double most = 0;            // size; 0: any
+  double to = 0;              // where the next stretch begins, a length from the curve's begin
+};
+
+// How curves are divided in the mesh that no tolerance asks for.
+struct Division {
+  Side side;
+  std::vector<Stretches> stretches;
+};
+
 // A number that is wanted, and how accurately. Without any: pressures, edges, forces and approach.
 struct Want {
   enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop, kPressureAt } kind = kPressure;
@@ -156,8 +171,9 @@ struct Sketch {
   std::vector<LoadCase> cases{{"", {}}}; // the first is there without a card
   int pieces = 0;                        // of the history; 0: factor 1 of the first case
   std::vector<WantedPoint> points;
-  int steps = 10; // increments of each piece of the history
+  std::vector<int> steps{10}; // increments of the pieces of the history, the last number of all further ones
   std::vector<Want> wants;
+  std::vector<Division> divisions;
   double tolerance = 0.01;   // of all wants that have none of their own
   bool adapts = true;        // no: the first mesh is the mesh
   double most_seconds = 0;   // 0: no limit

@@ -82,6 +82,13 @@ double Statement::positive(const std::string& what) {
   return value;
 }
 
+int Statement::whole(const std::string& what, int least, int most) {
+  const double value = number(what);
+  if (!(value >= least && value <= most) || value != static_cast<int>(value))
+    fail(show(value) + ": expected " + what + ", a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  return static_cast<int>(value);
+}
+
 bool Statement::is_share() const {
   if (!is_number()) return false;
   return words_[next_].text.back() == '%' || is_next("%", 1);

@@ -23,6 +23,7 @@ public:
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
   double number(const std::string& what, bool may_be_infinite = false);
   double positive(const std::string& what);
+  int whole(const std::string& what, int least, int most);
   bool is_share() const;                 // is the next word a number in percent?
   double share(const std::string& what); // a number, or one in percent: `1 %`, `1%`, 0.01
   Point point(const std::string& what);

@@ -16,6 +16,7 @@ struct Element {
   double begin, end; // lengths along the outline
   const Curve* curve;
   bool is_far;       // from all that it might touch
+  bool is_given;     // by a statement `elements`
   int before, after; // along the outline; -1 where an open one ends
 };
 using Elements = std::vector<Element>; // of a body
@@ -32,8 +33,8 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
         const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2, begin = curve.curve->begin;
         const bool far = std::any_of(curve.far.begin(), curve.far.end(),
                                      [&](const auto& f) { return f.first < middle && middle < f.second; });
-        out.push_back(
-            {at(e), at(e + 1), begin + curve.ends[e], begin + curve.ends[e + 1], curve.curve, far, number - 1, number + 1});
+        out.push_back({at(e), at(e + 1), begin + curve.ends[e], begin + curve.ends[e + 1], curve.curve, far, curve.given,
+                       number - 1, number + 1});
       }
     out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
     out.back().after = outline.open ? -1 : static_cast<int>(first);
@@ -66,7 +67,7 @@ Stretch stretch(const Numbers& row) { return {row.front() + 1, row.back() + 1, s
 
 class Pairing {
 public:
-  Pairing(const Sketch& sketch, const Mesh& mesh) : s_(sketch) {
+  Pairing(const Sketch& sketch, const Mesh& mesh) : s_(sketch), given_(mesh.given) {
     for (const auto& outlines : mesh.bodies) elements_.push_back(elements_of(outlines));
   }
   std::vector<Zone> run();
@@ -89,6 +90,7 @@ private:
   void leave_held(Pair& pair) const;
 
   const Sketch& s_;
+  bool given_;
   std::vector<Elements> elements_;
   std::vector<Pair> pairs_;
 };
@@ -159,7 +161,7 @@ void Pairing::add_pairs(size_t k) {
     if (!facing[r].empty()) pairs_.push_back({k, in_a_row(body(k, 0), facing[r])[0], rows[r]});
 }
 
-// Do the elements of two elastic bodies lie on each other, end by end?
+// Do the elements of two elastic bodies lie on each other, end by end? Or are they given so that as many face each other?
 bool Pairing::coincides(const Pair& pair) const {
   const Elements &one = body(pair.contact, 0), &two = body(pair.contact, 1);
   if (&one == &two || pair.one.size() != pair.two.size()) return false;
@@ -171,6 +173,10 @@ bool Pairing::coincides(const Pair& pair) const {
         (after >= 0 && after <= numbers.back()))
       return false; // nodes are numbered along the outline: not round its end
   }
+  const auto all_given = [](const Elements& all, const Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [&](int e) { return all[static_cast<size_t>(e)].is_given; });
+  };
+  if (all_given(one, pair.one) && all_given(two, pair.two)) return true;
   for (size_t i = 0; i < pair.one.size(); ++i) {
     const Element &a = one[static_cast<size_t>(pair.one[i])], &b = two[static_cast<size_t>(pair.two[pair.two.size() - 1 - i])];
     const double near = kJoint * length(a.to - a.from);
@@ -199,6 +205,7 @@ void Pairing::part(Pair& stays, Pair& yields) {
 
 // The later one yields, but for a tie, which goes on to its end: that may be the tip of a crack.
 void Pairing::part_neighbours() {
+  for (Pair& pair : pairs_) pair.matching = given_ && coincides(pair);
   for (size_t i = 0; i < pairs_.size(); ++i)
     for (size_t j = i + 1; j < pairs_.size(); ++j) {
       if (&body(pairs_[i].contact, 1) != &body(pairs_[j].contact, 1)) continue;
