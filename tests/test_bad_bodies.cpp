@@ -87,8 +87,7 @@ TEST_CASE("bad bodies: a zone of bodies that are not there is told of once, with
     s.keywords = "*ZONE BODIES 2 " + std::to_string(body) + " 2 2 4 4\n";
     told = read(s);
     CHECK(told.first.column == 16);
-    CHECK(told.text ==
-          "second body of the zone is " + std::to_string(body) + ", expected 1 to 3, or -2 for self-contact\n");
+    CHECK(told.text == "second body of the zone is " + std::to_string(body) + ", expected 1 to 3, or -2 for self-contact\n");
   }
 }
 

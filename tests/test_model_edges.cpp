@@ -246,7 +246,8 @@ TEST_CASE("model edges: a free zone that begins in the middle of what is faced i
   for (const int32_t from : {37, 27}) { // 26 ... 29 are faced, the zone goes down
     m.zones = {{C2D_ZONE_FREE, {{1, 5, 8}, {2, from, from + 1, 23}}}};
     const Result r = solve(m);
-    const char* several = "the elements of body 2 that face body 1 form several ranges, expected one range of consecutive elements";
+    const char* several =
+        "the elements of body 2 that face body 1 form several ranges, expected one range of consecutive elements";
     CHECK_MESSAGE(r.told_of(several) == (from == 27), r.messages());
   }
 }

@@ -546,9 +546,8 @@ bool says(const std::string& text, const std::string& words) { return text.find(
 TEST_CASE("platens: ends with other conditions, in a contact zone, in two platens") {
   Model m = pressed();
   m.set(2, 3, end_of(kPulled, 0, -1));
-  CHECK(
-      says(refusal(m),
-           "end 1 of element 8 of body 2 is moved by body 3 (platen 1) and has a boundary condition as well, expected no condition there"));
+  CHECK(says(refusal(m), "end 1 of element 8 of body 2 is moved by body 3 (platen 1) and has a boundary condition as well, "
+                         "expected no condition there"));
   m.set(2, 3, end_of("0110"));
   CHECK(says(refusal(m), "is moved by body 3 (platen 1) and has a boundary condition as well"));
   m = pressed();
@@ -566,7 +565,8 @@ TEST_CASE("platens: ends with other conditions, in a contact zone, in two platen
   CHECK(says(refusal(m), "node 5 of body 2 is in pairs 1 and 6 of zones 1 and 2 (platen 1), expected in one pair only"));
   m = pressed();
   load(m.move(2, 4), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "node 12 of body 2 is in pairs 10 and 11 of zones 2 (platen 1) and 3 (platen 2), expected in one pair only"));
+  CHECK(says(refusal(m),
+             "node 12 of body 2 is in pairs 10 and 11 of zones 2 (platen 1) and 3 (platen 2), expected in one pair only"));
   m = pressed();
   load(m.move(2, 3), 0, -1, 0, 1, 1);
   CHECK(says(refusal(m), "element 8 of body 2 is in zones 2 (platen 1) and 3 (platen 2), the first of 4"));
@@ -608,8 +608,9 @@ TEST_CASE("platens: bad arguments and states of c2d_add_platen") {
   CHECK(why() == "contact element of body 2 is 15, expected 1 to 14");
   CHECK(c2d_add_platen(s, 2, 0, 11, 0, all, point) == C2D_ERR_ARGUMENT);
   for (const int32_t count : {0, 5, 15, -1}) CHECK(c2d_add_platen(s, 2, 11, 8, count, all, point) == C2D_ERR_ARGUMENT);
-  CHECK(why() == "the element range of body 2 does not contain the number of elements given, in one region and in the direction "
-                 "of its boundary");
+  CHECK(why() ==
+        "the element range of body 2 does not contain the number of elements given, in one region and in the direction "
+        "of its boundary");
   CHECK(c2d_add_platen(s, 2, 8, 11, 3, all, point) == C2D_ERR_ARGUMENT);
   CHECK(c2d_add_platen(s, 2, 8, 11, 0, nullptr, point) == C2D_ERR_ARGUMENT);
   CHECK(why() == "is_free is null");
@@ -725,18 +726,18 @@ TEST_CASE("platens: in every output of the program, carried by convert, and with
 TEST_CASE("platens: faults of the deck's card") {
   CHECK(says(fault_of("*PLATEN 3 8 11 1 1\n"), "body number is 3, expected 1 to 2"));
   CHECK(says(fault_of("*PLATEN 2 8 15 1 1\n"), "last element of the platen is 15, expected 1 to 14"));
-  CHECK(says(fault_of("*PLATEN 2 11 8 1 1\n"),
-             "last element of the platen is 8, expected 11 or more; for a range across the end of its curve give the number of elements after the point"));
+  CHECK(says(fault_of("*PLATEN 2 11 8 1 1\n"), "last element of the platen is 8, expected 11 or more; for a range across the "
+                                               "end of its curve give the number of elements after the point"));
   CHECK(says(fault_of("*PLATEN 2 11 8 1 1 4\n"), "the element range of body 2 does not contain the number of elements given"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1\n"), "y of the point"));
-  CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n1 FY -3 UY 0\n"),
-             "UY of a platen whose FY is prescribed on this card or an earlier one, expected one of the two in all load cases"));
+  CHECK(
+      says(fault_of("*PLATEN 2 8 11 1 1\n1 FY -3 UY 0\n"),
+           "UY of a platen whose FY is prescribed on this card or an earlier one, expected one of the two in all load cases"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n1 TURN 0\n2 MOMENT 1\n"),
              "MOMENT of a platen whose TURN is prescribed on this card or an earlier one"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n0 FY -3\n"), "load case is 0, expected 1 to 10000"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1 1\nx FY -3\n"), "load case"));
-  CHECK(
-      says(fault_of("*PLATEN 2 8 11 1 1\n1 FY -3\n1 FX 2\n"), "load case 1 of this platen has two cards, expected one"));
+  CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n1 FY -3\n1 FX 2\n"), "load case 1 of this platen has two cards, expected one"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n1 FZ -3\n"),
              "expected UX, UY, TURN (prescribed motions), FX, FY or MOMENT, and its value"));
   CHECK(says(fault_of("*PLATEN 2 8 11 1 1\n1 FY\n"), "FY"));

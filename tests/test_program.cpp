@@ -614,9 +614,10 @@ TEST_CASE("program: coarse contact is told once, with how much may be off") {
   };
   const Result two = made("hertz n=2");
   CHECK(two.status == 0);
-  CHECK(contains(two.err,
-                 "only 2 elements between the contact edge and the highest pressure; the edge is uncertain by 0.667 (67 % of the width), "
-                 "this pressure by 38 %"));
+  CHECK(contains(
+      two.err,
+      "only 2 elements between the contact edge and the highest pressure; the edge is uncertain by 0.667 (67 % of the width), "
+      "this pressure by 38 %"));
   CHECK(two.err.find("coarse contact") == two.err.rfind("coarse contact"));
   // The mesh is made for what slips at Q; with a smaller motion less does.
   CHECK(contains(made("mindlin move=0.0006").err, "coarse contact: the slip zone of pairs"));

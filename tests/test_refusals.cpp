@@ -581,7 +581,8 @@ TEST_CASE("refusals: zones whose ranges the bodies do not have, and values that 
       C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.last_node = 5; }, C2D_ERR_ARGUMENT,
       "the node range of body 2 does not contain");
   wrong(
-      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT, "the element range of body 2 does not contain");
+      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT,
+      "the element range of body 2 does not contain");
   wrong(
       C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.last_element = 6; }, C2D_ERR_LIMIT,
       "c2d_limits.free_pairs is 3, expected 4 or more");

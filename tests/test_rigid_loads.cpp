@@ -361,8 +361,7 @@ TEST_CASE("rigid loads: a rigid body of finer elements on side 2 of a free zone"
         const Result r = solve(platen(kind, 1, 0, elements, nodes));
         if (elements <= 6) CHECK_MESSAGE(r.status == C2D_OK, r.messages());
         if (elements > 6) CHECK_MESSAGE(r.status == C2D_ERR_INPUT, r.messages());
-        if (elements > 6)
-          CHECK(r.told_of("zone 1: the mesh of the rigid body 2 is finer than that of body 1"));
+        if (elements > 6) CHECK(r.told_of("zone 1: the mesh of the rigid body 2 is finer than that of body 1"));
       }
   CHECK(solved(platen(C2D_ZONE_FREE, 0, 0, 7)).outcome == C2D_REACHED);
   Model graded = platen(C2D_ZONE_FREE, 1, 0); // fewer of them, three on one element

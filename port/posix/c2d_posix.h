@@ -1,11 +1,11 @@
-/* A block store in files for POSIX systems: transfers at given offsets, continued after interruptions, fsync, and a lock against
-   a second solver in this or another process. In the given folder the store creates a folder of its own, contact2d.store, with
-   the files `lock`, which contains its mark, and tape0.c2d ... tape3.c2d. It opens, writes and removes nothing else, follows no
-   links, and refuses a folder of that name without the mark (a truncated lock file, missing or zero at its end, alone in the
-   folder, is completed). Disk space for a tape is reserved when it is opened, if the file system supports it; for a tape that
-   will be written in part only, as much as c2d_posix_store_expect states. A thread of the store reads blocks ahead and writes
-   them behind, from the first such transfer until the last tape is closed; it blocks all signals. (Before glibc 2.34 programs
-   link with -pthread.)
+/* A block store in files for POSIX systems: transfers at given offsets, continued after interruptions, fsync, and a lock
+   against a second solver in this or another process. In the given folder the store creates a folder of its own,
+   contact2d.store, with the files `lock`, which contains its mark, and tape0.c2d ... tape3.c2d. It opens, writes and removes
+   nothing else, follows no links, and refuses a folder of that name without the mark (a truncated lock file, missing or zero at
+   its end, alone in the folder, is completed). Disk space for a tape is reserved when it is opened, if the file system supports
+   it; for a tape that will be written in part only, as much as c2d_posix_store_expect states. A thread of the store reads
+   blocks ahead and writes them behind, from the first such transfer until the last tape is closed; it blocks all signals.
+   (Before glibc 2.34 programs link with -pthread.)
 
      c2d_posix_store store;
      c2d_port port = C2D_INIT(c2d_port);
@@ -57,8 +57,8 @@ void c2d_posix_store_expect(c2d_posix_store* store, int32_t tape, uint64_t bytes
 int32_t c2d_posix_store_remove(c2d_posix_store* store);
 /* Close all files and unlock the folder. Returns 0 or the first errno. The lock file stays. */
 int32_t c2d_posix_store_done(c2d_posix_store* store);
-/* The same after _remove, and delete the lock file and the folder of the store. `folder`, the name given to _init, is removed if
-   it is empty then; null: it stays. */
+/* The same after _remove, and delete the lock file and the folder of the store. `folder`, the name given to _init, is removed
+   if it is empty then; null: it stays. */
 int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder);
 
 #ifdef __cplusplus
