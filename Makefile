@@ -5,10 +5,10 @@
 #: make                             build/libcontact2d.a and build/contact2d
 #: make demo                        the sample problem: listing, tables and a page of pictures in build/demo
 #: make chapter9                    figures 36 to 41 of the dissertation
-#: make python                      what port/python takes: shared library and program
-#: make symbols                     writes the list of exported names anew
-#: make format, format-check        sources by clang-format 14
-#: make clean                       removes what was built
+#: make python                      shared library and program for port/python
+#: make symbols                     rewrite the list of exported names
+#: make format, format-check        format the sources with clang-format 14, or check them
+#: make clean                       remove all build results
 
 # ---------------------------------------------------------------- variables
 .DEFAULT_GOAL := all
@@ -110,7 +110,7 @@ demo: $(PROGRAM)
 	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json;'
 	@echo 'pictures: $(BUILD)/demo/report.html (open it with a browser)'
 	@echo 'The warnings are right: this sample of 1987 loads its contact beyond the end of the zone and strains far beyond small;'
-	@echo 'src/report/OUTPUT.md tells what each means.'
+	@echo 'src/report/OUTPUT.md describes each of them.'
 
 # Chapter 9 of the dissertation: figures 36 to 41, as increments give them and as events do.
 $(BUILD)/obj/chapter9: $(CHAPTER9_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)

@@ -1,6 +1,6 @@
 # make shape: sizes and habits of the sources (tests/shape). make list: src/sources.mk against the folders, what is missing from either. make relist: writes it anew. Included by the Makefile.
-#: make list, relist                src/sources.mk against the folders; writes it anew
-#: make shape                       lines, modes, house words, comments, folders, the call tree of a rate problem
+#: make list, relist                compare src/sources.mk with the folders; rewrite it
+#: make shape                       code metrics: lines, modes, project jargon, comments, folders, call tree of a rate problem
 .PHONY: list relist shape
 shape: $(PROGRAM)
 	@sh tests/shape/shape.sh $(BUILD)

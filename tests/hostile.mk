@@ -1,8 +1,8 @@
 # make hostile: every test on a library under the worst legal conditions (src/memory/hostile.hpp), with panels of one column and of
 # three (HOSTILE_WIDTHS), which one object file sets. Tests that cannot hold there are listed, with the reason, in
 # tests/hostile.txt. make hostile-blocks: of `make test` those files that cross blocks. Included by the Makefile.
-#: make hostile, hostile-blocks     the tests on a library under the worst legal conditions (HOSTILE_WIDTHS=)
-#: make small                       the tests on small code, as boards have it
+#: make hostile, hostile-blocks     the tests under worst-case legal conditions of the library (HOSTILE_WIDTHS=)
+#: make small                       the tests with the small code of the boards
 .PHONY: hostile hostile-blocks
 HOSTILE_WIDTHS ?= 1 3
 BLOCK_TESTS := $(patsubst %,*test_%.cpp,elimination direct assembly memory store tapes ahead tasks persist model_sweep store_sweep \

@@ -2,7 +2,7 @@
 # `make test` on library and program as `make fuzz` has them, by clang++; of the tests those alone are compiled again that see the
 # core's configuration or ask for sanitizers. Included by the Makefile.
 #: make sanitize, sanitize-library  the tests under the address and undefined-behaviour sanitizers
-#: make sanitize-threads            what runs side by side under the thread sanitizer (THREADS_NOT=)
+#: make sanitize-threads            the parallel parts under the thread sanitizer (THREADS_NOT=)
 .PHONY: sanitize sanitize-library sanitize-threads
 SANITIZE_FLAGS := -O1 -g1 -fsanitize=address,undefined
 sanitize:

@@ -710,7 +710,7 @@ TEST_CASE("compressed solver: the program's option" * doctest::skip(c2d::kSmallC
   const size_t at = least.err.find(before);
   REQUIRE(at != std::string::npos);
   const std::string enough = std::to_string(std::stoull(least.err.substr(at + before.size())));
-  CHECK(checked.out.find(" bytes; " + enough + " would do\n") != std::string::npos);
+  CHECK(checked.out.find(" bytes; minimum " + enough + "\n") != std::string::npos);
   CHECK(run("run '" + deck + "' -q --elimination compressed --memory " + enough).status == 0);
   // A run that is cut off goes on with what it was begun with.
   CHECK(run("run '" + deck + "' -q --elimination compressed --store file:'" + (folder / "store") + "' --csv '" +
@@ -768,11 +768,11 @@ TEST_CASE("compressed solver: the program chooses by size, and check says from w
     CHECK_MESSAGE(out.out.find("elimination                 " + expected + "\n") != std::string::npos, out.out);
     return out.out.find("memory, compressed") != std::string::npos;
   };
-  CHECK_FALSE(says("small", "dense by size: compressed from 801 nodes of a body on"));
-  CHECK(says("large", "compressed by size: compressed from 801 nodes of a body on"));
+  CHECK_FALSE(says("small", "dense by size (compressed from 801 nodes per body)"));
+  CHECK(says("large", "compressed by size (compressed from 801 nodes per body)"));
   CHECK_FALSE(says("large --elimination dense", "dense"));
   CHECK(says("small --elimination compressed", "compressed"));
-  CHECK_FALSE(says("'" + paths::root() + "/examples/three_bodies.dat'", "dense, as there are free zones"));
+  CHECK_FALSE(says("'" + paths::root() + "/examples/three_bodies.dat'", "dense (the model has free zones)"));
   for (const std::string file : {"small", "large"}) {
     REQUIRE(run("run " + file + " -q --json j").status == 0);
     const std::string own = test::read_file(folder / "j");

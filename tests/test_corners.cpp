@@ -378,7 +378,7 @@ TEST_CASE("corners: a re-entrant corner that is held on both faces has an expone
     const double w = 3 * kPi / 2, kappa = 1.8, lambda = s.exponents[0].real(); // kappa sin(lambda w) = +- lambda sin(w)
     CHECK(std::fabs(kappa * std::fabs(std::sin(lambda * w)) - lambda * std::fabs(std::sin(w))) < 1e-9);
     CHECK(std::isnan(s.K));
-    CHECK(s.why == "both faces are held");
+    CHECK(s.why == "both faces are supported");
   }
 }
 

@@ -205,7 +205,7 @@ TEST_CASE("drawing: circles, slots, ellipses and splines of a file of ezdxf") {
   CHECK(area(b[6]) == doctest::Approx(4 * kPi).epsilon(1e-10));
   CHECK(curves_called(b[6], "rational_quarter") == 1);
   CHECK(notes_tell(d, "the name") == false); // names are changed in the sketch
-  CHECK(contains(d.text, "! the name 'long side' became long_side"));
+  CHECK(contains(d.text, "! name 'long side' is changed to long_side"));
 }
 
 TEST_CASE("drawing: blocks of a file of ezdxf") {
@@ -343,11 +343,11 @@ TEST_CASE("drawing: blocks are drawn where they are inserted") {
   CHECK(drawn(with(insert("part", 1, 1, 10, array))).sketch.bodies.size() == 6);
   CHECK(area(drawn(with(insert("part", 1, 2, 0))).sketch.bodies[0]) == doctest::Approx(2 * own).epsilon(1e-10));
   CHECK(contains(fault(with(insert("none", 1, 1, 0))), "left out: 1 INSERT (line"));
-  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "block 'none' is not there; 0 the drawing has no curves"));
+  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "block 'none' is missing; 0 the drawing has no curves"));
   CHECK(contains(fault(with(insert("part", 1, 1, 0, "70\n3000\n71\n3000\n"))), "more than 10000 copies"));
   std::string round = with(insert("outer", 1, 1, 0));
   round.replace(round.find("2\npart\n10\n5"), 6, "2\nouter");
-  CHECK(contains(fault(round), "block 'outer' within itself, or 16 deep"));
+  CHECK(contains(fault(round), "block 'outer' contains itself, or blocks are nested more than 16 deep"));
 }
 
 TEST_CASE("drawing: bulges of polylines are segments of circles") {
@@ -428,13 +428,13 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   CHECK(notes_tell(open, "line of 'rail' in line"));
   CHECK(notes_tell(open, "has an open end at (30, 0); the nearest other end is at (30, 0.25), 0.25 away"));
   CHECK(notes_tell(open, "has an open end at (20, 0); the nearest other end is at (10, 0), 10 away"));
-  CHECK(notes_tell(open, "2 curves are part of no closed outline"));
+  CHECK(notes_tell(open, "2 curves are left out: not part of a closed outline"));
   const Drawn twice = drawn(dxf(rectangle(0, 0, 10, 10) + dxf_line({10, 0}, {0, 0}) + circle({5, 5}, 1) + circle({5, 5}, 1) +
                                 dxf_line({3, 3}, {3, 3}) + "0\nTEXT\n8\n0\n0\nTEXT\n8\n0\n0\nDIMENSION\n8\n0\n"));
   REQUIRE(twice.sketch.bodies.size() == 1);
   CHECK(area(twice.sketch.bodies[0]) == doctest::Approx(100 - kPi));
   CHECK(notes_tell(twice, "line in line"));
-  CHECK(notes_tell(twice, "from (10, 0) to (0, 0) lies on line"));
+  CHECK(notes_tell(twice, "from (10, 0) to (0, 0) coincides with line"));
   CHECK(notes_tell(twice, "circle in line"));
   CHECK(notes_tell(twice, "at (3, 3) has no length and was left out"));
   CHECK(notes_tell(twice, "left out: 2 TEXT (from line"));
@@ -443,11 +443,12 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   const Drawn middle = drawn(dxf(rectangle(0, 0, 10, 10) + dxf_arc({20, 0}, 5, 80, 280, "bow") + dxf_line({10, 4}, {15, 0})));
   CHECK(notes_tell(middle, "at (10, 4); the nearest other end is at (10, 0), 4 away; it lies on line in line"));
   CHECK(notes_tell(middle, "it lies on arc of 'bow' in line"));
-  CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + "30\n0\n31\n2\n")), ": seen along z, in which its points differ"));
+  CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + "30\n0\n31\n2\n")),
+                   ": projected along z, because its points differ in z"));
   // Two loops with a bridge between them.
   const Drawn bridge = drawn(dxf(rectangle(0, 0, 1, 1) + rectangle(3, 0, 1, 1) + dxf_line({1, 0}, {3, 0})));
   CHECK(bridge.sketch.bodies.size() == 2);
-  CHECK(notes_tell(bridge, "1 curve is part of no closed outline"));
+  CHECK(notes_tell(bridge, "1 curve is left out: not part of a closed outline"));
   // Many open ends: twenty in full, the others by number.
   std::string comb;
   for (int i = 0; i < 30; ++i) comb += dxf_line({2.0 * i, 20}, {2.0 * i, 30});
@@ -477,7 +478,7 @@ TEST_CASE("drawing: ends that nearly meet are joined") {
   const double far = 1e-3;
   const std::string loose = dxf_line({0, 0}, {10, 0}) + dxf_arc({10, 2 + far}, 2, 270, 90) + dxf_line({10, 4}, {0, 4}) +
                             "0\nELLIPSE\n10\n0\n20\n2\n11\n0\n21\n2.001\n40\n0.5\n41\n0\n42\n" + sketch::show(kPi) + "\n";
-  CHECK(contains(fault(dxf(loose)), "no outline is closed; --join D joins ends up to a distance D"));
+  CHECK(contains(fault(dxf(loose)), "no closed outline; --join D joins ends up to a distance D"));
   const Drawn joined = drawn(dxf(loose), 3 * far);
   REQUIRE(joined.sketch.bodies.size() == 1);
   CHECK(area(joined.sketch.bodies[0]) == doctest::Approx(40 + 2 * kPi + kPi).epsilon(1e-3));
@@ -531,8 +532,8 @@ TEST_CASE("drawing: names that a sketch cannot have") {
                          "\xc3\xbc"
                          "ber")));
   for (const char* name : {"Kante_1", "Kante_1-2", "c_3rd", "c_ber"}) CHECK(curves_called(d.sketch.bodies[0], name) == 1);
-  CHECK(contains(d.text, "! the name 'Kante 1' became Kante_1\n"));
-  CHECK(contains(d.text, "! the name 'Kante_1' became Kante_1-2\n"));
+  CHECK(contains(d.text, "! name 'Kante 1' is changed to Kante_1\n"));
+  CHECK(contains(d.text, "! name 'Kante_1' is changed to Kante_1-2\n"));
 }
 
 TEST_CASE("drawing: what is wrong with a file is told with its line") {
@@ -547,7 +548,7 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {"body b E 1 nu 0\n", "1 expected a drawing"},
       {"AutoCAD Binary DXF\r\n\x1a", "1 this DXF file is binary"},
       {good.substr(0, good.size() / 2), "the file ends"},
-      {good.substr(0, good.find("  0\nEOF")), "the file ends without EOF: it is cut off"},
+      {good.substr(0, good.find("  0\nEOF")), "the file ends without EOF: it is truncated"},
       {dxf(""), "0 the drawing has no curves"},
       {dxf(dxf_line({0, 0}, {1, 0})), "0 no outline is closed"},
       {dxf("0\nLINE\n10\nx\n"),
@@ -555,22 +556,23 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {dxf("0\nLINE\n10\n1\n"), "left out: 1 LINE (line 12): the first end is missing, expected group 20; 0 the drawing"},
       {dxf("0\nLINE\nten\n1\n"), "13 a group code is 'ten', expected a whole number"},
       {dxf("0\nLINE\n2000\n1\n"), "13 group code 2000, expected 0 to 1071"},
-      {dxf("0\nARC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n1\n"), "1 ARC (line 12): radius 0, expected one above 0"},
-      {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n-1\n"), "1 CIRCLE (line 12): radius -1, expected one above 0"},
+      {dxf("0\nARC\n10\n0\n20\n0\n40\n0\n50\n0\n51\n1\n"), "1 ARC (line 12): radius 0, expected a value above 0"},
+      {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n-1\n"), "1 CIRCLE (line 12): radius -1, expected a value above 0"},
       {dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n1e999\n"), "the radius is '1e999', expected a number"},
-      {dxf("0\nELLIPSE\n10\n0\n20\n0\n11\n1\n21\n0\n40\n0\n"), "ratio of the axes 0, expected one above 0"},
+      {dxf("0\nELLIPSE\n10\n0\n20\n0\n11\n1\n21\n0\n40\n0\n"), "ratio of the axes 0, expected a value above 0"},
       {dxf("0\nELLIPSE\n10\n0\n20\n0\n11\n0\n21\n0\n40\n1\n"), "the major axis has no length"},
-      {dxf("0\nLWPOLYLINE\n90\n3\n10\n0\n20\n0\n"), "1 corners, expected 3"},
-      {dxf("0\nLWPOLYLINE\n10\n0\n"), "a corner has no y"},
-      {dxf("0\nLWPOLYLINE\n20\n0\n"), "expected x of a corner first"},
-      {dxf("0\nPOLYLINE\n0\nVERTEX\n10\n0\n20\n0\n"), "1 POLYLINE (line 12): no SEQEND behind its corners"},
-      {dxf("0\nSPLINE\n71\n3\n"), "1 SPLINE (line 12): neither control points nor two fit points"},
+      {dxf("0\nLWPOLYLINE\n90\n3\n10\n0\n20\n0\n"), "1 vertices, expected 3"},
+      {dxf("0\nLWPOLYLINE\n10\n0\n"), "a vertex has no y"},
+      {dxf("0\nLWPOLYLINE\n20\n0\n"), "expected x of a vertex first"},
+      {dxf("0\nPOLYLINE\n0\nVERTEX\n10\n0\n20\n0\n"), "1 POLYLINE (line 12): no SEQEND after its vertices"},
+      {dxf("0\nSPLINE\n71\n3\n"), "1 SPLINE (line 12): it has neither control points nor two fit points"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "1 knots, expected 4"},
       {dxf("0\nSPLINE\n71\n0\n10\n0\n20\n0\n"), "degree 0, expected 1 to 15"},
       {dxf("0\nSPLINE\n71\n2\n10\n0\n20\n0\n"), "1 control points, expected more than its degree 2"},
-      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n1\n40\n0\n40\n1\n10\n0\n20\n0\n10\n1\n20\n0\n"), "knots that fall"},
+      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n1\n40\n0\n40\n1\n10\n0\n20\n0\n10\n1\n20\n0\n"), "decreasing knots"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n0\n40\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "knots without a range"},
-      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n41\n1\n41\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "a weight of 0"},
+      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n41\n1\n41\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"),
+       "weight 0, expected a value above 0"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n41\n1\n10\n0\n20\n0\n10\n1\n20\n0\n"), "1 weights, expected one per"},
       {dxf("0\nSPLINE\n71\n1\n10\n0\n10\n1\n20\n0\n"), "an x without y"},
       {"0\nSECTION\n2\nHEADER\n0\nENDSEC\n0\nEOF\n", "0 no section ENTITIES"},
@@ -581,26 +583,26 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {"$MeshFormat\n4.1 1 8\n", "2 this MSH file is binary"},
       {"$MeshFormat\n2.2 0 8\n", "2 the file ends without $EndMeshFormat"},
       {"$MeshFormat\n2.2 0 8\n$EndNodes\n", "3 '$EndNodes', expected $EndMeshFormat"},
-      {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\nxyz\n", "4 'xyz', expected the begin of a section"},
+      {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\nxyz\n", "4 'xyz', expected the start of a section"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "0 no section $Nodes"},
       {nodes, "0 no section $Elements"},
       {nodes + "$Elements\n1\n", "9 the file ends within $Elements"},
-      {nodes + "$Elements\n2\n1 15 2 0 0 1\n$EndElements\n", "11 $Elements ends with fewer lines than it tells"},
-      {nodes + "$Elements\n1\n1 1 2 0 0 1 9\n$EndElements\n", "left out: 1 line element (line 10): node 9 is not there"},
-      {nodes + "$Elements\n1\n1 2 2 0 0 1 8 9\n$EndElements\n", "10 an element has node 8, which is not there"},
+      {nodes + "$Elements\n2\n1 15 2 0 0 1\n$EndElements\n", "11 $Elements has fewer lines than its count"},
+      {nodes + "$Elements\n1\n1 1 2 0 0 1 9\n$EndElements\n", "left out: 1 line element (line 10): node 9 is missing"},
+      {nodes + "$Elements\n1\n1 2 2 0 0 1 8 9\n$EndElements\n", "10 an element has node 8, which is missing"},
       {nodes + "$Elements\n1\n1 1 2 0 0 1 1\n$EndElements\n",
-       "left out: 1 line element (line 10): it ends in the node where it begins"},
+       "left out: 1 line element (line 10): both ends are the same node"},
       {nodes + "$Elements\n1\n1 1 2 0 0 1\n$EndElements\n", "10 an element of type 1 has 1 nodes, expected 2"},
       {nodes + "$Elements\n1\n1 1 9 0\n$EndElements\n", "10 $Elements: a line without nodes"},
       {nodes + "$Elements\n1\n1 1\n$EndElements\n", "10 $Elements: 2 numbers in a line, expected 3 or more"},
       {nodes + "$Elements\n0\n$EndElements\n", "0 the drawing has no curves"},
       {nodes + "$Elements\n-1\n$EndElements\n", "9 the number of elements is -1"},
-      {nodes + nodes.substr(nodes.find("$Nodes")) + "$Elements\n0\n$EndElements\n", "0 node 1 stands there twice"},
+      {nodes + nodes.substr(nodes.find("$Nodes")) + "$Elements\n0\n$EndElements\n", "0 node 1 is defined twice"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 zero 0\n", "6 y of a node is 'zero', expected a number"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n2 1 0 1\n$EndNodes\n$Elements\n0\n$EndElements\n",
-       "the mesh is not flat: z runs from 0 to 1"},
+       "the mesh is not plane: z ranges from 0 to 1"},
       {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 1 top\n",
-       "6 the name of a physical group is 'top', expected one in quotes"},
+       "6 the name of a physical group is 'top', expected a name in quotes"},
   };
   for (const Case& c : cases) {
     CAPTURE(c.drawing);
@@ -633,7 +635,7 @@ TEST_CASE("drawing: statements beside a drawing") {
     FAIL("a material of no body");
   } catch (const drawing::Fault& f) {
     CHECK(f.line == 2);
-    CHECK(f.text == "no body of the drawing is called 'plate', expected body1");
+    CHECK(f.text == "the drawing has no body 'plate', expected body1");
   }
 }
 
@@ -697,7 +699,7 @@ TEST_CASE("drawing: the command's own errors") {
   test::write_file(folder / "box.dxf", dxf(rectangle(0, 0, 1, 1)));
   CHECK(contains(run("box.dxf --with none.c2s").err, "none.c2s: error: cannot be read"));
   test::write_file(folder / "other.c2s", "body other E 1 nu 0\n");
-  CHECK(contains(run("box.dxf --with other.c2s").err, "other.c2s:1:1: error: no body of the drawing is called 'other'"));
+  CHECK(contains(run("box.dxf --with other.c2s").err, "other.c2s:1:1: error: the drawing has no body 'other'"));
   // What is wrong with the statements is told, and the sketch is there to put it right.
   test::write_file(folder / "wrong.c2s", "fix body1.nowhere\n");
   const test::Result wrong = run("box.dxf --with wrong.c2s -o box.c2s");

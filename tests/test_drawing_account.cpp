@@ -153,7 +153,7 @@ TEST_CASE("drawing: layers of construction, and entities of blocks on layers of 
   const Sketched seen = with("0 INSERT 8 plate 2 b 10 0 20 0 0 CIRCLE 8 LINES 10 2 20 2 40 1");
   CHECK(seen.areas[0] == doctest::Approx(60 - 2 * kPi));
   check_note(seen, "left out: 2 CIRCLE (from line");
-  check_note(seen, ": layer 'lines' is for construction");
+  check_note(seen, ": layer 'lines' is a construction layer");
   // What is on layer 0 of a block that is put on a layer goes with that one.
   const Sketched half = with("0 INSERT 8 lines 2 b 10 0 20 0");
   CHECK(half.areas[0] == doctest::Approx(60 - kPi));
@@ -169,17 +169,17 @@ TEST_CASE("drawing: one odd entity is left out by its line, the others are read"
   const struct {
     const char *entity, *note;
   } cases[] = {
-      {"0 CIRCLE 8 a 10 5 20 2 40 0", "1 CIRCLE (line 28): radius 0, expected one above 0"},
+      {"0 CIRCLE 8 a 10 5 20 2 40 0", "1 CIRCLE (line 28): radius 0, expected a value above 0"},
       {"0 CIRCLE 8 a 10 5 20 2", "1 CIRCLE (line 28): the radius is missing, expected group 40"},
       {"0 CIRCLE 8 a 10 5 20 2 40 x", "1 CIRCLE (line 36): the radius is 'x', expected a number"},
-      {"0 ARC 8 a 10 5 20 2 40 -1 50 0 51 90", "1 ARC (line 28): radius -1, expected one above 0"},
+      {"0 ARC 8 a 10 5 20 2 40 -1 50 0 51 90", "1 ARC (line 28): radius -1, expected a value above 0"},
       {"0 ELLIPSE 8 a 10 5 20 2 11 0 21 0 40 1", "1 ELLIPSE (line 28): the major axis has no length"},
-      {"0 LWPOLYLINE 8 a 90 2 70 1 10 5 20 2 10 5 20 2", "1 LWPOLYLINE (line 28): all of its corners are one"},
+      {"0 LWPOLYLINE 8 a 90 2 70 1 10 5 20 2 10 5 20 2", "1 LWPOLYLINE (line 28): all of its vertices coincide"},
       {"0 SPLINE 8 a 71 3 40 0 40 1 10 0 20 0", "1 SPLINE (line 28): 1 control points, expected more than its degree 3"},
       {"0 POLYLINE 8 a 70 1 0 VERTEX 10 0 20 0 0 LINE 10 0 20 0 11 1 21 1",
-       "1 POLYLINE (line 28): no SEQEND behind its corners"},
-      {"0 INSERT 8 a 2 none 10 0 20 0", "1 INSERT (line 28): block 'none' is not there"},
-      {"0 HATCH 8 a 10 0 20 0", "1 HATCH (line 28): not among the curves that are read"},
+       "1 POLYLINE (line 28): no SEQEND after its vertices"},
+      {"0 INSERT 8 a 2 none 10 0 20 0", "1 INSERT (line 28): block 'none' is missing"},
+      {"0 HATCH 8 a 10 0 20 0", "1 HATCH (line 28): not a supported curve"},
   };
   for (const auto& c : cases) {
     CAPTURE(c.entity);
@@ -247,7 +247,7 @@ TEST_CASE("drawing: angles that are a whole turn apart but for digits, and small
     CHECK(d.areas[0] == doctest::Approx(60 - hole).epsilon(1e-10));
     return d.notes;
   };
-  const char* const repaired = ": whole, where its angles are rounded";
+  const char* const repaired = ": closed, because its end angles differ only by rounding";
   for (const char* last : {"6.28", "6.2832", "6.28319", "6.283185", "6.2831853", "6.2831854", "6.283185307179586"}) {
     CAPTURE(last);
     const bool is_whole = std::string(last) != "6.28", is_exact = std::string(last).size() > 12;
@@ -328,7 +328,7 @@ TEST_CASE("drawing: partitioned meshes of both versions, and meshes that another
       CHECK(test::contains(d.text, curve));
   }
   const Sketched parts = sketched_file("pad-parts-v4.msh");
-  check_note(parts, ": between partitions");
+  check_note(parts, ": it separates partitions");
   const Sketched joined = sketched_file("joined-parts-v2.msh");
   REQUIRE(joined.areas.size() == 2);
   CHECK(joined.areas[0] == doctest::Approx(8 - kPi / 4).epsilon(1e-10));
@@ -345,11 +345,11 @@ TEST_CASE("drawing: odd elements of meshes") {
   REQUIRE(d.areas.size() == 1);
   CHECK(d.areas[0] == doctest::Approx(3));
   check_note(d, "left out: 1 face (line 16): it has fewer than three corners");
-  check_note(d, "left out: 1 line element (line 17): node 9 is not there");
+  check_note(d, "left out: 1 line element (line 17): node 9 is missing");
   check_note(d, "read: 2 faces");
   const std::string cut = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PartitionedEntities\n2\n0\n0 1 0 0\n";
-  CHECK(refusal(cut + "9 1 2 1 2 0 0 0 1 0 0\n") == "8: an entity has fewer numbers than it should");
-  CHECK(refusal(cut + "9 1 2 1 2 0 0 0 1 0 0 3 1\n") == "8: an entity has fewer numbers than it should");
+  CHECK(refusal(cut + "9 1 2 1 2 0 0 0 1 0 0\n") == "8: too few numbers for an entity");
+  CHECK(refusal(cut + "9 1 2 1 2 0 0 0 1 0 0 3 1\n") == "8: too few numbers for an entity");
   CHECK(refusal(cut + "9 1 2\n") == "8: $PartitionedEntities: 3 numbers in a line, expected 5 or more");
 }
 
@@ -389,13 +389,13 @@ TEST_CASE("drawing: outlines that nearly are one: doubles, turned ellipses, clea
   const Sketched twice = with("0 CIRCLE 10 5 20 3 40 1 0 ARC 10 5 20 3 40 1 50 30 51 210 0 ARC 10 5 20 3 40 1 50 210 51 30");
   REQUIRE(twice.areas.size() == 1);
   CHECK(twice.areas[0] == doctest::Approx(60 - kPi));
-  check_note(twice, "left out: an outline about (5, 3)");
+  check_note(twice, "left out: an outline around (5, 3)");
   CHECK_FALSE(test::contains(twice.text, "press fit"));
   const std::string ellipse = "0 ELLIPSE 10 5 20 3 11 2 21 0 40 0.5";
   CHECK(with(ellipse + " " + ellipse).areas[0] == doctest::Approx(60 - 2 * kPi));
   std::vector<std::string> notes;
   drawing::read_drawing(file_of(std::string(kPlate) + " " + ellipse + " 0 ELLIPSE 10 5 20 3 11 0 21 2 40 0.5"), 0, notes);
-  CHECK(std::none_of(notes.begin(), notes.end(), [](const std::string& n) { return test::contains(n, "lies on"); }));
+  CHECK(std::none_of(notes.begin(), notes.end(), [](const std::string& n) { return test::contains(n, "coincides with"); }));
   // A pin that is smaller by little, drawn by other curves than its hole: nested as it is, whichever polygon is larger.
   for (const char* pin :
        {"0 CIRCLE 10 5 20 3 40 1.999", "0 ARC 10 5 20 3 40 1.999 50 10 51 190 0 ARC 10 5 20 3 40 1.999 50 190 51 10"})
@@ -406,7 +406,7 @@ TEST_CASE("drawing: outlines that nearly are one: doubles, turned ellipses, clea
       REQUIRE(d.areas.size() == 2);
       CHECK(d.areas[0] == doctest::Approx(60 - 4 * kPi));
       CHECK(d.areas[1] == doctest::Approx(kPi * 1.999 * 1.999));
-      check_note(d, "0.001 apart at most: taken for a clearance; for a press fit take the outlines behind !");
+      check_note(d, "at most 0.001 apart: this is read as a clearance; for a press fit use the outlines in comments");
     }
   CHECK_FALSE(test::contains(with("0 CIRCLE 10 5 20 3 40 2 0 CIRCLE 10 5 20 3 40 1.8").text, "press fit")); // far smaller
 }

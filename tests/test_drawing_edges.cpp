@@ -70,21 +70,21 @@ TEST_CASE("drawing: entities that do not lie in the plane that is looked at are 
     for (const char* normal : {"210 1 230 0", "220 1 230 0", "230 0"}) {
       const Drawing d = drawn("0 " + std::string(type) + " 10 0 20 0 40 1 " + normal);
       CHECK(d.curves.empty());
-      CHECK(has_note(d, "left out: 1 " + std::string(type) + " (line 6): its plane is inclined to that of the drawing"));
+      CHECK(has_note(d, "left out: 1 " + std::string(type) + " (line 6): its plane is inclined to the plane of the drawing"));
     }
   const std::string corners = " 0 VERTEX 10 0 20 0 0 VERTEX 10 1 20 0 70 16 0 VERTEX 10 2 20 0 0 SEQEND";
-  CHECK(has_note(drawn("0 POLYLINE 70 64" + corners), "left out: 1 POLYLINE (line 6): a mesh in space"));
+  CHECK(has_note(drawn("0 POLYLINE 70 64" + corners), "left out: 1 POLYLINE (line 6): a three-dimensional mesh"));
   CHECK(has_note(drawn("0 POLYLINE 220 1" + corners),
-                 "left out: 1 POLYLINE (line 6): its plane is inclined to that of the drawing"));
+                 "left out: 1 POLYLINE (line 6): its plane is inclined to the plane of the drawing"));
   const Drawing flat = drawn("0 POLYLINE 70 0" + corners); // without what only frames a spline
   REQUIRE(flat.curves.size() == 1);
   CHECK(flat.curves[0].end.x == 2);
-  CHECK(has_note(drawn("0 LINE 67 1 10 0 20 0 11 1 21 1"), "left out: 1 LINE (line 6): on paper, not in the model"));
+  CHECK(has_note(drawn("0 LINE 67 1 10 0 20 0 11 1 21 1"), "left out: 1 LINE (line 6): in paper space"));
   CHECK(drawn("0 VERTEX 10 0 0 SEQEND 0 ATTRIB 1 x").notes.empty());
   CHECK(has_note(drawn("0 LINE 10 0 20 0 30 0 11 1 21 1 31 5"),
-                 "repaired: 1 LINE (line 6): seen along z, in which its points differ"));
+                 "repaired: 1 LINE (line 6): projected along z, because its points differ in z"));
   CHECK(has_note(drawn("0 LINE 10 0 20 0 30 0 11 1 21 1 31 5 0 LINE 10 0 20 0 30 0 11 1 21 1 31 5"),
-                 "repaired: 2 LINE (from line 6): seen along z, in which its points differ"));
+                 "repaired: 2 LINE (from line 6): projected along z, because its points differ in z"));
 }
 
 TEST_CASE("drawing: what is seen from behind, and ellipses that are circles") {
@@ -115,8 +115,8 @@ TEST_CASE("drawing: splines that are known by the points they go through") {
   CHECK_FALSE(drawn("0 SPLINE 70 1 11 0 21 0 11 2 21 0").curves.at(0).whole);
   // All control points in one place, and all fit points.
   CHECK(has_note(drawn("0 SPLINE 71 1 40 0 40 0 40 1 40 1 10 3 20 4 10 3 20 4"),
-                 "left out: 1 SPLINE (line 6): all of its control points are one"));
-  CHECK(has_note(drawn("0 SPLINE 11 3 21 4 11 3 21 4"), "left out: 1 SPLINE (line 6): all of its fit points are one"));
+                 "left out: 1 SPLINE (line 6): all of its control points coincide"));
+  CHECK(has_note(drawn("0 SPLINE 11 3 21 4 11 3 21 4"), "left out: 1 SPLINE (line 6): all of its fit points coincide"));
 }
 
 TEST_CASE("drawing: blocks, their copies, and which of them are passed over") {
@@ -129,8 +129,8 @@ TEST_CASE("drawing: blocks, their copies, and which of them are passed over") {
   CHECK(copies(" 230 -1").curves.at(0).end.x == doctest::Approx(-2));
   CHECK(copies(" 41 -1 42 1").curves.at(0).end.x == doctest::Approx(-2));
   CHECK(copies(" 41 2 42 3").curves.at(0).end.x == doctest::Approx(4));
-  CHECK(tells(copies(" 41 0"), ": a scale of 0"));
-  CHECK(tells(copies(" 210 1 230 0"), ": its plane is inclined to that of the drawing"));
+  CHECK(tells(copies(" 41 0"), ": its scale is 0"));
+  CHECK(tells(copies(" 210 1 230 0"), ": its plane is inclined to the plane of the drawing"));
   for (const char* words : {" 70 -1", " 71 -1", " 70 10001", " 71 10001", " 70 101 71 101"})
     CHECK(tells(copies(words), ": more than 10000 copies of a block"));
   // 101 copies of 100 of 100.
@@ -146,13 +146,13 @@ TEST_CASE("drawing: units, and files that are cut off") {
   CHECK(read_dxf(section("HEADER", "9 $INSUNITS 40 4") + line).unit == "");
   CHECK(read_dxf(groups("0 COMMENT") + line).curves.size() == 1);
   CHECK(fault_of(groups("0 SECTION 3 HEADER 0 ENDSEC")) == "expected the name of a section, group 2");
-  CHECK(fault_of(groups("0 SECTION 2 HEADER")) == "section 'HEADER' without ENDSEC: the file is cut off");
+  CHECK(fault_of(groups("0 SECTION 2 HEADER")) == "section 'HEADER' without ENDSEC: the file is truncated");
   CHECK(fault_of(section("HEADER", "")) == "no section ENTITIES");
   for (const char* end : {"", " 0 LINE 10 0 20 0 11 1 21 1"})
     CHECK(has_note(drawn("0 POLYLINE 0 VERTEX 10 0 20 0" + std::string(end)),
-                   "left out: 1 POLYLINE (line 6): no SEQEND behind its corners"));
-  CHECK(has_note(drawn("0 LWPOLYLINE 90 3 10 0 20 0 10 1 20 0"), "left out: 1 LWPOLYLINE (line 6): 2 corners, expected 3"));
-  CHECK(has_note(drawn("0 SPLINE 11 0 21 0"), "left out: 1 SPLINE (line 6): neither control points nor two fit points"));
+                   "left out: 1 POLYLINE (line 6): no SEQEND after its vertices"));
+  CHECK(has_note(drawn("0 LWPOLYLINE 90 3 10 0 20 0 10 1 20 0"), "left out: 1 LWPOLYLINE (line 6): 2 vertices, expected 3"));
+  CHECK(has_note(drawn("0 SPLINE 11 0 21 0"), "left out: 1 SPLINE (line 6): it has neither control points nor two fit points"));
 }
 
 TEST_CASE("drawing: numbers and lines of files") {
@@ -187,14 +187,14 @@ TEST_CASE("drawing: sections of meshes") {
     std::string text, told;
   } wrong[] = {{"$MeshFormat\n3 0 8\n$EndMeshFormat\n", "MSH format '3', expected 2.2 or 4.1"},
                {format + "$Nodes\n0\n\nx\n", "'x', expected $EndNodes"},
-               {format + "$Nodes\n0\n", "the file ends without $EndNodes: it is cut off"},
-               {format + "$Other\nx\n", "the file ends without $EndOther: it is cut off"},
-               {format + "nodes\n", "'nodes', expected the begin of a section, such as $Nodes"},
+               {format + "$Nodes\n0\n", "the file ends without $EndNodes: it is truncated"},
+               {format + "$Other\nx\n", "the file ends without $EndOther: it is truncated"},
+               {format + "nodes\n", "'nodes', expected the start of a section, such as $Nodes"},
                {format + triangle, "no section $Nodes"},
                {format + nodes, "no section $Elements"},
-               {format + "$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n$Elements\n0\n$EndElements\n", "node 1 stands there twice"},
+               {format + "$Nodes\n2\n1 0 0 0\n1 1 0 0\n$EndNodes\n$Elements\n0\n$EndElements\n", "node 1 is defined twice"},
                {format + "$Nodes\n2\n1 0 0 0\n2 1 0 5\n$EndNodes\n$Elements\n0\n$EndElements\n",
-                "the mesh is not flat: z runs from 0 to 5, expected a plane of constant z"}};
+                "the mesh is not plane: z ranges from 0 to 5, expected constant z"}};
   for (const auto& w : wrong) CHECK(fault_of(w.text) == w.told);
 }
 
@@ -433,11 +433,11 @@ TEST_CASE("drawing: curves that are moved, halved, placed and told") {
   CHECK(placed(circular({0, 0}, 1, 0, 360), turned).sweep == 360);
   CHECK(placed(circular({0, 0}, 1, 0, 90), turned).sweep == -90);
   Curve whole = elliptic({0, 0}, 2, 1, 0, 0, 360);
-  CHECK(told(whole) == "ellipse");
+  CHECK(text_of(whole) == "ellipse");
   whole.line = 7, whole.name = "rim";
-  CHECK(told(whole) == "ellipse of 'rim' in line 7");
-  CHECK(told(circular({0, 0}, 1, 0, 360)) == "circle");
-  CHECK(told(circular({0, 0}, 1, 0, 90)) == "arc");
+  CHECK(text_of(whole) == "ellipse of 'rim' in line 7");
+  CHECK(text_of(circular({0, 0}, 1, 0, 360)) == "circle");
+  CHECK(text_of(circular({0, 0}, 1, 0, 90)) == "arc");
 }
 
 TEST_CASE("drawing: joints where curves touch, overlap or leave one way, and outlines of no area") {
@@ -453,10 +453,10 @@ TEST_CASE("drawing: joints where curves touch, overlap or leave one way, and out
   const Drawing twice =
       joined({straight({0, 0}, {1, 0}), straight({0, 0}, {1, 0}), straight({1, 0}, {0, 1}), straight({0, 1}, {0, 0})});
   REQUIRE(twice.bodies.size() == 1);
-  CHECK(has_note(twice, "line from (0, 0) to (1, 0) lies on line and was left out"));
+  CHECK(has_note(twice, "line from (0, 0) to (1, 0) coincides with line and was left out"));
   const Drawing same = joined({elliptic({0, 0}, 2, 1, 0, 0, 360), elliptic({0, 0}, 2, 1, 0, 0, 360)});
   CHECK(same.bodies.size() == 1);
-  CHECK(has_note(same, "ellipse lies on ellipse and was left out"));
+  CHECK(has_note(same, "ellipse coincides with ellipse and was left out"));
   const Drawing within = joined({elliptic({0, 0}, 2, 1, 0, 0, 360), elliptic({0, 0}, 2, 0.5, 0, 0, 360)});
   CHECK(within.notes.empty());
   const Drawing splines = joined({smooth(loop, true), smooth({{10, 0}, {12, 0}, {13, 2}, {11, 3}, {9, 1}}, true)});
@@ -471,7 +471,7 @@ TEST_CASE("drawing: joints where curves touch, overlap or leave one way, and out
   const Drawing open = joined({circular({0, 0}, 1, 180, -180), straight({-1, 0}, {1, 0}), straight({0, 1}, {0, 3})});
   REQUIRE(open.bodies.size() == 1);
   CHECK(std::any_of(open.notes.begin(), open.notes.end(),
-                    [](const std::string& n) { return has(n, "it lies on arc, which is to be broken there"); }));
+                    [](const std::string& n) { return has(n, "it lies on arc; split that curve there"); }));
 }
 
 TEST_CASE("drawing: holes with curves across them, or in two bodies, and notes of which there are many") {
@@ -487,7 +487,7 @@ TEST_CASE("drawing: holes with curves across them, or in two bodies, and notes o
   REQUIRE(a.bodies.size() == 1);
   CHECK(area_of(a.bodies[0]) == doctest::Approx(96));
   CHECK(std::any_of(a.notes.begin(), a.notes.end(),
-                    [](const std::string& n) { return has(n, "a hole about ") && has(n, "has curves across it"); }));
+                    [](const std::string& n) { return has(n, "a hole around ") && has(n, "is crossed by curves"); }));
   // Two bodies side by side: a circle in one of them, and one upon the line between them.
   std::vector<Curve> pair = {straight({0, 0}, {5, 0}),    straight({5, 0}, {10, 0}),  straight({10, 0}, {10, 10}),
                              straight({10, 10}, {5, 10}), straight({5, 10}, {0, 10}), straight({0, 10}, {0, 0}),
@@ -520,7 +520,7 @@ TEST_CASE("drawing: line elements that branch, turn, lie twice or within bodies"
   const Drawing joined_ones = mesh.drawing();
   REQUIRE(joined_ones.bodies.size() == 1);
   CHECK(joined_ones.bodies[0].name == "plate");
-  CHECK(has_note(joined_ones, "1 line elements are there twice: the name of the first one holds"));
+  CHECK(has_note(joined_ones, "1 line elements are repeated: the name of the first one is used"));
   CHECK(has_note(joined_ones, "1 line elements inside bodies were left out"));
   mesh.faces[1].first = 2; // a line between bodies is a side of both
   mesh.lines = {{5, {2, 3}}};

@@ -174,24 +174,23 @@ TEST_CASE("facing parts: messages about a mesh name curves") {
 
 TEST_CASE("facing parts: warnings say what they mean for the model, and nothing of a mesh") {
   const auto words = [&](const std::string& text) { return app::in_words_of_drawing(text, ""); };
-  CHECK(
-      words("zone 1, pair 8, load factor 1: coarse contact: only 2 elements between the contact edge and the highest pressure; "
-            "the edge "
-            "is uncertain by 0.1 (12 % of the width), this pressure by 5 %; the last element before the corner at pair 8 "
-            "carries 5 % "
-            "of the force, and the pressure rises there to 4.2 times that of the next element; it may be unbounded: refine the "
-            "mesh there") ==
-      "zone 1, load factor 1: at a corner of the contact the pressure rises to 4.2 times what it is beside it, and may have no "
-      "bound: do not use the highest pressure there; forces and pressures farther away are right");
+  CHECK(words("zone 1, pair 8, load factor 1: coarse contact: only 2 elements between the contact edge and the highest "
+              "pressure; the edge "
+              "is uncertain by 0.1 (12 % of the width), this pressure by 5 %; the last element before the corner at pair 8 "
+              "carries 5 % "
+              "of the force, and the pressure rises there to 4.2 times that of the next element; it may be unbounded: refine "
+              "the mesh there") ==
+        "zone 1, load factor 1: at a corner of the contact the pressure rises to 4.2 times the pressure beside it and may be "
+        "unbounded: do not use the highest pressure there; forces and pressures farther away are correct");
   CHECK(words("slip since it last touched exceeds half a contact element and 5 % of the contact length: the nodes of the pair "
               "no longer face each "
-              "other") == "slip since it last touched exceeds 5 % of what touches: pressures act where surfaces faced each "
-                          "other as drawn, not where "
-                          "slip has taken them, and moments and stresses are off by about as much");
+              "other") ==
+        "slip since it last touched exceeds 5 % of the contact length: pressures act at the positions before slip; "
+        "moments and stresses have about the same relative error");
   CHECK(words("between the nodes of side 2 the bodies overlap by 0.1 at (1, 2): contact conditions are enforced at the nodes "
               "of side 2 "
               "only; refine side 2 there") ==
-        "where they touch the bodies overlap by 0.1 at (1, 2), and the pressure is off there: a smaller tolerance lowers it");
+        "in contact the bodies overlap by 0.1 at (1, 2), and the pressure has an error there; use a smaller tolerance");
   const auto is_about_mesh = [](int32_t number, const char* text) {
     c2d_error warning = C2D_INIT(c2d_error);
     warning.status = number;

@@ -473,7 +473,7 @@ TEST_CASE("convert: numbers that the fixed form can and cannot hold") {
   deck[31] = "123456 .5 .5 0 -2"; // number of a point load: five columns
   const test::Result wide = convert(joined(deck));
   CHECK(wide.status == 2);
-  CHECK(test::contains(wide.err, "deck:32:1: error: the number 123456 does not fit into the 5 columns"));
+  CHECK(test::contains(wide.err, "deck:32:1: error: the number 123456 does not fit in the 5 columns"));
 }
 
 TEST_CASE("convert: comments of every kind, beside cards and keywords, and fields that are blank") {

@@ -565,5 +565,6 @@ TEST_CASE("names in the line that tells why a path ended, and of points outside"
   test::write_file(folder / "b", text_of(stack.deck(kNames)));
   const Result outside = test::run_shell(kProgram + " run '" + (folder / "b") + "' --interior /dev/null");
   CHECK(outside.status == 0);
-  CHECK_MESSAGE(contains(outside.err, "lies outside body 1 (plate), but in body 2 (\xc3\x96lring \xe2\x9c\x93)"), outside.err);
+  CHECK_MESSAGE(contains(outside.err, "lies outside body 1 (plate), but inside body 2 (\xc3\x96lring \xe2\x9c\x93)"),
+                outside.err);
 }

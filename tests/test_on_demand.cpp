@@ -361,7 +361,7 @@ TEST_CASE("on demand: the program's option" * doctest::skip(c2d::kSmallCode)) {
     return test::run_shell("cd '" + folder.path() + "' && '" + paths::program() + "' " + words);
   };
   const test::Result check = run("check rough.dat --touching 90"), whole = run("check rough.dat");
-  CHECK(check.out.find("contact on demand           room for 90 pairs that touch, or nearly\n") != std::string::npos);
+  CHECK(check.out.find("contact on demand           room for 90 pairs in or near contact\n") != std::string::npos);
   CHECK(check.out.find("elimination                 compressed") != std::string::npos);
   CHECK(whole.out.find("contact on demand") == std::string::npos);
   REQUIRE(run("run rough.dat -q --touching 90 --csv a.csv --json a").status == 0);
@@ -400,7 +400,7 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   CHECK_MESSAGE(check.out.find("room for 300 pairs") != std::string::npos, check.out);
   CHECK(run("check held.dat --elimination dense").out.find("room for") == std::string::npos);
   CHECK(run("check - <held.dat").out.find("room for") == std::string::npos); // (it could not begin anew)
-  CHECK(check.out.find("compressed, as the contact is on demand\n") != std::string::npos);
+  CHECK(check.out.find("compressed (contact on demand)\n") != std::string::npos);
   for (const std::string name : {"held", "free"}) {
     const test::Result there = run("run " + name + ".dat --json " + name);
     CHECK_MESSAGE(there.status == 0, there.err);
@@ -409,6 +409,7 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   }
   const test::Result hinge = run("run hinged.dat --json hinged");
   CHECK_MESSAGE(hinge.status == 0, hinge.err);
-  CHECK_MESSAGE(hinge.err.find("the contact cannot be on demand, the run begins anew") != std::string::npos, hinge.err);
+  CHECK_MESSAGE(hinge.err.find("the contact cannot be on demand; the run restarts from the beginning") != std::string::npos,
+                hinge.err);
   CHECK(hinge.err.find("error") == std::string::npos);
 }

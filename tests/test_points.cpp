@@ -151,7 +151,7 @@ TEST_CASE("points: more points outside than anyone would read") {
   CHECK(result.status == 0);
   CHECK(rows_of(result.out).size() == 51);
   CHECK(lines_of(result.err).size() == 22); // rows are not shown
-  CHECK(contains(result.err, "p: warning: 30 points more lie outside their body\n"));
+  CHECK(contains(result.err, "p: warning: 30 more points lie outside their body\n"));
 }
 
 TEST_CASE("points: a point, a line and a clipped grid in the deck") {
@@ -259,8 +259,8 @@ TEST_CASE("points: two bodies, and the last step of the last coefficient") {
   CHECK(rows[1].outside());
   CHECK(!rows[2].outside());
   CHECK(rows[3].outside());
-  CHECK(contains(result.err, "p:2:1: warning: point (1, 4) lies outside body 1, but in body 2\n"));
-  CHECK(contains(result.err, "p:4:1: warning: point (2, -2) lies outside body 2, but in body 1\n"));
+  CHECK(contains(result.err, "p:2:1: warning: point (1, 4) lies outside body 1, but inside body 2\n"));
+  CHECK(contains(result.err, "p:4:1: warning: point (2, -2) lies outside body 2, but inside body 1\n"));
   // Of the second coefficient, as --boundary: a boundary point has the displacement of its node there.
   const std::vector<std::string> boundary = lines_of(read_file(folder / "b"));
   std::vector<double> f;
@@ -321,10 +321,10 @@ TEST_CASE("points: faulty files of points") {
       {"1,1.5,\n", "p:1:7: error: y is '', expected a number\n"},
       {"1,1.5,inf\n", "p:1:7: error: y is 'inf', expected a number\n"},
       {"1,nan,1\n", "p:1:3: error: x is 'nan', expected a number\n"},
-      {"1,1.5\n", "p:1:1: error: the row has 2 fields, expected 3 with commas between them: body,x,y\n"},
-      {"1,1.5,0.1,0\n", "p:1:11: error: the row has 4 fields, expected 3 with commas between them: body,x,y\n"},
-      {"1;1.5;0.1\n", "p:1:1: error: the row has 1 field, expected 3 with commas between them: body,x,y\n"},
-      {"1 1.5 0.1\n", "p:1:1: error: the row has 1 field, expected 3 with commas between them: body,x,y\n"},
+      {"1,1.5\n", "p:1:1: error: the row has 2 fields, expected 3 separated by commas: body,x,y\n"},
+      {"1,1.5,0.1,0\n", "p:1:11: error: the row has 4 fields, expected 3 separated by commas: body,x,y\n"},
+      {"1;1.5;0.1\n", "p:1:1: error: the row has 1 field, expected 3 separated by commas: body,x,y\n"},
+      {"1 1.5 0.1\n", "p:1:1: error: the row has 1 field, expected 3 separated by commas: body,x,y\n"},
       {"x,y,body\n1.5,0.1,1\n", "p:1:1: error: body is 'x', expected 1, the only body\n"},
       {"1,1.5,0.1\nbody,x,y\n", "p:2:1: error: body is 'body', expected 1, the only body\n"},
   };

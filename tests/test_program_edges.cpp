@@ -92,7 +92,7 @@ TEST_CASE("options: what is asked of a run, and how it may be told") {
   app::Options o;
   CHECK(fault_of({"run", "deck", "--response", "max nothing"}, o).find("--response 'max nothing': expected max or min tn") ==
         0);
-  CHECK(fault_of({"run", "deck", "--response", " ; "}, o).find("--response nothing is asked for") == 0);
+  CHECK(fault_of({"run", "deck", "--response", " ; "}, o).find("--response no response is given") == 0);
   for (const char* none :
        {"contact edge 1x", "contact edge 0", "contact edge 1 2", "max tn zone 1 zone 2", "big tn", "stress", "stress 1 zone 2",
         "load zone 1", "load 2", "max tn 3", "max tn zone", "zone 1", "touching 1", "tn max", "max min tn"}) {
@@ -168,8 +168,8 @@ TEST_CASE("responses: numbers of pairs, zones and points that are there, and tha
   CHECK(value("stress 1", record) == "7");
   CHECK(value("stress 2", record) == "nan");
   CHECK(value("stress 3", record) == "nan");
-  CHECK(app::failure_text("") == "FAIL no reason is known\n");
-  CHECK(app::failure_text("\nwhy") == "FAIL no reason is known\n");
+  CHECK(app::failure_text("") == "FAIL reason unknown\n");
+  CHECK(app::failure_text("\nwhy") == "FAIL reason unknown\n");
   CHECK(app::csv_field("a \"b\"") == "\"a \"\"b\"\"\"");
 }
 
@@ -319,8 +319,8 @@ TEST_CASE("points: rows with tabs and signs, and what is wrong in others") {
                {"bod,x,y\n", 1, "body is 'bod', expected 1, the only body"},
                {"1,\x01\xc3,0\n", 1, "x is '\?\?', expected a number"},
                {"1,0,inf\n", 1, "y is 'inf', expected a number"},
-               {"1\n", 1, "the row has 1 field, expected 3 with commas between them: body,x,y"},
-               {"1,0,0,0\n", 1, "the row has 4 fields, expected 3 with commas between them: body,x,y"}};
+               {"1\n", 1, "the row has 1 field, expected 3 separated by commas: body,x,y"},
+               {"1,0,0,0\n", 1, "the row has 4 fields, expected 3 separated by commas: body,x,y"}};
   for (const auto& w : wrong) {
     CAPTURE(w.text);
     CHECK(faults(w.text, w.bodies, points) == w.told);

@@ -222,7 +222,7 @@ TEST_CASE("jobs: those of other versions, that are damaged within, or that anoth
   std::string error;
   REQUIRE(app::write_sealed(store + "/job", "contact2d job 3", "junk", error));
   CHECK(resume(folder.path()).exit == 3);
-  CHECK(resume(folder.path()).reason == store + "/job: is of another version");
+  CHECK(resume(folder.path()).reason == store + "/job: has another version");
   app::Job job;
   job.deck_name = "deck", job.deck = read_file(sample());
   job.meshes.rounds.resize(1), job.meshes.taken = 5; // a round that is none
@@ -261,7 +261,7 @@ TEST_CASE("jobs: those of other versions, that are damaged within, or that anoth
   options.quiet = true;
   const Ran replaced = run(options);
   CHECK(replaced.exit == 3);
-  CHECK(replaced.reason == tapes + ": another process has ended or replaced the run that was there");
+  CHECK(replaced.reason == tapes + ": another process has finished or replaced this run");
 }
 
 TEST_CASE("jobs: what the steps have left is of another model, and tapes are cut short: the run begins anew") {
@@ -326,8 +326,8 @@ TEST_CASE("jobs: a sketch is kept before its mesh is looked for, or the run says
       if (refused.calls() < n) break;
       CHECK((ran.exit == 0 ? read_file(drawn.folder / "c") == whole : ran.exit == 3 || ran.exit == 2));
       CHECK((ran.exit == 0) == ran.reason.empty());
-      CHECK(
-          (!fs::exists(drawn.folder / "c") || read_file(drawn.folder / "c") == whole)); // (where its name cannot be made safe)
+      CHECK((!fs::exists(drawn.folder / "c") ||
+             read_file(drawn.folder / "c") == whole)); // (where its name cannot be flushed to disk)
     }
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("system: files, folders and names of them") {
   CHECK_FALSE(app::remove_file(folder.path(), error));
   CHECK(contains(error, folder.path() + ": cannot be removed: "));
   CHECK_FALSE(app::remove_way(folder / "none", error));
-  CHECK(error == (folder / "none") + ": cannot be looked through: No such file or directory");
+  CHECK(error == (folder / "none") + ": cannot be read: No such file or directory");
   write_file(folder / "file", "");
   std::string text;
   CHECK(app::read_sealed(folder / "file/job", "kind", text, error) == app::Sealed::kAbsent);
@@ -229,7 +229,7 @@ TEST_CASE("system: every output's safety, one call after the other") {
     const System refused("fsync", n, EIO);
     const Ran failed = run(words(out));
     CHECK(failed.exit == 3);
-    CHECK_MESSAGE(contains(failed.reason, "cannot be made safe: Input/output error"), failed.reason);
+    CHECK_MESSAGE(contains(failed.reason, "cannot be flushed to disk: Input/output error"), failed.reason);
   }
   CHECK(folder.names().size() >= before); // what has its name already stays
 }
@@ -240,7 +240,7 @@ TEST_CASE("system: tapes where memory, TMPDIR or the budget end") {
   REQUIRE(empty.choose("memory", 1, false, error));
   CHECK(empty.open(0, 0, 64) == 0);
   CHECK(empty.open(1, 4, 0) == 0);
-  CHECK(empty.system_text(C2D_POSIX_STORE_END) == "a file of the store ends too early");
+  CHECK(empty.system_text(C2D_POSIX_STORE_END) == "a file of the store is truncated");
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before != nullptr ? before : "";
   for (const bool set : {false, true}) { // then it is /tmp
@@ -313,7 +313,7 @@ TEST_CASE("system: memory that is free, and a workspace or threads that cannot b
     return run({"run", sample(), "-q", "--no-progress"});
   }();
   CHECK(memory.exit == 4);
-  CHECK_MESSAGE(contains(memory.reason, "bytes of memory to be had: "), memory.reason);
+  CHECK_MESSAGE(contains(memory.reason, "bytes of memory: a workspace of "), memory.reason);
   const app::Muted muted;
   const System refused("malloc", [] { return ENOMEM; });
   CHECK(app::check_decks(options_of({"check", "-q", sample()})) == 4);
@@ -407,7 +407,7 @@ TEST_CASE("messages: what is told, what is kept, and what is too much") {
   CHECK(log(entry(C2D_FAULT, C2D_ERR_MEMORY, "nor this")) == "");
   CHECK(messages.latest() == "by the way");
   for (int i = 1; i <= 1000; ++i) CHECK(log(entry(C2D_FAULT, C2D_ERR_INPUT, "wrong")) == "wrong");
-  CHECK(log(entry(C2D_FAULT, C2D_ERR_INPUT, "wrong")) == "too many errors, the others are not shown");
+  CHECK(log(entry(C2D_FAULT, C2D_ERR_INPUT, "wrong")) == "too many errors; the others are not printed");
   CHECK(log(entry(C2D_FAULT, C2D_ERR_INPUT, "wrong")) == "");
 }
 
@@ -525,7 +525,7 @@ TEST_CASE("system: a deck is not written in its other form if that cannot be rea
   refuse_call(last);
   app::forget_reason();
   CHECK(app::convert_deck(options) == 3);
-  CHECK(contains(app::reason_told(), "the deck in its new form would not read as before"));
+  CHECK(contains(app::reason_told(), "the converted deck would not give the same model"));
   CHECK_FALSE(fs::exists(folder / "d"));
   refuse_call(0);
   REQUIRE(app::check_decks(options_of({"check", "-q", sample()})) == 0);

@@ -147,14 +147,14 @@ TEST_CASE("resume: a factorisation that is there is not computed again; one that
     const std::string tape = own + name;
     const auto size = fs::file_size(tape);
     fs::resize_file(tape, size / 2); // the end is gone
-    CHECK(contains(again().err, "begins anew"));
+    CHECK(contains(again().err, "restarts from the beginning"));
     std::string bytes = read_file(tape);
     for (size_t i = 150; i < bytes.size(); i += 997) bytes[i] = static_cast<char>(bytes[i] ^ 1);
     write_file(tape, bytes);
-    CHECK(contains(again().err, "begins anew"));
+    CHECK(contains(again().err, "restarts from the beginning"));
     fs::remove(tape);
-    CHECK(contains(again().err, "begins anew"));
-    CHECK_FALSE(contains(again().err, "begins anew"));
+    CHECK(contains(again().err, "restarts from the beginning"));
+    CHECK_FALSE(contains(again().err, "restarts from the beginning"));
   }
   // Other options on the same tapes, killed by a store that is full: the new ones count.
   Outputs others;
@@ -251,9 +251,9 @@ TEST_CASE("resume: a job of another version, and one of other words") {
   const std::string job = folder / "contact2d.store/job";
   const auto resumed = [&] { return run_shell(kProgram + "resume '" + folder.path() + "'"); };
   REQUIRE(app::write_sealed(job, "contact2d job 1", "", error));
-  CHECK((resumed().status == 3 && contains(resumed().err, "is of another version: 'contact2d job 1', expected")));
+  CHECK((resumed().status == 3 && contains(resumed().err, "has another version: 'contact2d job 1', expected")));
   REQUIRE(app::write_sealed(job, "contact2d job 2", "1\n", error));
-  CHECK((resumed().status == 3 && contains(resumed().err, "is of another version")));
+  CHECK((resumed().status == 3 && contains(resumed().err, "has another version")));
   app::Job other;
   other.words = {"--no-such-option=3"};
   REQUIRE(app::keep_job(folder / "contact2d.store", other, error));

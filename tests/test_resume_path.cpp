@@ -163,7 +163,7 @@ void kill_and_resume(const Whole& whole, const std::string& part, size_t kills, 
   CHECK(found >= least);
 }
 
-const char kInPath[] = "goes on behind step";
+const char kInPath[] = "continues after step";
 
 } // namespace
 
@@ -217,7 +217,7 @@ TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
     CHECK(result.status == 143);
     CHECK(run.outputs().empty());
     CHECK(contains(result.err, "note: ended; "));
-    CHECK(contains(result.err, "contact2d resume . goes on"));
+    CHECK(contains(result.err, "contact2d resume . continues"));
     const Result resumed = run.go(true);
     CHECK_MESSAGE(resumed.status == 0, resumed.err);
     CHECK(differing(run.outputs(), whole.outputs) == "");
@@ -233,7 +233,7 @@ TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
     const Run run("deck.dat", deck, "--save-every 0");
     const Result told = run.go(false, in_path[k], FAULT_STOPPED);
     CHECK(told.status == 143);
-    CHECK(contains(told.err, "note: ended; the state of step "));
+    CHECK(contains(told.err, "note: stopped; the state of step "));
     const Result on = run.go(true);
     CHECK((on.status == 0 && contains(on.err, kInPath)));
     CHECK(differing(run.outputs(), whole.outputs) == "");
@@ -261,13 +261,13 @@ TEST_CASE("resume in the path: states that are damaged, of another run or gone a
     const Result result = run.go(true);
     CHECK_MESSAGE(result.status == 0, result.err);
     CHECK(differing(run.outputs(), whole.outputs) == "");
-    if (is_told) CHECK_MESSAGE(contains(result.err, "begins anew"), result.err);
+    if (is_told) CHECK_MESSAGE(contains(result.err, "restarts from the beginning"), result.err);
     return result;
   };
   CHECK(contains(resumed("", "", false).err, kInPath));
   std::vector<std::string> latest; // the file of the last step, which the state on tape 0 needs
   for (const char* name : {"path0", "path1"})
-    if (contains(resumed(name, "", false).err, "begins anew")) latest.push_back(name);
+    if (contains(resumed(name, "", false).err, "restarts from the beginning")) latest.push_back(name);
   REQUIRE(latest.size() == 1);
   const std::string& path = files.at(latest[0]);
   for (size_t k = 0; k < effort<size_t>(1, 4); ++k) {
@@ -285,7 +285,7 @@ TEST_CASE("resume in the path: states that are damaged, of another run or gone a
   }
   // Of another run in the same folder.
   const Whole other("deck.dat", family("mindlin n=6 steps=2"), "--save-every 0");
-  CHECK(contains(resumed(latest[0], read_file(other.run.store(latest[0])), true).err, "is not there"));
+  CHECK(contains(resumed(latest[0], read_file(other.run.store(latest[0])), true).err, "is missing"));
 }
 
 TEST_CASE("resume in the path: a sketch's loop over meshes takes up the meshes that were solved") {

@@ -74,7 +74,7 @@ TEST_CASE("sweep: a parameter keeps the columns of a fixed deck, and what has no
   CHECK(filled_well("{a}{b}\n{a}\n", {{"a", "1"}, {"b", "2"}, {"a", "3"}}) == "  3  2\n  3\n"); // the last one counts
   CHECK(filled("   1{mu}  7\n", {{"mu", "0.123456"}}) ==
         std::vector<std::string>{
-            "1:5-8: the value 0.123456 of mu has 8 characters, and there is room for 4: leave blanks before the braces"});
+            "1:5-8: the value 0.123456 of mu has 8 characters, but there is room for 4: add blanks before the braces"});
   CHECK(filled("x\n {mu} {nu}\n", {}) == std::vector<std::string>{"2:2-5: {mu} has no value, expected --set mu=VALUE",
                                                                   "2:7-10: {nu} has no value, expected --set nu=VALUE"});
   CHECK(filled("x\n", {{"mu", "1"}}) ==
@@ -83,7 +83,7 @@ TEST_CASE("sweep: a parameter keeps the columns of a fixed deck, and what has no
   CHECK(filled_well("*free\n! {a}\n{a} {b=long}\n", {{"a", "0.123456"}}) == "*free\n! {a}\n0.123456 long\n");
   // braces in braces; columns are those of the deck as it is read
   CHECK(filled("*free\n{a={x=1}0} 2 {y}\n", {}) ==
-        std::vector<std::string>{"2:4-8: {x} stands in braces, expected one name and one value in a pair of braces",
+        std::vector<std::string>{"2:4-8: {x} is inside other braces, expected one name and one value in each pair of braces",
                                  "2:14-16: {y} has no value, expected --set y=VALUE"});
   CHECK(filled("*free\n{k{i=2}}\n", {}).size() == 1);
   CHECK(filled_well("*free\n{a {x=1}} {\n", {}) == "*free\n{a 1} {\n"); // (no parameter with a blank in it)
@@ -116,7 +116,7 @@ TEST_CASE("sweep: files of parameters, plain and of Dakota") {
   read("2mu = 0.3\n", error);
   CHECK(contains(error, "line 1"));
   read("3 variables\n1 a\n", error);
-  CHECK(error == "ends before the last of its variables");
+  CHECK(error == "ends before the last variable");
   CHECK(read("", error).empty());
   CHECK(error == "");
   for (const char* wrong : {"nu\n", "{\n", "{mu = 1\n", "2 variable\n", "mu =\n", "mu\n"}) {
@@ -362,18 +362,18 @@ TEST_CASE("sweep: faults of a table have their places") {
   };
   told("load\n", "no rows, expected a heading");
   told("load,2x\n1,2\n", ":1:6: error: '2x': expected the name of a parameter");
-  told("load,load\n1,2\n", ":1:6: error: load names two columns");
-  told("load, nope,steps\n1,2,3\n", ":1:7: error: there is no parameter nope, expected one of load steps");
+  told("load,load\n1,2\n", ":1:6: error: load is the name of two columns");
+  told("load, nope,steps\n1,2,3\n", ":1:7: error: no parameter nope, expected one of load steps");
   told("load,steps\n1\n1,2,3\n", ":2:1: error: 1 values, expected 2");
   told("load,steps\n1,a b\n", ":2:3: error: 'a b': expected a value without blanks");
   const Result sketch = contact2d("sweep '" + (folder / "table") + "' " + kRoller + "--response 'max tn'");
   CHECK(sketch.status == 2);
-  CHECK_MESSAGE(contains(sketch.err, ":1:1: error: there is no parameter load, expected one of P R mu"), sketch.err);
+  CHECK_MESSAGE(contains(sketch.err, ":1:1: error: no parameter load, expected one of P R mu"), sketch.err);
   const Result none = contact2d("sweep '" + (folder / "table") + "' '" + kExamples + "hertz.dat' --response 'max tn'");
-  CHECK_MESSAGE(contains(none.err, ":1:1: error: there is no parameter load\n"), none.err);
+  CHECK_MESSAGE(contains(none.err, ":1:1: error: no parameter load\n"), none.err);
   const Result setting = contact2d("sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' nope=1");
   CHECK(setting.status == 64);
-  CHECK_MESSAGE(contains(setting.err, "deck: there is no parameter nope\n"), setting.err);
+  CHECK_MESSAGE(contains(setting.err, "deck: no parameter nope\n"), setting.err);
   CHECK(contact2d("sweep t d").status == 64);
   CHECK(contact2d("sweep t").status == 64);
   CHECK(contact2d("sweep t d --response 'max tn' --resume").status == 2); // no such table
@@ -386,7 +386,7 @@ TEST_CASE("sweep: faults of a table have their places") {
                               (folder / "o") + "' --resume";
     const Result busy = contact2d(sweep);
     CHECK(busy.status == 75);
-    CHECK(contains(busy.err, "o.rows: another process is at this sweep"));
+    CHECK(contains(busy.err, "o.rows: another process is running this sweep"));
     other.remove();
   }
   const std::string results = "sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' --results ";

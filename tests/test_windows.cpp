@@ -217,7 +217,7 @@ TEST_CASE("windows: keys and locks: exit status as of signals, 75; a run that wa
     CHECK_FALSE(fs::exists(folder / "the re"));
     const Result resumed = there(folder, "resume 'sto re'");
     CHECK_MESSAGE(resumed.status == 0, resumed.err);
-    CHECK(contains(resumed.err, "goes on behind step"));
+    CHECK(contains(resumed.err, "continues after step"));
     check_same(folder, "here", "the re");
     fs::remove_all(folder / "sto re");
     fs::remove(folder / "the re");

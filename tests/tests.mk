@@ -1,13 +1,13 @@
 # The test program, and how it is run. Included by the Makefile.
-#   make test               what must pass before every commit: all but what tests/proof.txt lists, with short loops
+#   make test               the tests required before every commit: all but what tests/proof.txt lists, with short loops
 #   make test-all           all of it; C2D_TESTS_FULL=1: with the loops at their full length (a stage of make proof)
 #   make test-times         the same as make test, from nothing, with processor seconds: a line for each source, the 40 slowest tests
-#   make build/tests/only/NAME   a program with the tests of tests/test_NAME.cpp alone
+#   make build/tests/only/NAME   a program with only the tests of tests/test_NAME.cpp
 # A file that tests/proof.txt lists is compiled for run_proof alone. tests/README.md tells the rest.
-#: make test                        what must pass before every commit
-#: make test-all                    the rest of the tests too; C2D_TESTS_FULL=1 loops at full length, C2D_ALL_HOSTS=1 missing tools are failures
-#: make test-times                  processor seconds of make demo and make test from nothing
-#: make build/tests/only/NAME       a program with the tests of tests/test_NAME.cpp alone
+#: make test                        the tests required before every commit
+#: make test-all                    all tests; C2D_TESTS_FULL=1: full loops; C2D_ALL_HOSTS=1: a missing tool is a failure
+#: make test-times                  processor time of make demo and make test from a clean tree
+#: make build/tests/only/NAME       a program with only the tests of tests/test_NAME.cpp
 .PHONY: test test-all test-times test-objects all-test-objects
 TEST_CC  ?= $(CC)
 TEST_CXX ?= $(CXX)

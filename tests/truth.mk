@@ -2,7 +2,7 @@
 # make estimate-truth: true errors beside those that the loop over meshes states; TRUTH='Hertz 0.01' a problem and tolerances.
 # Included by the Makefile.
 #: make convergence                 errors against the number of elements
-#: make estimate-truth              stated errors beside true ones (TRUTH=)
+#: make estimate-truth              stated errors against true errors (TRUTH=)
 .PHONY: convergence estimate-truth
 CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%.o,$(wildcard tests/convergence/*.cpp))
 $(BUILD)/convergence/%.o: tests/convergence/%.cpp $(BUILD)/flags tests/truth.mk

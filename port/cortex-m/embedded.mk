@@ -1,7 +1,7 @@
 # The library for Cortex-M3, M4F and M7, and the sample deck on their boards in an emulator: included by the Makefile.
 # Needs arm-none-eabi-g++ with newlib, and qemu-system-arm (Debian: gcc-arm-none-eabi libnewlib-arm-none-eabi
 # libstdc++-arm-none-eabi-newlib qemu-system-arm).
-#: make embedded, footprint         boards in an emulator; what they take of code, data and stack (BOARD=)
+#: make embedded, footprint         boards in an emulator; their code, data and stack sizes (BOARD=)
 ARM_PREFIX ?= arm-none-eabi-
 QEMU_ARM   ?= qemu-system-arm
 EMBEDDED   := $(BUILD)/embedded

@@ -1,6 +1,6 @@
 # One file for those who vendor the library, and a Debian package: included by the Makefile.
 #: make amalgamation, api, deb      one source file, one page of the interface, Debian packages
-#: make reproducible                the same bytes from another folder
+#: make reproducible                check that a build in another folder gives the same bytes
 .PHONY: amalgamation api deb reproducible
 
 # ---------------------------------------------------------------- make amalgamation

@@ -1,7 +1,7 @@
 # make web: the program as one page, build/web/contact2d.html, and as one script, build/web/contact2d.js. Included by the
 # Makefile. Needs clang, lld, and for wasm32 the C library, the C++ library and the compiler's run-time (Debian: clang lld
 # wasi-libc libclang-rt-14-dev-wasm32 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32, or of another version of clang).
-#: make web                         the program as a page, build/web/contact2d.html
+#: make web                         the program as a web page, build/web/contact2d.html
 .PHONY: web
 WEB       := $(BUILD)/web
 WEB_CXX   ?= clang++

@@ -128,7 +128,7 @@ CornerState support_state(const Corner& c, const Ends& ends) {
   const std::vector<Complex>& all = exponents_with(c, c.shape.faces[c.joint]);
   take_singular(all, out);
   if (c.shape.faces[1 - c.joint].kind != FaceKind::kFree) {
-    out.why = "both faces are held";
+    out.why = "both faces are supported";
     return out;
   }
   const bool first = c.joint == 0;

@@ -184,7 +184,7 @@ double distance_beyond(const ElementCurve& one, bool at_end1, const ElementCurve
 const double kOpposite = 0.1, kLeftOut = 1.5; // over the length of the element
 
 // Corners and lines of symmetry of side 1 where it ends opposite an end of side 2. Both bodies have to be mirrored there; a
-// rigid one has no conditions that could tell.
+// rigid one has no conditions to decide it.
 void PlaceFinder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const {
   const bool rigid[2] = {s_.body[zone.side1.body - 1].unknowns == 0, s_.body[zone.side2.body - 1].unknowns == 0};
   const BodyCurve &one = curve(zone.side1.body), &two = curve(zone.side2.body);

@@ -1,4 +1,5 @@
-// Numbers, words and lists as a text, a line each, and back to the last bit. What has members is told how once, for both ways:
+// Numbers, words and lists as a text, one line each, read back with all bits. A struct declares its members once, for both
+// directions:
 //   template <class Archive> void members(Archive& a, Thing& thing) { a(thing.number), a(thing.list); }
 // in the namespace of Thing.
 #pragma once
@@ -38,7 +39,7 @@ public:
   std::string take() { return std::move(text_); }
 
 private:
-  void words(const std::string& text) { // by its length, as line ends may be in it
+  void words(const std::string& text) { // with its length, because it may contain line ends
     digits(text.size());
     text_ += text;
     text_ += '\n';

@@ -1,4 +1,4 @@
-// A number that sums up a contact, in an archive.
+// A key number of a contact, in an archive.
 #pragma once
 
 #include "post/quantities.hpp"
@@ -7,7 +7,7 @@ namespace app {
 
 template <class Archive> void members(Archive& a, Quantity& q) {
   auto& [what, zone, item, value, at, s, spacing, error, at_corner, doubt] =
-      q; // (all of them: with another this does not compile)
+      q; // (all members: a new one breaks the build here)
   a(what), a(zone), a(item), a(value), a(at), a(s), a(spacing), a(error), a(at_corner), a(doubt);
 }
 

@@ -37,7 +37,7 @@ std::string names_of(const Summary& s) {
   return out;
 }
 
-// What the store is asked for, with the least workspace and with a body's whole matrix in it, or by compressed elimination.
+// Tape sizes with the minimum workspace and with the whole matrix of a body in memory, or with compressed elimination.
 void append_tapes(std::string& out, const Session& session, int32_t elimination) {
   c2d_options options = C2D_INIT(c2d_options);
   options.elimination = elimination;
@@ -56,14 +56,13 @@ void append_tapes(std::string& out, const Session& session, int32_t elimination)
   }
 }
 
-// How it is eliminated, and from where on by size.
+// The elimination, and the size from which it is compressed.
 std::string elimination_text(const Session& session, int32_t wanted) {
   const std::string chosen = elimination_of(session.limits, wanted) == C2D_ELIMINATION_COMPRESSED ? "compressed" : "dense";
   if (wanted != C2D_ELIMINATION_BY_SIZE) return chosen;
-  if (session.limits.free_pairs > 0) return chosen + ", as there are free zones";
-  if (session.limits.touching > 0) return chosen + ", as the contact is on demand";
-  return chosen + " by size: compressed from " + std::to_string(C2D_COMPRESSED_FROM(session.limits.pairs)) +
-         " nodes of a body on";
+  if (session.limits.free_pairs > 0) return chosen + " (the model has free zones)";
+  if (session.limits.touching > 0) return chosen + " (contact on demand)";
+  return chosen + " by size (compressed from " + std::to_string(C2D_COMPRESSED_FROM(session.limits.pairs)) + " nodes per body)";
 }
 
 void append_check(std::string& out, const Session& session, const Summary& s, int32_t wanted) {
@@ -79,19 +78,18 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
   if (!names_of(s).empty()) append_line(out, "names", names_of(s));
   append_line(out, "pairs", std::to_string(s.pairs));
   if (session.limits.touching > 0)
-    append_line(out, "contact on demand",
-                "room for " + std::to_string(session.limits.touching) + " pairs that touch, or nearly");
+    append_line(out, "contact on demand", "room for " + std::to_string(session.limits.touching) + " pairs in or near contact");
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
   if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
-  if (session.limits.curves > 0) append_line(out, "surfaces told", std::to_string(session.limits.curves));
+  if (session.limits.curves > 0) append_line(out, "prescribed surfaces", std::to_string(session.limits.curves));
   append_line(out, "increments", std::to_string(s.steps));
   append_line(out, "elimination", elimination_text(session, wanted));
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
   append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
   if (elimination == C2D_ELIMINATION_COMPRESSED)
     append_line(out, "memory, compressed",
-                std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes; " +
-                    std::to_string(least_bytes(session.limits, wanted, session.workspace.minimum)) + " would do");
+                std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes; minimum " +
+                    std::to_string(least_bytes(session.limits, wanted, session.workspace.minimum)));
   append_tapes(out, session, elimination);
   append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
 }
@@ -104,7 +102,7 @@ int check_one(const std::string& deck, const Options& options) {
   Session session;
   session.messages.quiet = options.quiet;
   int exit = session.read_file(deck, {options.settings, false});
-  const int32_t chosen = options.touching < 0 && deck == "-" ? 0 : options.touching; // as it is run
+  const int32_t chosen = options.touching < 0 && deck == "-" ? 0 : options.touching; // as for run
   session.limits.touching = touching_of(session.limits, chosen, options.elimination, C2D_STEPPING_EVENTS);
   if (exit == 0) exit = session.read_model_alone(options.symmetry);
   if (exit != 0) return exit;

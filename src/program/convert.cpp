@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-// What c2d_walk_deck tells, kept.
+// The items reported by c2d_walk_deck.
 struct Item {
   int32_t kind, line, column, width;
   std::string text;
@@ -28,7 +28,7 @@ void keep(void* context, const c2d_card* card) {
                    std::string(card->text, static_cast<size_t>(card->length)), card->value});
 }
 
-// A comment may hold any byte. Those that a terminal would obey become question marks; other alphabets stay.
+// A comment may contain any byte. Control characters of terminals become question marks; other alphabets are kept.
 std::string without_controls(std::string text) {
   for (size_t i = 0; i < text.size(); i += std::max<size_t>(character_at(text, i), 1)) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
@@ -57,7 +57,7 @@ public:
   void finish() { next_card(); }
 
 private:
-  // The card at hand is complete; comments told since it began come next.
+  // Ends the current card; comments read since its start follow it.
   void next_card() {
     if (column_ > 0) put_line(card_ + (remark_.empty() ? "" : " ! " + remark_));
     for (const std::string& comment : comments_) put_line(comment);
@@ -101,7 +101,7 @@ bool Writer::add_field(const Item& item, std::string& error) {
   const bool begins = item.column <= column_ || (item.line != line_ && item.column < kFirstCoefficient);
   if (column_ > 0 && begins) next_card();
   line_ = item.line;
-  if (column_ == 0 && (headings_done_ || free_)) { // told before the field, so above its card
+  if (column_ == 0 && (headings_done_ || free_)) { // read before the field, so written above its card
     for (const std::string& line : comments_) put_line(line);
     comments_.clear();
   }
@@ -129,12 +129,12 @@ bool Writer::add_fixed_field(const Item& item, std::string& error) {
     text = item.kind == C2D_CARD_REAL ? real_in_columns(item.value, width) : std::to_string(static_cast<long>(item.value));
   if (text.empty() && !item.text.empty() && item.kind == C2D_CARD_REAL) {
     error = "the number " + item.text + " cannot be written in " + std::to_string(width) +
-            " columns of the fixed form without a change of its value";
+            " columns of the fixed form without changing its value";
     return false;
   }
   if (text.size() > width) {
-    error = "the number " + text + " does not fit into the " + std::to_string(width) + (width == 1 ? " column" : " columns") +
-            " that the fixed form has for it";
+    error = "the number " + text + " does not fit in the " + std::to_string(width) + (width == 1 ? " column" : " columns") +
+            " of its field in the fixed form";
     return false;
   }
   card_.resize(first, ' ');
@@ -204,7 +204,7 @@ bool is_same(const Item& a, const Item& b) {
          b.text.substr(first_b == std::string::npos ? b.text.size() : first_b);
 }
 
-// Reads what was written: does it say what the deck says?
+// Reads the new deck: does it give the same model?
 bool says_the_same(const std::vector<Item>& items, const std::string& text, std::vector<c2d_body_limits>& bodies) {
   std::vector<Item> others;
   Text deck = {text, 0};
@@ -264,7 +264,7 @@ int convert_deck(const Options& options) {
     return kExitInput;
   }
   if (!says_the_same(items, text, bodies)) {
-    messages.fail("the deck in its new form would not read as before; nothing was written (please report it)");
+    messages.fail("the converted deck would not give the same model; nothing was written (please report this)");
     return kExitFiles;
   }
   if (write_output(options.output, text, error)) return kExitSolved;

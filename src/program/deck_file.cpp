@@ -25,7 +25,7 @@ void set_fault(c2d_error& fault, c2d_status status, const std::string& text) {
   std::snprintf(fault.text, sizeof fault.text, "%s", text.c_str());
 }
 
-// As c2d_read_line wants it.
+// For c2d_read_line.
 int32_t put_card(std::string_view card, char* text, int32_t size) {
   const size_t fits = std::min(card.size(), static_cast<size_t>(size) - 1);
   std::memcpy(text, card.data(), fits);
@@ -113,7 +113,7 @@ bool DeckFile::is_text(c2d_error& fault) {
   if (zero == std::string::npos) return true;
   const size_t line = static_cast<size_t>(std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(zero), '\n'));
   const size_t begin = line == 0 ? 0 : text_.rfind('\n', zero) + 1;
-  set_fault(fault, C2D_ERR_INPUT, "a byte that is zero: this is not a text file");
+  set_fault(fault, C2D_ERR_INPUT, "zero byte: this is not a text file");
   fault.line = static_cast<int32_t>(line) + 1;
   fault.column = fault.column_end = static_cast<int32_t>(zero - begin) + 1;
   return false;
@@ -167,8 +167,8 @@ std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
   Walk walk = {&deck, 1, {}, false};
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_scan_deck(walk_line, &walk, &limits, nullptr); // without a list it ends at the number of bodies
-  const size_t told = limits.bodies > 0 ? static_cast<size_t>(limits.bodies) : 1;
-  return std::vector<c2d_body_limits>(std::min(told, most_bodies(deck)));
+  const size_t count = limits.bodies > 0 ? static_cast<size_t>(limits.bodies) : 1;
+  return std::vector<c2d_body_limits>(std::min(count, most_bodies(deck)));
 }
 
 size_t most_bodies(const DeckFile& deck) { return std::min<size_t>(deck.cards() / kLeastCards + 1, INT32_MAX); }

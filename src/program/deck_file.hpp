@@ -14,7 +14,7 @@ namespace app {
 
 class DeckFile {
 public:
-  // Reads the whole file ("-": standard input). On failure `fault` says why, and where: a zero byte is a
+  // Reads the whole file ("-": standard input). On failure `fault` has the reason and the place; a zero byte is a
   // failure.
   bool read(const std::string& name, c2d_error& fault);
   // The same of a file that an option names: "-", or a regular one that is not too large. Messages do not quote its lines.

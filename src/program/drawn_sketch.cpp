@@ -25,7 +25,7 @@ int print(const DeckFile& file, const drawing::Fault& fault) {
   return kExitInput;
 }
 
-// A binary drawing is told as such, not by its first byte that is zero.
+// A binary drawing is reported as such, not by its first zero byte.
 bool read(DeckFile& file, const std::string& name) {
   c2d_error fault = C2D_INIT(c2d_error);
   if (file.read(name, fault)) return true;
@@ -42,7 +42,7 @@ bool read(DeckFile& file, const std::string& name) {
   return false;
 }
 
-// The sketch is written all the same: what is wrong with it can be put right there.
+// The sketch is written even with faults, so that the user can correct it.
 void warn(const DeckFile& drawing, const std::string& text, const std::string& output) {
   DeckFile sketch;
   sketch.call(output.empty() ? "sketch of " + drawing.name() : output);
@@ -62,7 +62,7 @@ bool is_plain(const DeckFile& file, c2d_error& fault) {
     const std::string card(file.card(line));
     for (size_t i = 0; i < card.size(); i += std::max<size_t>(character_at(card, i), 1)) {
       if (card[i] == '\t' || character_at(card, i) > 0) continue;
-      std::snprintf(fault.text, sizeof fault.text, "column %zu holds the byte %d, expected text", i + 1,
+      std::snprintf(fault.text, sizeof fault.text, "column %zu has the byte %d, expected text", i + 1,
                     static_cast<unsigned char>(card[i]));
       fault.status = C2D_ERR_INPUT, fault.severity = C2D_FAULT;
       fault.line = static_cast<int32_t>(line), fault.column = fault.column_end = static_cast<int32_t>(i) + 1;

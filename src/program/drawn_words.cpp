@@ -12,7 +12,7 @@ namespace {
 constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER, C2D_WARN_OFFSET,
                                   C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
 
-constexpr char kReachesEnd[] = "contact reaches the end of the parts that face each other, and may reach further";
+constexpr char kReachesEnd[] = "contact reaches the end of the facing parts and may extend beyond it";
 struct Phrase {
   const char *of_mesh, *of_drawing; // `#` stands for a number
 };
@@ -21,30 +21,32 @@ constexpr Phrase kPhrases[] = {
     {"the last pair at an end of a contact zone carries pressure: the contact may extend beyond the zone; lengthen it",
      kReachesEnd},
     {"exceeds half a contact element and 5 % of the contact length: the nodes of the pair no longer face each other",
-     "exceeds 5 % of what touches: pressures act where surfaces faced each other as drawn, not where slip has taken them, and "
-     "moments and stresses are off by about as much"},
+     "exceeds 5 % of the contact length: pressures act at the positions before slip; moments and stresses have about the same "
+     "relative error"},
     {", # elements, most of it before they touched", ", most of it before they touched"},
     {"friction is at its limit at all pairs that support ", "friction is at its limit wherever contact supports "},
     {"the position that moves the pairs least", "the position that moves the surfaces least"},
     {"order of pairs", "order of places"},
-    {"refine at edges and corners of the contact where pairs slip", "ask for dissipation, or a smaller tolerance"},
+    {"refine at edges and corners of the contact where pairs slip", "request dissipation, or use a smaller tolerance"},
     {"; last pair #", ""},
     {" at pair #, the loads close gaps", ", the loads close gaps"},
     {" away from element #, less than its length #: part of the force is lost",
-     " away from the boundary, so near that part of the force is lost"},
+     " away from the boundary: this is too near, and part of the force is lost"},
     {"the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions are "
      "enforced at nodes only; refine, or use linear functions",
-     "the pressure falls below -1 % of the highest in places, and is off there by as much: a smaller tolerance lowers it"},
+     "the pressure falls below -1 % of the highest pressure in places, and has an error of that size there; use a smaller "
+     "tolerance"},
     {"overlaps smaller than what the elements leave open of the surfaces, pairs: #, most at",
      "overlaps too small to distinguish from contact, most at"},
-    {"between the nodes of side 2 the bodies overlap by", "where they touch the bodies overlap by"},
+    {"between the nodes of side 2 the bodies overlap by", "in contact the bodies overlap by"},
     {": contact conditions are enforced at the nodes of side 2 only; refine side 2 there",
-     ", and the pressure is off there: a smaller tolerance lowers it"},
-    {"and grow as elements get shorter; trust them from a few elements away", "and have no bound; trust them some way off"},
+     ", and the pressure has an error there; use a smaller tolerance"},
+    {"and grow as elements get shorter; trust them from a few elements away",
+     "and are unbounded; use them only at some distance"},
     {", supports too close together, or elements of very unlike size", " or supports too close together"},
     {"or *INTERFERENCE", "or interference"}};
 
-// How much of a text a phrase takes from a place on; 0: it does not stand there.
+// Length of the match of a phrase at a place of the text; 0: no match.
 size_t length_of(const char* phrase, const std::string& text, size_t at) {
   const size_t begin = at;
   for (char c = *phrase; c != 0; c = *++phrase) {
@@ -137,7 +139,7 @@ bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCur
   return at = p, words = one + " and " + two, true;
 }
 
-// Where contact of a zone might go on: `! zone 1 might go on: pad.flat ends at (5, 0), ...`, of each end.
+// Where the contact of a zone may continue: `! zone 1 might go on: pad.flat ends at (5, 0), ...`, of each end.
 std::string beyond_zone(int zone, const std::string& deck) {
   const std::string begin = "\n! zone " + std::to_string(zone) + " might go on: ";
   std::string out;
@@ -150,16 +152,14 @@ std::string beyond_zone(int zone, const std::string& deck) {
 
 constexpr char kRises[] = "and the pressure rises there to ", kToNext[] = " times that of the next";
 
-// Of a contact that is coarse beside a corner: what that means. What edges and borders are off by is told by their stated
-// errors.
+// The meaning of a coarse contact next to a corner. The uncertainty of edges and borders is given by their stated errors.
 std::string words_of_corner(const std::string& text) {
   const size_t begin = text.find(kRises), end = text.find(kToNext);
   const std::string rise =
       end == std::string::npos ? "many" : text.substr(begin + sizeof kRises - 1, end - begin - sizeof kRises + 1);
   return "at a corner of the contact the pressure rises to " + rise +
-         " times what it is beside it, and may have no bound: do not use the highest pressure there; forces and pressures "
-         "farther "
-         "away are right";
+         " times the pressure beside it and may be unbounded: do not use the highest pressure there; forces and pressures "
+         "farther away are correct";
 }
 
 } // namespace

@@ -11,14 +11,14 @@ enum ExitCode {
   kExitInput = 2,
   kExitFiles = 3,
   kExitMemory = 4,
-  kExitInaccurate = 5, // results are written, a wanted tolerance is not met
+  kExitInaccurate = 5, // results are written, a requested tolerance is not met
   kExitUsage = 64,
-  kExitBusy = 75, // another process is at the store, or at the sweep
+  kExitBusy = 75, // another process uses the store or runs the sweep
   kExitCancelled = 130,
-  kExitStopped = 143 // by SIGTERM, and resume goes on
+  kExitStopped = 143 // by SIGTERM; resume continues the run
 };
 
-// The exit status that a failed call of the library leads to.
+// The exit status of a failed call of the library.
 inline int exit_code(c2d_status status) {
   switch (status) {
   case C2D_OK: return kExitSolved;
@@ -33,7 +33,7 @@ inline int exit_code(c2d_status status) {
   }
 }
 
-// Are there results, all that were asked for?
+// Are all requested results available?
 inline bool has_results(int exit) { return exit == kExitSolved || exit == kExitInaccurate; }
 
 } // namespace app

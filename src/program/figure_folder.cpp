@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-// The last line of a file: another name or another byte before it, and it is no longer that of the run.
+// The last line of a file: its name and checksum identify an unchanged file of a run.
 std::string mark_of(const std::string& name, const std::string& text) {
   return "<!-- contact2d " + name + " " + sum_of(text) + " -->\n";
 }
@@ -73,7 +73,7 @@ bool FigureFolder::remove_earlier(std::string& error) const {
 bool FigureFolder::keep(std::string& error) {
   const int code = made_ ? sync_folder(folder_ + "/..") : 0;
   made_ = false;
-  if (code != 0) error = folder_ + ": cannot be made safe: " + system_text(code);
+  if (code != 0) error = folder_ + ": cannot be flushed to disk: " + system_text(code);
   return code == 0;
 }
 

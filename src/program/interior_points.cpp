@@ -117,7 +117,7 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   return C2D_OK;
 }
 
-// C2D_POINT_FIELDS values of each point that is wanted.
+// C2D_POINT_FIELDS values of each requested point.
 c2d_status InteriorPoints::compute(c2d_solver* solver, int32_t bodies, std::vector<double>& values) const {
   std::vector<double> xy, part;
   values.assign(wanted_.size() * C2D_POINT_FIELDS, 0.0);
@@ -167,13 +167,13 @@ bool InteriorPoints::is_gridded(size_t i, size_t& grid) const {
   return grid < grids_.size() && i >= grids_[grid].first;
 }
 
-// A wrong number of the body is the likeliest reason for a point outside: of those that will be told, the
-// body they are in.
+// A wrong body number is the likeliest reason for a point outside: finds the body that contains each point to be
+// reported.
 c2d_status InteriorPoints::find_others(c2d_solver* solver, int32_t bodies) {
-  int64_t told = 0;
+  int64_t reported = 0;
   for (size_t i = 0; i < source_.size(); ++i) {
     const InteriorPoint& p = results_.points[i];
-    if (flag_of(p) != C2D_POINT_OUTSIDE || ++told > kMostTold) continue;
+    if (flag_of(p) != C2D_POINT_OUTSIDE || ++reported > kMostTold) continue;
     double row[C2D_POINT_FIELDS];
     const double place[2] = {p.x, p.y};
     for (int32_t body = 1; body <= bodies && source_[i].other == 0; ++body) {
@@ -210,7 +210,7 @@ void InteriorPoints::keep(const std::vector<double>& values) {
   }
 }
 
-void InteriorPoints::tell(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings) {
+void InteriorPoints::report_places(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings) {
   Messages& messages = from_file_ ? file_messages_ : deck;
   const auto warn = [&](const c2d_error& entry) {
     Messages::log(&messages, &entry);
@@ -225,17 +225,17 @@ void InteriorPoints::tell(Messages& deck, const Summary& summary, std::vector<c2
     near_node += listed && flag == C2D_POINT_NEAR_NODE;
     if (flag != C2D_POINT_OUTSIDE || ++outside > kMostTold) continue;
     std::string text = place_text(p) + " lies outside " + body_text(summary, p.body);
-    if (source_[i].other > 0) text += ", but in " + body_text(summary, source_[i].other);
+    if (source_[i].other > 0) text += ", but inside " + body_text(summary, source_[i].other);
     warn(warning(wanted_[source_[i].wanted].line, p.body, text));
   }
-  if (outside > kMostTold) warn(warning(0, 0, std::to_string(outside - kMostTold) + " points more lie outside their body"));
+  if (outside > kMostTold) warn(warning(0, 0, std::to_string(outside - kMostTold) + " more points lie outside their body"));
   const auto count = [](int64_t n, const char* one, const char* many) { return std::to_string(n) + (n == 1 ? one : many); };
   if (on_boundary > 0)
     messages.note(count(on_boundary, " point lies", " points lie") +
-                  " on the boundary: the stress there is that of the boundary");
+                  " on the boundary: the stress there is the boundary stress");
   if (near_node > 0)
     messages.note(count(near_node, " point lies", " points lie") +
-                  " so close to a node that the stress is only as good as the mesh");
+                  " so close to a node that the mesh limits the accuracy of the stress");
 }
 
 } // namespace app

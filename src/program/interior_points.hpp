@@ -18,7 +18,7 @@ public:
   InteriorPoints(const InteriorPoints&) = delete;
   InteriorPoints& operator=(const InteriorPoints&) = delete;
 
-  // The CSV `name`, if it is not there yet; false if it cannot be read or has faults, all of which have been told.
+  // Reads the CSV `name` unless already read; false if it cannot be read or has faults. All faults are reported.
   bool load(const std::string& name);
   bool read_file(const std::string& name, int32_t bodies);
   // The same of its text.
@@ -36,9 +36,9 @@ public:
   // Their stresses at the state of a run's step, and where they are; added to both.
   c2d_status add_stresses(c2d_solver* solver, int32_t bodies, std::vector<double>& out);
   void add_places(std::vector<StressPlace>& out) const;
-  // Tells what lies outside (a warning each, up to a number), on the boundary and near a node; `deck` is told
-  // about the deck's points. Warnings that did not go there are added to `warnings`.
-  void tell(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings);
+  // Reports points outside (a warning each, up to a limit), on the boundary and near a node; `deck` gets the
+  // messages on points of the deck. Warnings that did not go there are added to `warnings`.
+  void report_places(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings);
 
 private:
   struct GridAt {

@@ -6,15 +6,15 @@
 namespace app {
 
 void catch_interrupts();
-// The solver to be told, null for none.
+// The solver to be cancelled; null: none.
 void set_interrupt_target(c2d_solver* solver);
 bool interrupted();
-bool told_to_end(); // by SIGTERM: there is some time left
-// What was reached by now is written first: nothing is interrupted any longer, unless a further signal comes.
+bool told_to_end(); // by SIGTERM, with some time left
+// Results are written first: only another signal interrupts from now on.
 void put_off_interrupt();
-// The exit status that the signal that was put off ends the program with; 0: none was.
+// Exit status of the deferred signal; 0: none.
 int exit_put_off();
-// Until the next call SIGTERM does not cancel what the target does: who runs it looks at told_to_end().
+// Until the next call SIGTERM does not cancel the target; the caller checks told_to_end().
 void let_steps_end(bool let);
 
 } // namespace app

@@ -38,12 +38,12 @@ bool read_text(const std::string& text, Job& job) {
   return reader.is_sound_to_the_end() && estimate::read_meshes(meshes, job.meshes);
 }
 
-// Options whose value is no name of a file.
+// Options whose value is not a file name.
 bool is_word(const std::string& name) {
   return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--elimination" ||
          name == "--threads" || name == "--touching" || name == "--response" || name == "--save-every";
 }
-// They stand in the job itself, or are of the moment; the deck that is kept is the sketch's own.
+// Options that the job contains itself or that apply to one call only.
 bool is_left_out(const std::string& name) {
   return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" || name == "--points" ||
          name == "--set" || name == "--params";
@@ -78,8 +78,8 @@ int find_job(Options& options, std::string& error) {
   const Sealed found = read_sealed(path, kJobKind, text, error);
   if (found == Sealed::kAbsent)
     error = options.folder +
-            ": holds no run that could go on: there is none, it has ended, or it was cut off before anything "
-            "could be kept (no file " +
+            ": no run to resume: none was started there, it has finished, or it was interrupted before it saved "
+            "anything (no file " +
             path + ")";
   if (found != Sealed::kWhole) return found == Sealed::kAbsent ? kExitInput : kExitFiles;
   const auto job = std::make_shared<Job>();
@@ -93,7 +93,7 @@ int find_job(Options& options, std::string& error) {
   Options read;
   sound = sound && read_options(static_cast<int>(words.size()), words.data(), read, error);
   if (!sound) {
-    error = path + ": is of another version" + (error.empty() ? "" : ": " + error);
+    error = path + ": has another version" + (error.empty() ? "" : ": " + error);
     return kExitFiles;
   }
   read.deck = job->deck_name;
@@ -114,7 +114,7 @@ bool is_kept(const std::string& store_folder, const Job& job) {
 bool remove_way(const std::string& store_folder, std::string& error) {
   std::vector<std::string> names;
   const int code = list_folder(store_folder, names);
-  if (code != 0) error = store_folder + ": cannot be looked through: " + system_text(code);
+  if (code != 0) error = store_folder + ": cannot be read: " + system_text(code);
   if (code != 0) return false;
   for (const std::string& name : names) {
     const bool is_of_way = name.compare(0, 4, "path") == 0 || name.compare(0, 4, "mesh") == 0;

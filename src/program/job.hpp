@@ -1,4 +1,4 @@
-// What a run keeps in the folder of its store so that `resume` can go on after a crash: all that it was asked for, in one file.
+// The job of a run, stored in one file in the folder of its store, so that `resume` can continue after a crash: all inputs.
 #pragma once
 
 #include "post/stated.hpp"
@@ -13,40 +13,40 @@ namespace app {
 
 enum class JobForm {
   kDeck,
-  kMade,  // a deck that was made of a sketch
-  kSketch // whose mesh is not found yet
+  kMade,  // a deck generated from a sketch
+  kSketch // a sketch whose mesh is not complete yet
 };
 
 struct Job {
   JobForm form = JobForm::kDeck;
   std::string begun;                 // local time
-  std::string deck_name, deck;       // as messages call it; its text
+  std::string deck_name, deck;       // name in messages; text
   std::vector<std::string> settings; // of a sketch,
   std::vector<NamedText> files;      // and what it names
   bool has_points = false;           // --points,
   std::string points;                // its text
-  uint64_t workspace = 0;            // bytes that were taken; of a sketch those asked for
+  uint64_t workspace = 0;            // bytes used; for a sketch the requested bytes
   std::vector<std::string> words;    // of the command line: options whose values need no file, names of outputs made absolute
   MeshLoop meshes;                   // how the deck's mesh was found, with stated errors
 };
 
-// The words that say again what `options` say, of what does not stand in the job itself.
+// The command-line words of those options that the job itself does not contain.
 std::vector<std::string> words_of(const Options& options);
 
-// Tells a job from others.
+// Identifies a job.
 std::string id_of(const Job& job);
 
-// Into the folder of a store, safely, in place of any other job. False with an error text on failure.
+// Stores the job in the folder of a store, replacing any other job. False with an error text on failure.
 bool keep_job(const std::string& store_folder, const Job& job, std::string& error);
 
 // The job in the store of options.folder, and options as they were, for run_deck; what the command line says of progress stays.
 // 0, or the program's exit status with an error text: there is none, or none that is whole.
 int find_job(Options& options, std::string& error);
 
-// Is it still this one? Asked when the folder is locked.
+// Is this job still stored? Call it with the folder locked.
 bool is_kept(const std::string& store_folder, const Job& job);
 
-// What a run has kept of its way: states of the path, meshes that were solved. None there is no failure, in both.
+// Removes saved states of the path and solved meshes. Missing files are no failure, in both functions.
 bool remove_way(const std::string& store_folder, std::string& error);
 bool remove_job(const std::string& store_folder, std::string& error);
 

@@ -71,8 +71,8 @@ bool take_parameters(app::Options& options, std::string& error) {
   return error.empty();
 }
 
-// Who asked for numbers is told of the failure where he looks for them, unless there is something: the words that could not be
-// read might have told what.
+// Writes the failure to the requested response files, unless these exist: the unreadable options may have named another
+// file.
 int refuse(const app::Options& options, const std::string& error, int exit) {
   app::Options results = options;
   results.row.clear();

@@ -48,15 +48,15 @@ void Messages::log(void* context, const c2d_error* reported) {
   if (entry->severity != C2D_FAULT) return;
   ++m.faults_;
   if (m.faults_ <= kMostFaults) say(quote(m.deck_, *entry, "error"));
-  if (m.faults_ == kMostFaults + 1) m.fail("too many errors, the others are not shown");
+  if (m.faults_ == kMostFaults + 1) m.fail("too many errors; the others are not printed");
 }
 
 void Messages::log_cards(void* context, const c2d_error* entry) {
-  c2d_error told = *entry;
-  if (told.status == C2D_ERR_LIMIT)
-    std::snprintf(told.text, sizeof told.text, "there are more bodies than the deck has cards for, %zu",
+  c2d_error error = *entry;
+  if (error.status == C2D_ERR_LIMIT)
+    std::snprintf(error.text, sizeof error.text, "more bodies than the cards of the deck can describe, %zu",
                   most_bodies(static_cast<Messages*>(context)->deck_));
-  log(context, &told);
+  log(context, &error);
 }
 
 void Messages::fault(const c2d_error& error) {

@@ -1,5 +1,5 @@
-// What the library reports while it works: faults and warnings go to standard error as they come, quoted from
-// the deck; warnings are kept for the reports.
+// Messages of the library: faults and warnings go to standard error at once, with the quoted card; warnings are also stored
+// for the reports.
 #pragma once
 
 #include "program/deck_file.hpp"
@@ -23,7 +23,7 @@ public:
   void fault(const c2d_error& error);
   // A line `contact2d: DECK: error: text` of the program's own.
   void fail(const std::string& text) const;
-  // Something to know that is no warning: `contact2d: DECK: note: text`.
+  // Information below a warning: `contact2d: DECK: note: text`.
   void note(const std::string& text) const;
 
   const std::vector<c2d_error>& warnings() const { return warnings_; }
@@ -32,7 +32,7 @@ public:
   void forget_latest() { latest_.clear(); }
   // Forgets the warnings: the deck is read a second time.
   void restart() { warnings_.clear(); }
-  // As they were in a run that goes on.
+  // Restores those of a resumed run.
   void take(std::vector<c2d_error> warnings, std::string latest) {
     warnings_ = std::move(warnings);
     latest_ = std::move(latest);

@@ -221,21 +221,22 @@ std::string fault_of(const std::string& command, const Options& options) {
   if (options.command == Command::kSweep && options.deck.empty()) return "sweep needs a table and a deck";
   const bool goes = !options.results.empty() || !options.row.empty();
   if (options.responses.empty() && (goes || options.command == Command::kSweep))
-    return command + " is not told what numbers are asked for, expected --response LIST";
+    return command + " needs the requested numbers, expected --response LIST";
   if (options.command == Command::kRun && !options.responses.empty() && !goes)
-    return "--response: nothing takes the numbers, expected --results FILE or --row FILE";
+    return "--response: no output for the numbers, expected --results FILE or --row FILE";
   if (options.deck.empty()) return command + (options.command == Command::kSketch ? " needs a drawing" : " needs a deck");
   if (options.estimate && options.store.compare(0, 5, "file:") == 0)
-    return "--estimate with --store " + options.store + ": the halved deck is solved beside it, expected --store memory";
+    return "--estimate with --store " + options.store +
+           ": the deck is also solved with halved elements, expected --store memory";
   const bool saves = std::any_of(options.given.begin(), options.given.end(),
                                  [](const auto& option) { return option.first == "--save-every"; });
   if (saves && options.store.compare(0, 5, "file:") != 0)
-    return "--save-every: there is no folder to save in, expected --store file:DIR";
+    return "--save-every: no folder for saved states, expected --store file:DIR";
   if (!options.points.empty() && options.responses.empty() && options.file(Output::kInterior).empty() &&
       options.file(Output::kVtk).empty() && options.file(Output::kStresses).empty() && options.file(Output::kRanges).empty() &&
       !has_listing(options))
     return "--points " + options.points +
-           ": no output shows them, expected --interior, --stresses, --ranges, --listing or --vtk";
+           ": no output uses the points, expected --interior, --stresses, --ranges, --listing or --vtk";
   return "";
 }
 

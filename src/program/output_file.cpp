@@ -17,12 +17,12 @@ namespace app {
 namespace {
 
 const char* const kNotWritten = "cannot be written";
-// What is written aside goes out in pieces; what is written directly waits in memory, so that a cancelled or
-// failed run has printed nothing, as long as that is reasonable.
+// Temporary files are written in pieces. Direct output stays in memory up to a limit, so that a cancelled or failed run
+// prints nothing.
 const size_t kPiece = size_t{1} << 18, kDirectPiece = size_t{1} << 26;
 
-// 0: this process holds the file, under this name.
-int hold(int file) {
+// Locks the file; 0: this process has the lock, and the file still has its name.
+int lock(int file) {
   while (::flock(file, LOCK_EX | LOCK_NB) != 0)
     if (errno != EINTR) return errno;
   struct stat about;
@@ -30,22 +30,22 @@ int hold(int file) {
   return about.st_nlink > 0 ? 0 : ENOENT;
 }
 
-// Who lives holds his file: what can be held was left by one that was killed.
+// A running process locks its temporary file: an unlocked one was left by a killed process.
 void remove_left(const std::string& name) {
   const int file = open_file(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK);
   if (file < 0) return;
-  if (hold(file) == 0) ::unlink(name.c_str());
+  if (lock(file) == 0) ::unlink(name.c_str());
   ::close(file);
 }
 
-// A new file, held; below 0 with errno.
+// A new locked file; below 0 with errno.
 int make_held(const std::string& name) {
   const int file = open_file(name, O_RDWR | O_CREAT | O_EXCL);
   if (file < 0) return file;
-  const int code = hold(file);
-  if (code == 0 || code == ENOLCK || code == EOPNOTSUPP) return file; // without locks nobody can take it away
+  const int code = lock(file);
+  if (code == 0 || code == ENOLCK || code == EOPNOTSUPP) return file; // without locks no other run removes it
   ::close(file);
-  if (code != EWOULDBLOCK && code != ENOENT) ::unlink(name.c_str()); // these: another run takes it for one that was left
+  if (code != EWOULDBLOCK && code != ENOENT) ::unlink(name.c_str()); // these: another run is removing it as abandoned
   errno = code;
   return -1;
 }
@@ -131,7 +131,7 @@ bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDi
 bool OutputFile::finish(std::string& error) {
   if (file_ < 0) return true;
   if (!write_text(error)) return false;
-  if (renames()) return succeeds(sync_file(file_), "cannot be made safe", error); // and held until it has its name
+  if (renames()) return succeeds(sync_file(file_), "cannot be flushed to disk", error); // and locked until it is renamed
   const int file = file_;
   file_ = -1;
   return succeeds(file > 2 ? close_file(file) : 0, "close failed", error);
@@ -160,7 +160,7 @@ bool publish_all(const std::vector<OutputFile*>& files, std::string& error) {
   }
   for (const std::string& folder : folders)
     if (const int code = sync_folder(folder); code != 0) {
-      error = folder + ": names of outputs cannot be made safe: " + system_text(code);
+      error = folder + ": names of outputs cannot be flushed to disk: " + system_text(code);
       return false;
     }
   return true;

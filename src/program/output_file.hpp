@@ -25,9 +25,9 @@ public:
   bool so_far(std::string& all, std::string& error);
   // Writes `text` if there is enough of it.
   bool flush(std::string& error);
-  // Writes what is left, and makes it safe if it lies aside; the name is still the old one.
+  // Writes the rest and flushes a temporary file to disk; the final name is not set yet.
   bool finish(std::string& error);
-  // Gives the finished file its name, which is safe after sync_folder(folder()).
+  // Renames the finished file; the name is on disk after sync_folder(folder()).
   bool publish(std::string& error);
   std::string folder() const; // of a file that lies aside
   // Another name of the same file, or the same standard output?
@@ -44,8 +44,8 @@ private:
   bool direct_ = false, is_gone_ = false; // is_gone_: some has been written directly
 };
 
-// Completes all files and makes them safe, then names them all, and makes the names safe. On a failure before the first name
-// no file has appeared.
+// Completes all files and flushes them to disk, then renames them all and flushes the names. On a failure before the first
+// rename no file has appeared.
 bool publish_all(const std::vector<OutputFile*>& files, std::string& error);
 
 // A text as an output, to standard output without a name. False with an error text on failure.

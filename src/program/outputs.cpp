@@ -75,14 +75,12 @@ std::string folder_clash(const Options& o, const std::vector<Named>& files) {
   const bool in_files = o.store.compare(0, 5, "file:") == 0;
   const std::string store = in_files ? spelled_out(o.store.substr(5) + "/" C2D_POSIX_STORE_FOLDER) : std::string();
   const std::string figures = o.figures.empty() ? std::string() : spelled_out(o.figures);
-  const auto within = [&store](const std::string& what) {
-    return what + " lies in " + store + ", the folder that --store makes for itself";
-  };
+  const auto within = [&store](const std::string& what) { return what + " lies in " + store + ", the folder of --store"; };
   for (const Named& file : files) {
     if (in_files && file.is_within(store)) return within(file.what);
     const bool picture = file.place.size() > 4 && file.place.compare(file.place.size() - 4, 4, ".svg") == 0;
     if (!figures.empty() && picture && file.is_within(figures))
-      return file.what + " is an SVG file in the folder of --figures, which may have a picture of that name";
+      return file.what + " is an SVG file in the folder of --figures: a picture may have the same name";
   }
   const bool figures_within = in_files && (figures + "/").compare(0, store.size() + 1, store + "/") == 0;
   return figures_within ? within("--figures") : std::string();

@@ -14,13 +14,13 @@ struct Outputs {
   FigureFolder out;                       // that of --out; it is made before, and goes after, what is in it
   std::array<OutputFile, kOutputs> files; // by Output
   FigureFolder figures;
-  bool shows_end_alone = false; // of the listing: it goes to a terminal, and nobody asked for it
+  bool shows_end_alone = false; // only the summary of the listing: terminal, without --listing
 
   OutputFile& file(Output output) { return files[static_cast<size_t>(output)]; }
   bool has(Output output) const { return files[static_cast<size_t>(output)].is_open(); }
   std::string& text(Output output) { return file(output).text; } // append here
 
-  // Opens those that are asked for; the listing goes to standard output by default, unless another output
+  // Opens the requested outputs; the listing goes to standard output by default, unless another output
   // does.
   bool open(const Options& options, bool has_points, std::string& error);
   // Writes what has gathered.
@@ -29,8 +29,8 @@ struct Outputs {
   bool publish(std::string& error);
 };
 
-// Two outputs with one file, an output that is read, or something in a folder that the run fills itself: says which. Empty: no
-// such thing. `also_read`: files that the deck names.
+// Reports two outputs with one file, an output that is also an input, or a file in a folder of the run itself. Empty: no
+// conflict. `also_read`: files that the deck names.
 std::string find_clash(const Options& options, const std::vector<std::string>& also_read = {});
 
 } // namespace app

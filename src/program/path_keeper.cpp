@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 const char kPathKind[] = "contact2d path 2";
-constexpr double kWork = 60; // of its time for every part that saving takes
+constexpr double kWork = 60; // least ratio of run time to time for saving
 
 } // namespace
 
@@ -42,7 +42,7 @@ bool PathKeeper::keep(c2d_solver* solver, int32_t coefficient, int32_t step, con
 
 bool PathKeeper::find(int32_t coefficient, int32_t step, std::string& record, std::string& why) {
   const std::string wanted = heading(coefficient, step);
-  why = "what the steps before it have left is not there";
+  why = "the record of the earlier steps is missing";
   for (int slot = 0; slot < 2; ++slot) {
     std::string error;
     const Sealed found = read_sealed(path_of(slot), kPathKind, record, error);

@@ -70,7 +70,7 @@ template <class Archive> void members(Archive& a, PathRecord& p) {
 
 namespace {
 
-// Tables are gone through by the numbers of the model.
+// Tables are indexed by the numbers of the model.
 struct Sizes {
   size_t pairs, zones, bodies, cases;
   template <class List> static bool is(const List& list, size_t size) { return list.empty() || list.size() == size; }

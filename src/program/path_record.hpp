@@ -1,4 +1,4 @@
-// What the steps of a run have left so far, as a text: a saved state of the path goes on with it as if there had been no end.
+// The results of the steps so far, as a text: with it a run continues from a saved state as if not interrupted.
 #pragma once
 
 #include "program/options.hpp"
@@ -22,9 +22,9 @@ struct PathRecord {
   std::array<std::string, kOutputs> outputs; // by Output
 };
 
-// Every number to its last bit.
+// Numbers keep all bits.
 std::string text_of(PathRecord& record);
-// What the text was made of; false if it is no such text, or not of this model: then `out` has no meaning.
+// Reads the text; false if it is not such a text or belongs to another model: `out` is then undefined.
 bool read_path_record(const std::string& text, const Summary& model, PathRecord& out);
 
 } // namespace app

@@ -92,7 +92,7 @@ bool PointsReader::row(const std::vector<Field>& fields, int32_t line, WantedPoi
   if (fields.size() != 3) {
     fault(line, fields.size() > 3 ? &fields[3] : nullptr,
           "the row has " + std::to_string(fields.size()) + (fields.size() == 1 ? " field" : " fields") +
-              ", expected 3 with commas between them: body,x,y");
+              ", expected 3 separated by commas: body,x,y");
     return false;
   }
   bool good = read_number(fields[0], point.body) && point.body >= 1 && point.body <= bodies_;

@@ -8,7 +8,7 @@
 
 namespace app {
 
-// A point at which results inside are wanted.
+// A point inside a body with requested results.
 struct WantedPoint {
   int32_t body;
   double x, y;
@@ -16,7 +16,7 @@ struct WantedPoint {
 };
 
 // Takes the rows of a file that has been read; bodies are 1 ... `bodies`. Blank lines count for nothing.
-// Every fault is told to `messages`; false after any, and if there is no row at all.
+// Reports every fault to `messages`; false after any, and if there is no row.
 bool read_points(const DeckFile& file, int32_t bodies, Messages& messages, std::vector<WantedPoint>& points);
 
 } // namespace app

@@ -90,7 +90,7 @@ std::string ProgressLine::text(const c2d_progress& now, double time) {
 
 void ProgressLine::show(const c2d_progress& now) {
   const double time = clock_seconds(nullptr);
-  const bool turns = begun_ < 0.0 || follows_ != WorkDone::follows_load(now); // to preparing, or to the load: told at once
+  const bool turns = begun_ < 0.0 || follows_ != WorkDone::follows_load(now); // a new phase is shown at once
   const std::string line = text(now, time);
   if (!turns && time - last_ < 0.1) return;
   last_ = time;

@@ -1,4 +1,4 @@
-// A line on standard error that says how far the run is.
+// A line on standard error with the progress of the run.
 #pragma once
 
 #include "program/options.hpp"
@@ -14,8 +14,8 @@ namespace app {
 // Seconds from any origin, monotonic: for c2d_port.clock.
 double clock_seconds(void* context);
 
-// The share of the work that is done: of preparing all bodies, by the operations that their columns take, and then of following
-// the load, by increments. Never less than it was before, within either.
+// The completed share of the work: first of preparing all bodies, by the operations of their columns, then of the load path, by
+// increments. It never decreases within either.
 class WorkDone {
 public:
   // Equations of every body; increments of one coefficient, and how many of those there are.

@@ -54,9 +54,9 @@ public:
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   int go();
-  // Of the responses that the options ask for; empty if it did not come so far.
+  // Values of the requested responses; empty if the run ended before.
   const std::vector<double>& values() const { return values_; }
-  // Why only a run from the beginning helps one that was to go on; empty: it went on.
+  // Why a resumed run must restart from the beginning; empty: it need not.
   const std::string& wants_fresh_start() const { return fresh_start_; }
   // With room for all pairs.
   bool wants_all_pairs() const { return wants_all_pairs_; }
@@ -94,9 +94,9 @@ private:
   c2d_status show_interior();
   c2d_status show_vtk(const Scene& scene);
   c2d_status show_pictures();
-  // They take longer to find than a small deck to solve.
+  // They cost more time than the solution of a small deck.
   bool tells_corners() const { return record_.meshes.ran() || outputs_.has(Output::kJson) || has_pictures(); }
-  // The whole of it; else the end of it, on a terminal that nobody asked for more.
+  // The complete listing, or only the summary on a terminal without --listing.
   bool has_whole_listing() const { return outputs_.has(Output::kListing) && !outputs_.shows_end_alone; }
   // Of every load case, by the last coefficient of friction.
   std::vector<double> loads_reached() const {
@@ -107,19 +107,19 @@ private:
   int publish();
   int cancelled();
   int file_failed() {
-    if (interrupted()) return kExitCancelled; // a call that waited was told to stop
+    if (interrupted()) return kExitCancelled; // a waiting call was cancelled
     session_.messages.fail(error_);
     return store_.is_busy() ? kExitBusy : kExitFiles;
   }
   int library_failed(c2d_status status);
 
   const Options& options_;
-  const double begun_; // when, by clock_seconds
+  const double begun_; // by clock_seconds
   // In the order in which they need each other: the solver closes its tapes before the store goes.
   c2d_threads threads_;
   bool has_threads_ = false;
   StoreChoice own_store_;
-  StoreChoice& store_; // that, or one that holds what the run before has left
+  StoreChoice& store_; // own_store_, or a store with the tapes of the previous run
   ProgressLine line_;
   Session session_;
   Outputs outputs_;
@@ -133,17 +133,17 @@ private:
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
   std::vector<ZoneLine> lines_;
-  bool anew_ = false; // of a run that goes on: not with what its tapes hold
+  bool anew_ = false; // resumed run that does not use its tapes
   bool is_one_of_many_ = false;
   bool restored_ = false;
-  bool tries_tapes_ = false; // that may be of another model: no fault
+  bool tries_tapes_ = false; // tapes may belong to another model: not a fault
   std::string fresh_start_;
   bool wants_all_pairs_ = false;
-  Job job_; // as it is kept by now, if it is
+  Job job_; // as stored, if stored
   bool kept_ = false, is_following_ = false;
   estimate::TrialKeeper trials_;
   PathKeeper keeper_;
-  std::string saved_;       // the last step whose state was
+  std::string saved_;       // the last step with a saved state
   double told_to_end_ = -1; // when, by clock_seconds
   std::string error_;
   std::vector<double> values_;
@@ -152,7 +152,7 @@ private:
 void Run::on_log(void* context, const c2d_error* entry) {
   Run& run = self(context);
   run.line_.clear();
-  if (entry->severity == C2D_FAULT && (run.tries_tapes_ || run.begins_anew(entry->status))) return; // that is told instead
+  if (entry->severity == C2D_FAULT && (run.tries_tapes_ || run.begins_anew(entry->status))) return; // reported otherwise
   Messages::log(&run.session_.messages, entry);
 }
 
@@ -193,7 +193,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   return run.outputs_.flush(run.error_) && run.save_path(*step) ? 0 : 1;
 }
 
-// At every place; kept for the ranges.
+// At every place; stored for the ranges.
 bool Run::show_stresses(const c2d_step& step, StepRecord& kept) {
   std::vector<double> numbers;
   c2d_status status = add_end_stresses(session_.solver, summary_, numbers);
@@ -209,10 +209,10 @@ bool Run::show_stresses(const c2d_step& step, StepRecord& kept) {
   return true;
 }
 
-// If it is time to, or the last chance.
+// Saves the state if the interval is over, or at the last opportunity.
 bool Run::save_path(const c2d_step& step) {
   if (step.kind == C2D_STEP_CHANGE || !(keeper_.is_due() || (keeper_.is_active() && told_to_end()))) return true;
-  bool all = true; // of the outputs can be written once more
+  bool all = true; // all outputs can be written again
   for (size_t i = 0; i < kOutputs && all; ++i)
     all = !outputs_.files[i].is_open() || outputs_.files[i].so_far(path_.outputs[i], error_);
   if (all) {
@@ -230,7 +230,7 @@ bool Run::save_path(const c2d_step& step) {
   return true;
 }
 
-// While the path is followed SIGTERM leaves some time to get to a load whose state can be saved.
+// On the load path SIGTERM leaves some time to reach a load whose state can be saved.
 bool Run::must_stop() {
   constexpr double kPatience = 5;
   if (!told_to_end() || !is_following_ || !keeper_.is_active()) return interrupted();
@@ -257,7 +257,7 @@ c2d_port Run::make_port() {
   return port;
 }
 
-// With room for all pairs, where it was the program that chose how many.
+// Restart with room for all pairs, if the program chose the number.
 bool Run::begins_anew(int32_t status) const {
   return session_.limits.touching > 0 && options_.touching < 0 && (status == C2D_ERR_LIMIT || status == C2D_ERR_MEMORY);
 }
@@ -271,9 +271,9 @@ int Run::library_failed(c2d_status status) {
   }
   if (begins_anew(status)) {
     wants_all_pairs_ = true;
-    fresh_start_ = status == C2D_ERR_LIMIT ? "the contact cannot be on demand"
-                                           : "more pairs touch than the " + std::to_string(session_.limits.touching) +
-                                                 " that were thought of (--touching)";
+    fresh_start_ = status == C2D_ERR_LIMIT
+                       ? "the contact cannot be on demand"
+                       : "more than " + std::to_string(session_.limits.touching) + " pairs are in or near contact (--touching)";
   }
   if (!fresh_start_.empty()) return kExitFiles;
   c2d_error last = C2D_INIT(c2d_error);
@@ -282,7 +282,7 @@ int Run::library_failed(c2d_status status) {
   const bool compressed = elimination_of(session_.limits, options_.elimination) == C2D_ELIMINATION_COMPRESSED;
   if (status == C2D_ERR_MEMORY && options_.elimination != C2D_ELIMINATION_COMPRESSED && compressed &&
       session_.limits.touching == 0)
-    session_.messages.note("compressed was chosen by size: --elimination dense takes less memory, and more time");
+    session_.messages.note("compressed elimination was chosen by size; --elimination dense takes less memory and more time");
   if (status < C2D_ERR_STORE_OPEN || status > C2D_ERR_STORE_STALE) return exit;
   const std::string file = store_.file_of(last.tape);
   const std::string why = last.host_code != 0 ? store_.system_text(last.host_code) : c2d_message(status);
@@ -290,7 +290,7 @@ int Run::library_failed(c2d_status status) {
   return exit;
 }
 
-// A sketch that is to be solved on mesh after mesh is kept, and what it reads, before that begins.
+// A sketch and its files are stored before mesh refinement begins.
 int Run::read_deck() {
   Drawing drawing{options_.settings, true, options_.memory, line_.active()};
   drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
@@ -301,7 +301,7 @@ int Run::read_deck() {
     drawing.store = &store_;
   }
   if (options_.text != nullptr) return session_.read_text(options_.deck, *options_.text, drawing);
-  drawing.ends_in_results = drawing.keeper == nullptr; // else a run that goes on has more to take
+  drawing.ends_in_results = drawing.keeper == nullptr; // otherwise a resumed run also reads stored meshes
   if (options_.job == nullptr) return session_.read_file(options_.deck, drawing);
   drawing.files = &options_.job->files;
   return session_.take_job(*options_.job, drawing);
@@ -323,12 +323,13 @@ int Run::open_store(uint64_t budget) {
   return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
 }
 
-// The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
+// Reads the deck, allocates the workspace and opens the store; opens the outputs once the deck is valid.
 int Run::read() {
   int exit = read_deck();
   record_.meshes = session_.meshes;
   if (exit == 0) exit = read_points();
-  const int32_t chosen = options_.touching < 0 && options_.deck == "-" ? 0 : options_.touching; // (it cannot begin anew)
+  const int32_t chosen =
+      options_.touching < 0 && options_.deck == "-" ? 0 : options_.touching; // (no restart from standard input)
   session_.limits.touching = touching_of(session_.limits, chosen, options_.elimination, options_.stepping);
   if (exit == 0) exit = session_.take_memory(options_.memory, options_.elimination);
   if (exit != 0) return exit;
@@ -371,16 +372,16 @@ int Run::read() {
   return 0;
 }
 
-// The folder is ours by now: the job that goes on is there still, or nothing is of use.
+// The folder is locked now. A resumed job must still be there; for a new run, old states are removed.
 bool Run::claim() {
   if (options_.job == nullptr) return remove_way(store_.kept_folder(), error_);
   kept_ = is_kept(store_.kept_folder(), *options_.job);
-  if (!kept_) error_ = options_.folder + ": another process has ended or replaced the run that was there";
+  if (!kept_) error_ = options_.folder + ": another process has finished or replaced this run";
   job_ = *options_.job;
   return kept_;
 }
 
-// From here on a run that is cut off can be resumed.
+// From here on an interrupted run can be resumed.
 bool Run::keep(JobForm form, const std::vector<NamedText>& files) {
   if (!kept_ && !claim()) return false;
   if (kept_ && job_.form == form) return true;
@@ -399,7 +400,7 @@ bool Run::keep(JobForm form, const std::vector<NamedText>& files) {
   return kept_ && (!had_meshes || remove_way(store_.kept_folder(), error_));
 }
 
-// Of a run that has failed before it had a deck, by what it was asked for: there is nothing to go on with.
+// Removes the job of a run that failed, because of its input, before it had a deck: it cannot be resumed.
 void Run::drop_sketch() {
   std::string ignored;
   const std::string folder = store_.kept_folder();
@@ -408,16 +409,16 @@ void Run::drop_sketch() {
     store_.remove_tapes(ignored);
 }
 
-// Nothing could be taken up.
+// Reports that no saved data can be used.
 void Run::tell_anew(c2d_status status) {
   const bool nothing = status == C2D_ERR_STORE_READ || status == C2D_ERR_STORE_FORMAT;
   std::string why = c2d_message(status);
-  if (nothing) why = "nothing was saved before it was cut off";
-  if (status == C2D_ERR_MISMATCH) why = "what is kept there is of another model, or of another build of this program";
-  session_.messages.note(options_.folder + ": " + why + "; the run begins anew");
+  if (nothing) why = "nothing was saved before the run was interrupted";
+  if (status == C2D_ERR_MISMATCH) why = "the saved data belong to another model or to another build of this program";
+  session_.messages.note(options_.folder + ": " + why + "; the run restarts from the beginning");
 }
 
-// What the steps up to the state that was brought back have left. Without it that state is of no use.
+// Restores the record of the steps up to the restored state. Without it the state cannot be used.
 c2d_status Run::go_on() {
   c2d_summary now = C2D_INIT(c2d_summary);
   const c2d_status status = c2d_get_summary(session_.solver, &now);
@@ -426,7 +427,7 @@ c2d_status Run::go_on() {
   PathRecord found;
   found.history.begin(summary_.steps);
   bool whole = keeper_.find(now.run_coefficient, now.run_step, text, why);
-  if (whole && !read_path_record(text, summary_, found)) why = "what the steps before it have left is of another model";
+  if (whole && !read_path_record(text, summary_, found)) why = "the record of the earlier steps belongs to another model";
   whole = whole && why.empty();
   if (!whole) {
     fresh_start_ = options_.folder + ": a state is saved at step " + std::to_string(now.run_step) + ", but " + why;
@@ -439,21 +440,21 @@ c2d_status Run::go_on() {
     path_.outputs[i] = std::string();
   }
   session_.messages.take(std::move(path_.warnings), std::move(path_.latest));
-  session_.messages.note("goes on behind step " + std::to_string(now.run_step));
+  session_.messages.note("continues after step " + std::to_string(now.run_step));
   return C2D_OK;
 }
 
-// Assemble and eliminate, or take what a run before has left; what is new is left for a run after this one.
+// Restores the factorisation of an earlier run, or assembles and eliminates and saves the result.
 c2d_status Run::factorise() {
   c2d_solver* solver = session_.solver;
   c2d_status status = C2D_OK;
   if (options_.job != nullptr && options_.job->form != JobForm::kSketch && !anew_) {
     status = c2d_restore(solver);
-    restored_ = status == C2D_OK || c2d_get_state(solver) == C2D_STATE_BROKEN; // half of it, if the tapes are damaged
+    restored_ = status == C2D_OK || c2d_get_state(solver) == C2D_STATE_BROKEN; // partly restored if the tapes are damaged
     if (restored_) return status == C2D_OK ? go_on() : status;
     tell_anew(status);
   }
-  if (store_.bytes_in_memory() > 0) { // of the mesh that the loop solved last, or of a row whose bodies may be the same
+  if (store_.bytes_in_memory() > 0) { // tapes of the last mesh of the refinement, or of the previous row of a sweep
     tries_tapes_ = true;
     status = c2d_restore(solver);
     tries_tapes_ = false;
@@ -463,7 +464,7 @@ c2d_status Run::factorise() {
   return status == C2D_OK && (is_one_of_many_ || !store_.kept_folder().empty()) ? c2d_save(solver) : status;
 }
 
-// Those of a file, once it is known how many bodies there are.
+// Reads the points file; needs the number of bodies.
 int Run::read_points() {
   if (options_.job != nullptr && options_.job->has_points)
     return interior_.take_text(options_.job->points, session_.limits.bodies) ? 0 : kExitInput;
@@ -471,7 +472,7 @@ int Run::read_points() {
     return interior_.read_file(options_.points, session_.limits.bodies) ? 0 : interrupted() ? kExitCancelled : kExitInput;
   if (options_.file(Output::kInterior).empty() || options_.interior_if_any || session_.limits.point_sets > 0) return 0;
   session_.messages.fail("--interior " + options_.file(Output::kInterior) +
-                         ": there are no points, expected --points FILE or *POINTS in the deck");
+                         ": no points are given, expected --points FILE or *POINTS in the deck");
   return kExitUsage;
 }
 
@@ -539,7 +540,7 @@ int Run::prepare() {
   return status == C2D_OK ? 0 : library_failed(status);
 }
 
-// No equations to go on with: every coefficient has come to nothing.
+// No solvable equations: all coefficients end without a result.
 void Run::stopped_before_load(c2d_status status) {
   library_failed(status);
   for (int32_t i = 1; i <= summary_.coefficients; ++i) {
@@ -613,20 +614,20 @@ int Run::report() {
   return 0;
 }
 
-// What was asked for inside the bodies, at the load reached.
+// The requested results inside the bodies, at the load reached.
 c2d_status Run::show_interior() {
   const c2d_status status = interior_.evaluate(session_.solver, summary_.bodies);
   if (status != C2D_OK) return status;
   record_.interior = &interior_.results();
   line_.clear();
-  interior_.tell(session_.messages, summary_, record_.warnings);
+  interior_.report_places(session_.messages, summary_, record_.warnings);
   if (outputs_.has(Output::kInterior)) append_interior_rows(outputs_.text(Output::kInterior), interior_.results());
   if (has_whole_listing())
     append_interior_section(outputs_.text(Output::kListing), interior_.results(), summary_, loads_reached());
   return C2D_OK;
 }
 
-// With the points asked for, or a grid over each body.
+// With the requested points, or a grid over each body.
 c2d_status Run::show_vtk(const Scene& scene) {
   InteriorPoints all;
   c2d_status status = C2D_OK;
@@ -702,12 +703,12 @@ int Run::cancelled() {
     return kExitCancelled;
   }
   const std::string folder = options_.store.substr(5);
-  session_.messages.note("ended; " + (saved_.empty() ? "" : "the state of " + saved_ + " is saved, ") + "contact2d resume " +
-                         folder + " goes on");
+  session_.messages.note("stopped; " + (saved_.empty() ? "" : "the state of " + saved_ + " is saved; ") + "contact2d resume " +
+                         folder + " continues the run");
   return kExitStopped;
 }
 
-// A run, and once more from the beginning where that helps; with the values of the responses.
+// A run, and a restart from the beginning if needed; with the values of the responses.
 int run_with(const Options& options, std::vector<double>& values, StoreChoice* store) {
   Options again = options;
   const double begun = clock_seconds(nullptr);
@@ -716,7 +717,7 @@ int run_with(const Options& options, std::vector<double>& values, StoreChoice* s
     const int exit = run.go();
     values = run.values();
     if (run.wants_fresh_start().empty()) return exit;
-    if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + ", the run begins anew\n");
+    if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + "; the run restarts from the beginning\n");
     if (run.wants_all_pairs()) {
       again.touching = 0;
       again.given.emplace_back("--touching", "0");
@@ -735,7 +736,7 @@ int run_whole(const Options& options, std::vector<double>& values) {
     return kExitUsage;
   }
   if (options.job != nullptr && !options.quiet)
-    say("contact2d: " + shown(options.folder) + ": goes on with " + shown(options.job->deck_name) + ", begun " +
+    say("contact2d: " + shown(options.folder) + ": continues " + shown(options.job->deck_name) + ", started " +
         shown(options.job->begun) + "\n");
   return run_with(options, values, nullptr);
 }
@@ -747,7 +748,7 @@ int run_deck(const Options& options) {
   forget_reason();
   const int exit = run_whole(options, values);
   const bool asked = !options.results.empty() || !options.row.empty();
-  if (!asked || !find_clash(options).empty()) return exit; // not over a file that something else is in
+  if (!asked || !find_clash(options).empty()) return exit; // do not overwrite a file with another use
   std::string error;
   if (write_answer(options, {exit, values, reason_told()}, error)) return exit;
   say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(error) + "\n");

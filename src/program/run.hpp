@@ -7,11 +7,11 @@
 
 namespace app {
 
-// Solves the deck and writes the outputs, and the responses whatever became of it. Returns the exit status.
+// Solves the deck and writes the outputs; writes the responses also after a failure. Returns the exit status.
 int run_deck(const Options& options);
 
-// The responses alone, for a row of a sweep (`options.text`): nothing is told or written. `store` holds what the row before has
-// left: if that differs in friction and load factors alone, its factorisation is taken, which gives the same bits.
+// Only the responses, for a row of a sweep (`options.text`), without messages or outputs. `store` has the tapes of the previous
+// row: if only friction and load factors differ, its factorisation is reused and gives the same bits.
 Answer answer_of(const Options& options, StoreChoice& store);
 
 } // namespace app

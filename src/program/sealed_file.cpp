@@ -25,7 +25,7 @@ std::string seal_of(const std::string& text, size_t count) {
 }
 
 int write_aside(const std::string& aside, const std::string& text) {
-  ::unlink(aside.c_str()); // what a write that was cut off has left
+  ::unlink(aside.c_str()); // remains of an interrupted write
   const int file = open_file(aside, O_WRONLY | O_CREAT | O_EXCL);
   if (file < 0) return errno;
   int code = write_all(file, text);
@@ -60,7 +60,7 @@ bool write_sealed(const std::string& path, const std::string& kind, const std::s
     return fail(path, "cannot be written", code, error);
   }
   code = sync_folder(folder_of(path));
-  return code == 0 || fail(path, "cannot be made safe", code, error);
+  return code == 0 || fail(path, "cannot be flushed to disk", code, error);
 }
 
 Sealed read_sealed(const std::string& path, const std::string& kind, std::string& text, std::string& error) {
@@ -72,11 +72,11 @@ Sealed read_sealed(const std::string& path, const std::string& kind, std::string
   const size_t length = text.size() < kSealLength ? 0 : text.size() - kSealLength;
   const bool whole = length >= first.size() && text.compare(length, kSealLength, seal_of(text, length)) == 0;
   if (!whole) {
-    error = path + ": is damaged, or was not written to its end";
+    error = path + ": is damaged or incomplete";
     return Sealed::kFailed;
   }
   if (text.compare(0, first.size(), first) != 0) {
-    error = path + ": is of another version: '" + text.substr(0, text.find('\n')) + "', expected '" + kind + "'";
+    error = path + ": has another version: '" + text.substr(0, text.find('\n')) + "', expected '" + kind + "'";
     return Sealed::kFailed;
   }
   text = text.substr(first.size(), length - first.size());

@@ -7,9 +7,9 @@
 
 namespace app {
 
-// A file begins with a line that says what it is, and ends with the length and a checksum of all before. It gets its name when
-// it is safe, and the name is safe when this returns. False with an error text on failure; then what had the name before has
-// it.
+// A file begins with a line for its kind and ends with the length and a checksum of the rest. It is renamed after it is on
+// disk, and the new name is on disk at return. False with an error text on failure; a previous file of the name is then
+// unchanged.
 bool write_sealed(const std::string& path, const std::string& kind, const std::string& text, std::string& error);
 
 enum class Sealed { kWhole, kAbsent, kFailed };
@@ -19,12 +19,12 @@ Sealed read_sealed(const std::string& path, const std::string& kind, std::string
 // Of the first `count` bytes, 64 bits; another byte means another sum.
 uint64_t checksum_of(const std::string& text, size_t count);
 
-// None there is no failure.
+// A missing file is no failure.
 bool remove_file(const std::string& path, std::string& error);
-// Removes it, and what a write that was cut off has left; none there is no failure.
+// Removes it and remains of an interrupted write; a missing file is no failure.
 bool remove_sealed(const std::string& path, std::string& error);
 
-// 16 digits that hardly two texts have in common.
+// 16 digits that identify a text.
 std::string sum_of(const std::string& text);
 
 } // namespace app

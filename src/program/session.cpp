@@ -14,7 +14,7 @@ int Session::failed(c2d_status status) {
   if (status == C2D_ERR_CANCELLED) return kExitCancelled;
   c2d_error error = C2D_INIT(c2d_error);
   if (solver != nullptr) c2d_last_error(solver, &error);
-  if (error.status != status) { // nothing was kept
+  if (error.status != status) { // no error stored
     error = C2D_INIT(c2d_error);
     error.status = status;
   }
@@ -53,7 +53,7 @@ int Session::take_job(const Job& job, const Drawing& drawing) {
 }
 
 int Session::check_cards() {
-  messages.print_warnings = false; // the model will say them again
+  messages.print_warnings = false; // reading the model repeats them
   bodies = room_for_bodies(deck);
   limits.bodies = static_cast<int32_t>(bodies.size());
   limits.body = bodies.data();
@@ -62,7 +62,7 @@ int Session::check_cards() {
   messages.print_warnings = true;
   messages.restart();
   if (status == C2D_OK) return 0;
-  if (status == C2D_ERR_LIMIT) return exit_code(status); // told
+  if (status == C2D_ERR_LIMIT) return exit_code(status); // already reported
   c2d_error why = C2D_INIT(c2d_error);
   deck.rewind();
   c2d_limits ignored = limits;

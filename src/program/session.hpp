@@ -1,4 +1,4 @@
-// What run and check share: a deck, its sizes, a workspace, and a solver with the model in it.
+// Common part of run and check: a deck, its sizes, a workspace, and a solver with the model.
 #pragma once
 
 #include "program/deck_file.hpp"
@@ -21,7 +21,7 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // Each step prints what is wrong and returns the program's exit status, 0 to go on.
+  // Each step prints its faults and returns the exit status of the program; 0: continue.
   // The deck, or that of a sketch, into memory, and every fault of its cards.
   int read_file(const std::string& name, const Drawing& drawing);
   // The same of a text, whose solver ends with the program's other ones: signals do not stop it by itself.
@@ -30,9 +30,9 @@ public:
   int take_job(const Job& job, const Drawing& drawing);
   int take_memory(uint64_t wanted, int32_t elimination = C2D_ELIMINATION_DENSE); // workspace; 0 bytes wanted: chosen by size
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK);    // the solver, and the model in it
-  // Both in the least memory, for a model that is looked at and not solved.
+  // Both in the minimum memory, for a model that is not solved.
   int read_model_alone(int32_t symmetry = C2D_SYMMETRY_DECK);
-  // Prints why the library's last call failed; returns the exit status.
+  // Prints the reason of the last failed call of the library; returns the exit status.
   int failed(c2d_status status);
 
   DeckFile deck;

@@ -185,9 +185,8 @@ std::string StoreChoice::system_text(int32_t host_code) const {
   case kNoMemory: return "not enough memory for the tapes; --store file:DIR keeps them in files";
   case kNoTape: return "no such tape";
   case C2D_POSIX_STORE_LOCKED: return "in use by another process";
-  case C2D_POSIX_STORE_END: return "a file of the store ends too early";
-  case C2D_POSIX_STORE_FOREIGN:
-    return "what is called " C2D_POSIX_STORE_FOLDER " there, or a tape in it, was not made by a store";
+  case C2D_POSIX_STORE_END: return "a file of the store is truncated";
+  case C2D_POSIX_STORE_FOREIGN: return "the existing " C2D_POSIX_STORE_FOLDER " or a tape in it was not made by a store";
   default: return host_code > 0 ? app::system_text(host_code) : "error " + std::to_string(host_code);
   }
 }

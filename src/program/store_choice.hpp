@@ -23,10 +23,10 @@ public:
   // not called on a folder the user named. False with an error text if the folder cannot be made or is in
   // use.
   bool choose(const std::string& wanted, uint64_t budget, bool keep, std::string& error);
-  // Of a tape that is opened from now on so many bytes are written, as a rule, and most of what it may hold are not: only they
-  // count in the budget and are reserved in files, and its memory is not asked for in large pages. UINT64_MAX: all of it.
+  // Expected bytes of a tape opened from now on, if much less than its largest size: only they count in the budget and are
+  // reserved in files, and its memory does not use large pages. UINT64_MAX: the whole size.
   void expect(int32_t tape, uint64_t bytes) { tapes_[tape].expected = bytes; }
-  // Memory for all that a tape may hold, before it is opened. False: there is none.
+  // Allocates memory for the largest size of a tape, before it is opened. False: no memory.
   bool reserve(int32_t tape, uint64_t blocks, uint64_t block_bytes) {
     return place_in_memory(tapes_[tape], blocks, block_bytes);
   }
@@ -46,13 +46,13 @@ public:
   // Removes the files of the tapes. False with an error text if that failed.
   bool remove_tapes(std::string& error);
 
-  // What the system said to a store call that came back with `host_code`.
+  // The system message of a store call that returned `host_code`.
   std::string system_text(int32_t host_code) const;
   // The file of a tape, or the folder that could not be made for it; empty if it is in memory, or there is no such tape.
   std::string file_of(int32_t tape) const;
   // The folder that --keep leaves behind; empty if all tapes were in memory.
   const std::string& folder() const { return folder_; }
-  // The store's own folder in the one that --store names, where a run keeps what it needs to go on; empty if there is none.
+  // The folder of the store inside the folder of --store, with the data for resuming a run; empty: none.
   std::string kept_folder() const { return temporary_ || folder_.empty() ? std::string() : own_folder(folder_); }
   static std::string own_folder(const std::string& folder) { return folder + "/" C2D_POSIX_STORE_FOLDER; }
 

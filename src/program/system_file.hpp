@@ -12,11 +12,11 @@ namespace app {
 // and what is written fails.
 void open_standard_files();
 
-// A descriptor that is closed on exec; below 0 with errno. Only a signal that stops the program ends the waiting.
+// A descriptor that is closed on exec; below 0 with errno. Only a terminating signal ends the wait.
 int open_file(const std::string& path, int flags);
 
 // All of these return 0 or errno.
-int read_all(int file, std::string& text);        // adds to `text`, as far as it comes
+int read_all(int file, std::string& text);        // appends to `text`, up to an error
 int read_from_start(int file, std::string& text); // the same of all of it; where the next write goes stays
 int write_all(int file, std::string_view text);
 int sync_file(int file);
@@ -26,11 +26,11 @@ int sync_folder(const std::string& folder);
 int read_file(const std::string& path, std::string& text);
 // A file that an option or a sketch names, whoever wrote it: a regular one of at most 64 MiB. Empty, or why it was not read.
 std::string read_named(const std::string& path, std::string& text);
-std::string read_text(int file, std::string& text); // what there is; empty, or why not
+std::string read_text(int file, std::string& text); // empty, or why it was not read
 
 int list_folder(const std::string& folder, std::vector<std::string>& names); // but . and ..
 
-// What the system says of a failure, by errno; of memory that cannot be had it is told as everywhere: std::bad_alloc.
+// System message of an errno. Exhausted memory throws std::bad_alloc as elsewhere.
 std::string system_text(int code);
 
 // The folder that a path lies in, without the slash at its end but for "/"; "." if it has none.

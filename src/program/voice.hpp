@@ -1,4 +1,4 @@
-// What the program says on standard error, and its colours.
+// Messages on standard error, and their colours.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace app {
 void say(const std::string& text);
 constexpr const char* kClearLine = "\r\033[K";
 
-// What the first error that this thread told says, without its place; empty: none was told since it was forgotten.
+// Text of the first error of this thread since forget_reason(), without its place; empty: none.
 std::string reason_told();
 void forget_reason();
 
-// As long as it lives, what this thread says goes nowhere. Reasons are kept all the same.
+// During its lifetime the messages of this thread are not printed. Reasons are still stored.
 class Muted {
 public:
   Muted();

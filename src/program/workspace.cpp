@@ -105,9 +105,8 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t eli
   }
   if (out.bytes <= SIZE_MAX) out.memory.reset(std::malloc(static_cast<size_t>(out.bytes)));
   if (out.memory == nullptr) {
-    error = "no " + std::to_string(out.bytes) +
-            " bytes of memory to be had: " + std::to_string(least_bytes(limits, elimination, out.minimum)) +
-            " bytes of workspace would do (--memory)";
+    error = "cannot allocate " + std::to_string(out.bytes) + " bytes of memory: a workspace of " +
+            std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do (--memory)";
     return C2D_ERR_MEMORY;
   }
   ask_for_huge_pages(out.memory.get(), out.bytes);

@@ -1,4 +1,4 @@
-// How much memory a run takes.
+// The memory of a run.
 #pragma once
 
 #include <contact2d.h>
@@ -19,24 +19,25 @@ struct Workspace {
   uint64_t minimum = 0, in_core = 0;
 };
 
-// Bytes of RAM that are free now; a guess if the system does not tell.
+// Bytes of RAM that are free now; a guess if the system gives no value.
 uint64_t free_memory();
 
-// Ask the system to back memory[0 .. bytes) by large pages: a page is paid for when it is first touched, and a large one
-// costs hardly more than one of 4 KiB. A hint; nothing follows from it but speed.
+// Asks the system to use large pages for memory[0 .. bytes): the first access to a large page costs little more than one to
+// a page of 4 KiB. A hint that only affects speed.
 void ask_for_huge_pages(void* memory, uint64_t bytes);
 
-// What compressed elimination makes use of, beside this minimum.
+// Workspace that compressed elimination can use, with this minimum.
 uint64_t compressed_bytes(uint64_t minimum);
 
-// The least workspace that will do: this minimum, or what compressed elimination asks for, whose ranks are not known before.
+// The smallest sufficient workspace: this minimum, or the estimate for compressed elimination, whose ranks are not known
+// before.
 uint64_t least_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum);
 
 // More than is written to a tape, as a rule: with compressed elimination a quarter of what may be by the least workspace; else
 // UINT64_MAX.
 uint64_t expected_bytes(const c2d_limits& limits, int32_t elimination, uint64_t minimum, int32_t tape);
 
-// C2D_ELIMINATION_DENSE or COMPRESSED: what is chosen, by size or as it is.
+// C2D_ELIMINATION_DENSE or COMPRESSED: the requested one, or by size.
 int32_t elimination_of(const c2d_limits& limits, int32_t chosen);
 
 // c2d_limits.touching: what is chosen, below 0: a fifth of the pairs where there are more than kManyPairs, else all; all

@@ -1,8 +1,8 @@
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept, LARGE=1 adds the sizes
 # that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,bodies,compressed,program takes parts of it.
 # Rivals are processes of their own, compiled if what they need is here; the library itself needs none of them.
-#: make bench                       speed as a table (SAVE=, BASE=, LARGE=1, ONLY=)
-#: make guard, guard-save           instructions of fixed tasks against the numbers kept
+#: make bench                       table of run times (SAVE=, BASE=, LARGE=1, ONLY=)
+#: make guard, guard-save           instruction counts of fixed tasks against stored counts
 BENCH := $(BUILD)/bench
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BENCH)/%.o,$(wildcard tests/bench/*.cpp)) $(BENCH)/many_bodies.o
 BENCH_PEAK_peak_avx2 := $(KERNEL_kernel_avx2)

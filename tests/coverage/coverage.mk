@@ -1,8 +1,8 @@
 # make coverage: the test suite on a library, ports, report and program that count (clang's counters stand at conditions of the
 # source: what a compiler adds, as edges of exceptions, is no branch), tests being those of make test; then those tests that cross
-# what is otherwise in small code, on a library of that. Prints the branches that no test takes, and a table; fails below the
+# what is otherwise in small code, on a library of that. Prints the branches not covered by tests, and a table; fails below the
 # percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
-#: make coverage                    branches that no test takes (COVERAGE_LEAST=)
+#: make coverage                    branches not covered by tests (COVERAGE_LEAST=)
 .PHONY: coverage coverage-table
 COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98

@@ -1,7 +1,7 @@
 # make faults: the program with every operation failing, every write cut off, power lost after every change, and every allocation
 # refused (tests/faults/judge.hpp). FAULTS_STEP=50 takes every fiftieth case, PART= one of operations, lies, kills, power, memory,
 # JOB= one of the jobs (tests/faults/jobs.cpp).
-#: make faults                      the program with everything failing around it (PART=, JOB=, FAULTS_STEP=)
+#: make faults                      the program with every operation and allocation failing in turn (PART=, JOB=, FAULTS_STEP=)
 .PHONY: faults
 FAULTS_STEP ?= 1
 FAULTS_SOURCES := $(wildcard tests/faults/*.cpp)

@@ -1,7 +1,7 @@
 # make mutants: changes in kernels, exchange, events, elimination, block format and deck reader, each of which a test must catch
 # (tests/mutants/make.cpp, run.cpp). MUTANTS_ONLY= a part or a file, MUTANTS_SEED= another choice, MUTANTS_SHARE=50 half as many,
 # MUTANTS_SECONDS= of tests for each, MUTANTS_TESTS=all or parts of the names of their files (tests/mutants/tests.txt).
-#: make mutants                     changes of the core that a test must catch (MUTANTS_ONLY=, _SHARE=, _SEED=, _SECONDS=, _TESTS=)
+#: make mutants                     mutations of the core that a test must detect (MUTANTS_ONLY=, _SHARE=, _SEED=, _SECONDS=, _TESTS=)
 .PHONY: mutants mutants-objects
 MUTANTS := $(BUILD)/mutants
 MUTANTS_SEED ?= 1

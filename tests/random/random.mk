@@ -3,7 +3,7 @@
 # symmetric bodies. KIND=three: three bodies. KIND=resume: runs that are ended and taken up. KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
 # build/estimate. ELEMENTS and SECONDS are the limits of each.
-#: make random                      random decks, judged (N=, SEED=, KIND=)
+#: make random                      random decks with independent checks (N=, SEED=, KIND=)
 #: make estimate                    random sketches against finer meshes (N=, SEED=, ELEMENTS=, SECONDS=)
 .PHONY: random estimate
 N ?= 1000

@@ -1,4 +1,4 @@
-// What became of the entities of a file, with counts: read, left out, repaired.
+// Counts of the entities of a file: read, left out, repaired.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Points one after the other, read as the curves that they stand for.
+// Recognises curves in a sequence of points.
 #pragma once
 
 #include "program/drawing/drawing.hpp"

@@ -1,4 +1,4 @@
-// Statements that a user keeps beside a drawing, so that a changed drawing becomes a whole sketch again.
+// User statements for a drawing (--with), so that a changed drawing gives a complete sketch again.
 #pragma once
 
 #include <string>

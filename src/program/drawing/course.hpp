@@ -1,4 +1,4 @@
-// A loop of curves as a course: what is nearest to a point, and how far two courses are from each other.
+// A loop of curves as one path: nearest point, and distance between two paths.
 #pragma once
 
 #include "program/drawing/drawing.hpp"
@@ -11,7 +11,7 @@ public:
   struct Nearest {
     double distance;
     bool is_left; // is the point on the left of the course?
-    Point along;  // the way that the course runs there, of length 1
+    Point along;  // unit tangent there
   };
   Nearest nearest(Point p) const;
   double area() const; // above 0: counter-clockwise

@@ -1,4 +1,4 @@
-// Where curves cross.
+// Crossings of curves.
 #pragma once
 
 #include "program/drawing/drawing.hpp"

@@ -114,14 +114,14 @@ void append_polygon(std::vector<Point>& out, const Curve& curve) {
   for (int i = 0; i < n; ++i) out.push_back(shape->at(static_cast<double>(i) / n));
 }
 
-std::string told(double value) {
+std::string text_of(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value == 0 ? 0 : value, std::chars_format::general, 6).ptr);
 }
 
-std::string told(Point p) { return "(" + told(p.x) + ", " + told(p.y) + ")"; }
+std::string text_of(Point p) { return "(" + text_of(p.x) + ", " + text_of(p.y) + ")"; }
 
-std::string told(const Curve& c) {
+std::string text_of(const Curve& c) {
   const char* const kinds[] = {"line", "arc", "ellipse", "spline"};
   std::string text = c.whole && c.kind == Curve::kArc ? "circle" : kinds[c.kind];
   if (!c.name.empty()) text += " of " + shown(c.name);

@@ -1,4 +1,4 @@
-// What a drawing holds: curves with names, joined to loops and bodies.
+// The contents of a drawing: named curves, joined to loops and bodies.
 #pragma once
 
 #include "program/sketch/shape.hpp"
@@ -10,12 +10,12 @@ namespace drawing {
 
 using sketch::Point;
 
-// Ends of curves are one if they are nearer than this share of the drawing's size.
+// Ends of curves closer than this fraction of the size of the drawing are joined.
 constexpr double kJoin = 1e-6;
-constexpr double kRound = 1e-8; // of the size: what digits of files leave open
+constexpr double kRound = 1e-8; // of the size: round-off of the digits in files
 constexpr double kHalfTurn = 3.14159265358979323846;
 
-// What is wrong with a file. Thrown while it is read; line 0: the whole file.
+// A fault of a file, thrown while it is read; line 0: the whole file.
 struct Fault {
   int line = 0;
   std::string text;
@@ -35,7 +35,7 @@ struct Curve {
   double from = 0, sweep = 0; // eccentric angles in degrees; below 0: clockwise
   std::vector<Point> points;  // of a spline, both ends among them; of a whole one the begin stands once
   bool guessed = false;       // an arc through three or four points, which may stand for another curve
-  double doubt = 0;           // of a spline: how far it may be from what it stands for
+  double doubt = 0;           // of a spline: largest distance from the original curve
 };
 
 Curve straight(Point begin, Point end);
@@ -67,16 +67,16 @@ struct Body {
 
 struct Drawing {
   std::string kind;          // what the file is
-  std::string unit;          // of length; empty: not told
+  std::string unit;          // of length; empty: not given
   std::vector<Curve> curves; // that are to be joined
-  std::vector<Body> bodies;  // that the file tells itself
+  std::vector<Body> bodies;  // defined by the file itself
   std::vector<std::string> notes;
   Fault crossing; // the first of outlines that cross; no text: none does
 };
 
-std::string told(double value); // with six digits
-std::string told(Point p);      // (x, y)
-std::string told(const Curve& curve);
+std::string text_of(double value); // with six digits
+std::string text_of(Point p);      // (x, y)
+std::string text_of(const Curve& curve);
 // The larger side of the box around curves.
 double size_of(const std::vector<Curve>& curves);
 

@@ -9,7 +9,7 @@
 namespace drawing {
 namespace {
 
-// What $INSUNITS means; empty: no unit, or one that hardly is that of a drawing.
+// The unit of $INSUNITS; empty: none, or an unusual one.
 std::string unit_of(int64_t code) {
   const std::pair<int, const char*> known[] = {{1, "in"}, {2, "ft"}, {4, "mm"}, {5, "cm"}, {6, "m"}, {9, "mil"}, {13, "um"}};
   for (const auto& [number, name] : known)
@@ -89,7 +89,7 @@ void DxfReader::blocks(size_t first, size_t last) {
       constexpr int64_t kElsewhere = 4;
       open = &blocks_[folded(e.text(2))];
       try {
-        open->base = {e.number(10, 0, "its base"), e.number(20, 0, "its base")};
+        open->base = {e.number(10, 0, "its base point"), e.number(20, 0, "its base point")};
         if ((e.flags(70) & kElsewhere) != 0) open->fault = "it is in another file";
       } catch (const Fault& fault) {
         open->fault = fault.text;
@@ -102,10 +102,10 @@ void DxfReader::blocks(size_t first, size_t last) {
   }
 }
 
-// Why an entity is not to be seen goes into the account.
+// Counts a hidden entity with its reason.
 bool DxfReader::hides(const Entity& e, const std::string& layer) {
   std::string why;
-  if (e.flags(67) == 1) why = "on paper, not in the model";
+  if (e.flags(67) == 1) why = "in paper space";
   if (e.flags(60) == 1) why = "invisible";
   const bool is_insert = e.type == "INSERT"; // entities of a block have layers of their own; one that is frozen hides all
   if (const std::string hidden = layers_.why_hidden(layer); !hidden.empty() && (!is_insert || layers_.is_frozen(layer)))
@@ -129,10 +129,10 @@ void DxfReader::draw(const std::vector<Entity>& all, const Place& place) {
         insert(e, place, layer);
       } else if (!is_curve(e.type)) {
         const bool endless = e.type == "XLINE" || e.type == "RAY";
-        account_.leave_out(e.type, endless ? "a construction line" : "not among the curves that are read", e.line);
+        account_.leave_out(e.type, endless ? "a construction line" : "not a supported curve", e.line);
       } else {
         if (e.type == "POLYLINE" && (i + 1 == all.size() || all[i + 1].type != "SEQEND"))
-          throw Fault{e.line, "no SEQEND behind its corners"};
+          throw Fault{e.line, "no SEQEND after its vertices"};
         curves(e, corners, place, layer);
       }
     } catch (const TooLarge&) {
@@ -158,14 +158,15 @@ void DxfReader::insert(const Entity& e, const Place& place, const std::string& l
   constexpr int64_t kMostCopies = 10000;
   constexpr int kMostInserts = 1000000;
   const double x = e.number(41, 1, "a scale"), y = e.number(42, 1, "a scale");
-  if (x == 0 || y == 0) throw Fault{e.line, "a scale of 0"};
+  if (x == 0 || y == 0) throw Fault{e.line, "its scale is 0"};
   const auto block = blocks_.find(folded(e.text(2)));
-  if (block == blocks_.end()) throw Fault{e.line, "block " + shown(e.text(2)) + " is not there"};
+  if (block == blocks_.end()) throw Fault{e.line, "block " + shown(e.text(2)) + " is missing"};
   if (!block->second.fault.empty()) throw Fault{e.line, "block " + shown(e.text(2)) + ": " + block->second.fault};
-  if (place.depth >= kDeepest) throw Fault{e.line, "block " + shown(e.text(2)) + " within itself, or 16 deep"};
+  if (place.depth >= kDeepest)
+    throw Fault{e.line, "block " + shown(e.text(2)) + " contains itself, or blocks are nested more than 16 deep"};
   const bool behind = is_seen_from_behind(e);
-  const Point at = e.point(10, "the place of a block"),
-              step = {e.number(44, 0, "a distance of columns"), e.number(45, 0, "a distance of rows")};
+  const Point at = e.point(10, "the insertion point of a block"),
+              step = {e.number(44, 0, "a column spacing"), e.number(45, 0, "a row spacing")};
   int64_t columns = e.has(70) ? e.flags(70) : 1, rows = e.has(71) ? e.flags(71) : 1;
   if (columns < 0 || rows < 0 || columns > kMostCopies || rows > kMostCopies || columns * rows > kMostCopies)
     throw Fault{e.line, "more than 10000 copies of a block"};
@@ -173,7 +174,7 @@ void DxfReader::insert(const Entity& e, const Place& place, const std::string& l
   const double angle = e.number(50, 0, "an angle");
   const Motion array = placing({}, at, 1, 1, angle); // of the copies among each other
   for (int64_t i = 0; i < columns * rows; ++i) {
-    if (++inserts_ > kMostInserts) throw TooLarge{e.line, "INSERT: more than 1000000 copies of blocks in all"};
+    if (++inserts_ > kMostInserts) throw TooLarge{e.line, "INSERT: more than 1000000 copies of blocks in total"};
     const Point corner = array({static_cast<double>(i % columns) * step.x, static_cast<double>(i / columns) * step.y});
     Place inside{placing(block->second.base, corner, x, y, angle), layer, place.depth + 1};
     if (behind) inside.motion = after(kFromBehind, inside.motion);
@@ -192,7 +193,8 @@ Drawing DxfReader::read() {
     const std::string_view name = groups_[i + 1].value;
     size_t end = i + 2;
     while (end < groups_.size() && !(groups_[end].code == 0 && groups_[end].value == "ENDSEC")) ++end;
-    if (end == groups_.size()) throw Fault{groups_[i].line, "section " + shown(name) + " without ENDSEC: the file is cut off"};
+    if (end == groups_.size())
+      throw Fault{groups_[i].line, "section " + shown(name) + " without ENDSEC: the file is truncated"};
     if (name == "HEADER") header(i + 2, end);
     if (name == "TABLES") layers(i + 2, end);
     if (name == "BLOCKS") blocks(i + 2, end);

@@ -58,7 +58,7 @@ private:
 
 void Maker::check_height(std::vector<double> z) {
   if (std::any_of(z.begin(), z.end(), [&](double height) { return height != z[0]; }))
-    account_.repair(e_.type, "seen along z, in which its points differ", e_.line);
+    account_.repair(e_.type, "projected along z, because its points differ in z", e_.line);
 }
 
 // Counter-clockwise. Angles that are a whole turn apart, but for digits of the file, are one.
@@ -69,13 +69,14 @@ double Maker::sweep(double first, double last, double whole) {
     const double sweep = std::fmod(wide, whole);
     return sweep > 0 ? sweep : sweep + whole;
   }
-  if (std::fabs(beyond) > 1e-9 * whole) account_.repair(e_.type, "whole, where its angles are rounded", e_.line);
+  if (std::fabs(beyond) > 1e-9 * whole)
+    account_.repair(e_.type, "closed, because its end angles differ only by rounding", e_.line);
   return whole;
 }
 
 double Maker::radius() const {
   const double r = e_.number(40, "the radius");
-  if (!(r > 0)) throw Fault{e_.line, "radius " + told(r) + ", expected one above 0"};
+  if (!(r > 0)) throw Fault{e_.line, "radius " + text_of(r) + ", expected a value above 0"};
   return r;
 }
 
@@ -102,33 +103,33 @@ void Maker::polyline(const std::vector<Vertex>& v) {
     if (sketch::length(to - from) == 0) continue; // a closed one may repeat its first corner
     add(with_bulge(from, to, v[i].bulge));
   }
-  if (out_.empty()) throw Fault{e_.line, "all of its corners are one"};
+  if (out_.empty()) throw Fault{e_.line, "all of its vertices coincide"};
 }
 
 void Maker::light_polyline() {
   std::vector<Vertex> vertices;
   for (const Group* g = e_.first; g != e_.last; ++g) {
-    if (g->code == 10) vertices.push_back({{real(g->value, g->line, "x of a corner"), NAN}, 0});
-    if ((g->code == 20 || g->code == 42) && vertices.empty()) throw Fault{g->line, "expected x of a corner first"};
-    if (g->code == 20) vertices.back().at.y = real(g->value, g->line, "y of a corner");
+    if (g->code == 10) vertices.push_back({{real(g->value, g->line, "x of a vertex"), NAN}, 0});
+    if ((g->code == 20 || g->code == 42) && vertices.empty()) throw Fault{g->line, "expected x of a vertex first"};
+    if (g->code == 20) vertices.back().at.y = real(g->value, g->line, "y of a vertex");
     if (g->code == 42) vertices.back().bulge = real(g->value, g->line, "a bulge");
   }
   for (const Vertex& v : vertices)
-    if (std::isnan(v.at.y)) throw Fault{e_.line, "a corner has no y"};
+    if (std::isnan(v.at.y)) throw Fault{e_.line, "a vertex has no y"};
   if (const int64_t n = e_.flags(90); e_.has(90) && n != static_cast<int64_t>(vertices.size()))
-    throw Fault{e_.line, std::to_string(vertices.size()) + " corners, expected " + std::to_string(n)};
+    throw Fault{e_.line, std::to_string(vertices.size()) + " vertices, expected " + std::to_string(n)};
   polyline(vertices);
 }
 
 void Maker::old_polyline(const std::vector<Entity>& corners) {
   constexpr int64_t kMesh = 16 | 64;
-  if ((e_.flags(70) & kMesh) != 0) throw Fault{e_.line, "a mesh in space"};
+  if ((e_.flags(70) & kMesh) != 0) throw Fault{e_.line, "a three-dimensional mesh"};
   std::vector<Vertex> vertices;
   std::vector<double> z;
   for (const Entity& corner : corners) {
     constexpr int64_t kFrame = 16; // a control point of a spline that the other corners follow
     if ((corner.flags(70) & kFrame) != 0) continue;
-    vertices.push_back({corner.point(10, "a corner"), corner.number(42, 0, "a bulge")});
+    vertices.push_back({corner.point(10, "a vertex"), corner.number(42, 0, "a bulge")});
     z.push_back(corner.number(30, 0, "z"));
   }
   check_height(z);
@@ -138,7 +139,7 @@ void Maker::old_polyline(const std::vector<Entity>& corners) {
 void Maker::ellipse() {
   const Point centre = e_.point(10, "the centre"), axis = e_.point(11, "the end of the major axis");
   const double ratio = e_.number(40, "the ratio of the axes"), a = sketch::length(axis);
-  if (!(ratio > 0)) throw Fault{e_.line, "ratio of the axes " + told(ratio) + ", expected one above 0"};
+  if (!(ratio > 0)) throw Fault{e_.line, "ratio of the axes " + text_of(ratio) + ", expected a value above 0"};
   if (a == 0) throw Fault{e_.line, "the major axis has no length"};
   const double from = e_.number(41, 0, "the first parameter");
   const double wide = sweep(from, e_.number(42, from + 2 * kHalfTurn, "the last parameter"), 2 * kHalfTurn);
@@ -162,16 +163,16 @@ void Maker::spline() {
   check_height(e_.numbers(n.points.empty() ? 31 : 30, "z"));
   if (!n.points.empty()) {
     if (const std::string fault = n.fault(); !fault.empty()) throw Fault{e_.line, fault};
-    if (!(sketch::size_of(n.points) > 0)) throw Fault{e_.line, "all of its control points are one"};
+    if (!(sketch::size_of(n.points) > 0)) throw Fault{e_.line, "all of its control points coincide"};
     return follow(std::move(n));
   }
-  std::vector<Point> through = e_.points(11, "a fit point"); // known by these alone
-  if (through.size() < 2) throw Fault{e_.line, "neither control points nor two fit points"};
+  std::vector<Point> through = e_.points(11, "a fit point"); // the only data
+  if (through.size() < 2) throw Fault{e_.line, "it has neither control points nor two fit points"};
   const bool again = through.size() > 3 && sketch::length(through.back() - through.front()) == 0;
   const auto is_one = [](Point a, Point b) { return sketch::length(a - b) == 0; };
   through.erase(std::unique(through.begin(), through.end(), is_one), through.end());
   if (closed && again) through.pop_back();
-  if (through.size() < 2) throw Fault{e_.line, "all of its fit points are one"};
+  if (through.size() < 2) throw Fault{e_.line, "all of its fit points coincide"};
   if (through.size() == 2) return add(straight(through.front(), through.back()));
   const Point x = motion_({1, 0}) - motion_({}), y = motion_({0, 1}) - motion_({});
   const double size = sketch::length(x);
@@ -205,7 +206,8 @@ bool is_curve(std::string_view type) {
 bool is_seen_from_behind(const Entity& e) {
   const double x = e.number(210, 0, "the normal of a plane"), y = e.number(220, 0, "the normal of a plane");
   const double z = e.number(230, 1, "the normal of a plane");
-  if (std::fabs(x) > 1e-9 || std::fabs(y) > 1e-9 || z == 0) throw Fault{e.line, "its plane is inclined to that of the drawing"};
+  if (std::fabs(x) > 1e-9 || std::fabs(y) > 1e-9 || z == 0)
+    throw Fault{e.line, "its plane is inclined to the plane of the drawing"};
   return z < 0;
 }
 

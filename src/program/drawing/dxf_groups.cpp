@@ -10,14 +10,14 @@ std::vector<Group> groups_of(std::string_view text) {
     const int at = lines.number();
     if (!lines.next(value)) {
       if (trimmed(code).empty()) break; // blank lines at the end
-      throw Fault{at, "the file ends between a group code and its value: it is cut off"};
+      throw Fault{at, "the file ends between a group code and its value: it is truncated"};
     }
     const int64_t number = whole_number(code, at, "a group code");
     if (number < -5 || number > 1071) throw Fault{at, "group code " + std::to_string(number) + ", expected 0 to 1071"};
     out.push_back({static_cast<int>(number), trimmed(value), lines.number()});
     if (number == 0 && trimmed(value) == "EOF") return out;
   }
-  throw Fault{lines.number(), "the file ends without EOF: it is cut off"};
+  throw Fault{lines.number(), "the file ends without EOF: it is truncated"};
 }
 
 const Group* Entity::find(int code) const {

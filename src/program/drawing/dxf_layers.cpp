@@ -19,7 +19,7 @@ bool is_for_construction(const Entity& layer) {
 std::string why_hidden(const Entity& layer) {
   if ((layer.flags(70) & 1) != 0) return kFrozen;
   if (layer.flags(62) < 0) return "is off";
-  if (is_for_construction(layer)) return "is for construction";
+  if (is_for_construction(layer)) return "is a construction layer";
   return layer.has(290) && layer.flags(290) == 0 ? "is not plotted" : "";
 }
 

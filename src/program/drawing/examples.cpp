@@ -10,7 +10,7 @@
 namespace drawing {
 namespace {
 
-constexpr double kMayTouch = 0.05; // of the smaller body: sides that may touch are not further apart
+constexpr double kMayTouch = 0.05; // of the smaller body: largest distance of sides that may touch
 
 struct Sampled { // a curve by some of its points
   const Curve* curve;
@@ -24,13 +24,13 @@ struct Part { // a body among those that it touches
   std::vector<Sampled> curves;
   Point low, high;
   std::set<std::string> in_contact; // names of its curves
-  size_t root;                      // the body that holds it, by contacts; its own number: none
+  size_t root;                      // the fixed body that supports it, through contacts; its own number: none
   Point press;                      // towards that body, along an axis
   bool carries = false;             // others
   bool is_fixed = false;            // by its own support
   double size() const { return std::max(high.x - low.x, high.y - low.y); }
-  std::set<std::string> free_names() const; // those that no contact has
-  // The free curve that lies furthest in a direction, one `apart` from the contacts' ends; null: none.
+  std::set<std::string> free_names() const; // names without a contact
+  // The free curve farthest in a direction; with `apart`, one that does not adjoin a contact; null: none.
   const Sampled* furthest(Point way, bool apart) const;
   bool ends_at_contact(const std::string& name) const;
 };
@@ -88,8 +88,8 @@ const Sampled* Part::furthest(Point way, bool apart) const {
 
 struct Touch { // where two bodies are nearest to each other
   double gap;
-  const Curve *held, *holding;
-  Point press; // the way in which the held one presses, along an axis
+  const Curve *supported, *supporting;
+  Point press; // direction in which the supported body presses, along an axis
 };
 
 Point along_an_axis(Point way) {
@@ -97,21 +97,21 @@ Point along_an_axis(Point way) {
   return {along_x ? std::copysign(1.0, way.x) : 0, along_x ? 0 : std::copysign(1.0, way.y)};
 }
 
-// Where points of `held` are nearest to `holding`, if both face each other there.
-Touch nearest(const Sampled& held, const Sampled& holding, double near) {
+// The nearest points of two curves that face each other there.
+Touch nearest(const Sampled& supported, const Sampled& supporting, double near) {
   constexpr double kFaces = 0.8; // the cosine of the angle between the normals
-  const Course other({*holding.curve});
-  Touch out{HUGE_VAL, held.curve, holding.curve, {}};
+  const Course other({*supporting.curve});
+  Touch out{HUGE_VAL, supported.curve, supporting.curve, {}};
   Point sum{};
   double count = 0;
-  for (size_t i = 0; i < held.points.size(); ++i) {
-    const Course::Nearest at = other.nearest(held.points[i]);
-    const bool faces = sketch::dot(held.outward[i], holding.side * sketch::turned_left(at.along)) < -kFaces;
+  for (size_t i = 0; i < supported.points.size(); ++i) {
+    const Course::Nearest at = other.nearest(supported.points[i]);
+    const bool faces = sketch::dot(supported.outward[i], supporting.side * sketch::turned_left(at.along)) < -kFaces;
     if (!faces || at.distance > near) continue;
-    if (at.distance < out.gap) out.gap = at.distance, out.press = held.outward[i];
-    sum = sum + held.outward[i], ++count;
+    if (at.distance < out.gap) out.gap = at.distance, out.press = supported.outward[i];
+    sum = sum + supported.outward[i], ++count;
   }
-  if (count > 2) out.press = sketch::length(sum) > 0.3 * count ? sum : Point{0, -1}; // a pin in a hole goes down
+  if (count > 2) out.press = sketch::length(sum) > 0.3 * count ? sum : Point{0, -1}; // a pin in a hole presses down
   return out;
 }
 
@@ -129,55 +129,55 @@ Touch touch_of(const Part& a, const Part& b) {
   return best;
 }
 
-// From a body that is held to bodies near it: the nearest ones first. Every body gets a contact with one that is held, if one
-// is near and its holder keeps a curve by which it can be held itself.
-std::vector<std::string> hang_together(std::vector<Part>& parts, size_t root) {
+// Adds contacts from supported bodies to bodies near them, the nearest first. Every body gets a contact with a supported one,
+// if one is near and the fixed body keeps a free curve for its own support.
+std::vector<std::string> connect(std::vector<Part>& parts, size_t root) {
   std::vector<std::string> out;
-  std::vector<size_t> held{root};
+  std::vector<size_t> supported{root};
   std::map<std::pair<size_t, size_t>, Touch> touches;
   while (true) {
     Touch best{HUGE_VAL, nullptr, nullptr, {}};
     size_t next = 0, by = 0;
-    for (const size_t i : held)
+    for (const size_t i : supported)
       for (size_t j = 0; j < parts.size(); ++j) {
         if (parts[j].root != j || parts[j].is_fixed) continue;
         if (touches.count({j, i}) == 0) touches[{j, i}] = touch_of(parts[j], parts[i]);
         const Touch& touch = touches[{j, i}];
         if (!(touch.gap < best.gap)) continue;
         std::set<std::string> free = parts[root].free_names();
-        if (i == root) free.erase(touch.holding->name);
+        if (i == root) free.erase(touch.supporting->name);
         if (!free.empty()) best = touch, next = j, by = i;
       }
-    if (best.held == nullptr) return out;
+    if (best.supported == nullptr) return out;
     Part &a = parts[next], &b = parts[by];
     a.root = root;
     b.carries = true;
-    a.in_contact.insert(best.held->name), b.in_contact.insert(best.holding->name);
+    a.in_contact.insert(best.supported->name), b.in_contact.insert(best.supporting->name);
     a.press = along_an_axis(best.press);
-    out.push_back("contact " + b.body->name + "." + best.holding->name + " " + a.body->name + "." + best.held->name +
+    out.push_back("contact " + b.body->name + "." + best.supporting->name + " " + a.body->name + "." + best.supported->name +
                   "  mu 0.3");
-    held.push_back(next);
+    supported.push_back(next);
   }
 }
 
-// A force of 1 in all, by the body's weight.
+// A total force of 1, as the weight of the body.
 std::string weight_of(const Body& body, Point way) {
   double area = 0;
   for (const Loop& loop : body.loops) area += (loop.hole ? -1 : 1) * std::fabs(Course(loop.curves).area());
-  return "weight " + body.name + "  x " + told(way.x / area) + " y " + told(way.y / area);
+  return "weight " + body.name + "  x " + text_of(way.x / area) + " y " + text_of(way.y / area);
 }
 
-// On a body that is held by a contact, towards it.
+// A load on a body supported by a contact, towards the contact.
 std::string load_on(const Part& part) {
   const Sampled* const pressed = part.furthest(-1.0 * part.press, true);
   if (pressed == nullptr) return weight_of(*part.body, part.press);
   const Point about = pressed->middle();
   const bool along_x = part.press.x != 0;
-  return "platen " + part.body->name + "." + pressed->curve->name + "  about " + told(about.x) + " " + told(about.y) +
-         (along_x ? "  y 0 fx " + told(part.press.x) : "  x 0 fy " + told(part.press.y)) + "  turn 0";
+  return "platen " + part.body->name + "." + pressed->curve->name + "  about " + text_of(about.x) + " " + text_of(about.y) +
+         (along_x ? "  y 0 fx " + text_of(part.press.x) : "  x 0 fy " + text_of(part.press.y)) + "  turn 0";
 }
 
-// On a body that is held by its own support.
+// A load on a body with its own support.
 std::string traction_on(Part part, const std::string& support) {
   part.in_contact.insert(support);
   const Sampled* const pulled = part.furthest({0, 1}, false);
@@ -197,7 +197,7 @@ std::vector<std::string> examples_for(const std::vector<Body>& bodies) {
   for (const size_t i : upwards) {
     if (parts[i].root != i) continue;
     parts[i].is_fixed = true;
-    const std::vector<std::string> contacts = hang_together(parts, i);
+    const std::vector<std::string> contacts = connect(parts, i);
     out.insert(out.end(), contacts.begin(), contacts.end());
     const Sampled* const apart = parts[i].furthest({0, -1}, true);
     const std::string support = (apart != nullptr ? apart : parts[i].furthest({0, -1}, false))->curve->name;

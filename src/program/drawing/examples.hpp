@@ -1,4 +1,4 @@
-// What a user may say about the bodies of a drawing, with names that are there.
+// Example statements for the bodies of a drawing, with their names.
 #pragma once
 
 #include "program/drawing/drawing.hpp"

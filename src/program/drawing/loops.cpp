@@ -52,10 +52,10 @@ double rough_length(const Curve& curve) {
 // Takes out what has no length; halves of what ends where it begins.
 std::vector<Curve> with_length(const std::vector<Curve>& curves, double tolerance, std::vector<std::string>& notes) {
   std::vector<Curve> out;
-  Notes told_ones(notes, " other curves without length were left out");
+  Notes repeated(notes, " other curves without length were left out");
   for (const Curve& curve : curves) {
     if (!(rough_length(curve) > tolerance)) {
-      told_ones.add(told(curve) + " at " + told(curve.begin) + " has no length and was left out");
+      repeated.add(text_of(curve) + " at " + text_of(curve.begin) + " has no length and was left out");
     } else if (!curve.whole && sketch::length(curve.end - curve.begin) <= tolerance) {
       for (Curve& half : halves(curve)) out.push_back(std::move(half));
     } else {
@@ -78,14 +78,14 @@ bool coincide(const Curve& a, const Curve& b, bool same_way, double tolerance) {
 void drop_doubles(Graph& graph, double tolerance, std::vector<std::string>& notes) {
   std::map<std::pair<size_t, size_t>, std::vector<size_t>> between;
   std::vector<bool> kept(graph.curves.size(), true);
-  Notes told_ones(notes, " other curves lie on curves that are there already");
+  Notes repeated(notes, " other curves coincide with earlier curves");
   for (size_t i = 0; i < graph.curves.size(); ++i) {
     std::vector<size_t>& others = between[std::minmax(graph.ends[i][0], graph.ends[i][1])];
     for (const size_t j : others) {
       if (!coincide(graph.curves[j], graph.curves[i], graph.ends[j][0] == graph.ends[i][0], tolerance)) continue;
       kept[i] = false;
-      told_ones.add(told(graph.curves[i]) + " from " + told(graph.curves[i].begin) + " to " + told(graph.curves[i].end) +
-                    " lies on " + told(graph.curves[j]) + " and was left out");
+      repeated.add(text_of(graph.curves[i]) + " from " + text_of(graph.curves[i].begin) + " to " +
+                   text_of(graph.curves[i].end) + " coincides with " + text_of(graph.curves[j]) + " and was left out");
       break;
     }
     if (kept[i]) others.push_back(i);
@@ -109,30 +109,30 @@ bool is_on(const Curve& c, Point p, double tolerance) {
 }
 
 // Every open end, and what is nearest to it.
-void tell_open_ends(const Graph& graph, double tolerance, std::vector<std::string>& notes) {
+void note_open_ends(const Graph& graph, double tolerance, std::vector<std::string>& notes) {
   const std::vector<int> count = degrees(graph);
-  Notes told_ones(notes, " other ends are open");
+  Notes repeated(notes, " other ends are open");
   for (size_t i = 0; i < graph.curves.size(); ++i)
     for (const size_t e : {size_t{0}, size_t{1}}) {
       const size_t joint = graph.ends[i][e];
-      if (count[joint] != 1 || told_ones.only_counts()) continue;
+      if (count[joint] != 1 || repeated.only_counts()) continue;
       const Point p = graph.joints[joint];
       size_t nearest = joint;
       double distance = HUGE_VAL;
       for (size_t j = 0; j < graph.joints.size(); ++j)
         if (j != joint && j != graph.ends[i][1 - e] && sketch::length(graph.joints[j] - p) < distance)
           distance = sketch::length(graph.joints[j] - p), nearest = j;
-      std::string text = told(graph.curves[i]) + " has an open end at " + told(p);
+      std::string text = text_of(graph.curves[i]) + " has an open end at " + text_of(p);
       if (nearest != joint)
-        text += "; the nearest other end is at " + told(graph.joints[nearest]) + ", " + told(distance) + " away";
+        text += "; the nearest other end is at " + text_of(graph.joints[nearest]) + ", " + text_of(distance) + " away";
       const auto on =
           std::find_if(graph.curves.begin(), graph.curves.end(), [&](const Curve& c) { return is_on(c, p, tolerance); });
-      if (on != graph.curves.end()) text += "; it lies on " + told(*on) + ", which is to be broken there";
-      told_ones.add(text);
+      if (on != graph.curves.end()) text += "; it lies on " + text_of(*on) + "; split that curve there";
+      repeated.add(text);
     }
 }
 
-// Takes away what leads nowhere: curves with an open end, again and again, and bridges between loops.
+// Removes curves with an open end, repeatedly, and bridges between loops.
 void prune(Graph& graph, std::vector<std::string>& notes) {
   const size_t before = graph.curves.size();
   std::vector<std::vector<size_t>> at(graph.joints.size());
@@ -164,7 +164,7 @@ void prune(Graph& graph, std::vector<std::string>& notes) {
   const size_t left_out = before - graph.curves.size();
   if (left_out > 0)
     notes.push_back(std::to_string(left_out) + (left_out == 1 ? " curve is" : " curves are") +
-                    " part of no closed outline and left out");
+                    " left out: not part of a closed outline");
 }
 
 struct Contour { // of curves that are connected: what it looks like from outside, and the faces in it
@@ -180,7 +180,7 @@ struct Contour { // of curves that are connected: what it looks like from outsid
   double size() const { return std::max(high.x - low.x, high.y - low.y); }
   std::string place() const { // its middle
     const auto rounded = [&](double a, double b) { return std::fabs(a + b) > 1e-9 * size() ? (a + b) / 2 : 0; };
-    return told(Point{rounded(low.x, high.x), rounded(low.y, high.y)});
+    return text_of(Point{rounded(low.x, high.x), rounded(low.y, high.y)});
   }
 };
 
@@ -195,7 +195,7 @@ Contour contour_of(const Curve& whole) {
   Loop loop;
   loop.curves = {whole};
   c.area = Course(loop.curves).area();
-  if (c.area < 0) { // what is whole turns left: the sketch turns it round in a hole
+  if (c.area < 0) { // a whole curve is counter-clockwise: the sketch reverses it in a hole
     loop.curves = {reversed(whole)};
     c.area = -c.area;
   }
@@ -231,7 +231,7 @@ std::vector<Contour> contours_of(const Graph& graph) {
   return out;
 }
 
-// Is most of `inner` in `outer`? Contours that touch in a point make one point no judge.
+// Is most of `inner` inside `outer`? Several points are tested, because contours may touch at one.
 bool encloses(const std::vector<Point>& outer, const std::vector<Point>& inner) {
   int in = 0, all = 0;
   const size_t step = std::max<size_t>(1, inner.size() / 9);
@@ -242,7 +242,7 @@ bool encloses(const std::vector<Point>& outer, const std::vector<Point>& inner) 
   return 2 * in > all;
 }
 
-constexpr double kAlike = 0.9; // of the larger area: then the polygons are not told from the curves
+constexpr double kAlike = 0.9; // area ratio above which polygons are too inaccurate and the curves are used
 
 // Is most of `inner` on the inner side of `outer`?
 bool encloses(const Course& outer, const Course& inner) {
@@ -289,7 +289,7 @@ void drop_doubles(std::vector<Contour>& contours, double tolerance, std::vector<
     for (size_t j = kept.size(); j-- > 0 && kept[j].area <= c.area * (1 + 1e-3) && !is_double;)
       is_double = apart(kept[j], c) <= tolerance;
     if (is_double)
-      notes.push_back("left out: an outline about " + c.place() + " that lies on one that is there already");
+      notes.push_back("left out: an outline around " + c.place() + " that coincides with another outline");
     else
       kept.push_back(std::move(c));
   }
@@ -299,11 +299,11 @@ void drop_doubles(std::vector<Contour>& contours, double tolerance, std::vector<
 // A hole in the body around it.
 void add_hole(Contour& c, const Contour& around, const std::vector<size_t>& bodies, Drawing& drawing) {
   c.outside.hole = true;
-  if (c.inside.size() > 1) drawing.notes.push_back("a hole about " + c.place() + " has curves across it, which were left out");
+  if (c.inside.size() > 1) drawing.notes.push_back("a hole around " + c.place() + " is crossed by curves, which were left out");
   size_t f = 0;
   while (f < bodies.size() && bodies.size() > 1 && !encloses(around.polygons[f], c.polygon)) ++f;
   if (f == bodies.size())
-    return drawing.notes.push_back("a hole about " + c.place() + " lies in several bodies and was left out");
+    return drawing.notes.push_back("a hole around " + c.place() + " lies in several bodies and was left out");
   c.body = bodies[f], c.loop = drawing.bodies[c.body].loops.size();
   drawing.bodies[c.body].loops.push_back(c.outside);
 }
@@ -318,11 +318,11 @@ std::vector<size_t> add_bodies(Contour& c, Drawing& drawing) {
   }
   if (c.inside.size() > 1)
     drawing.notes.push_back(std::to_string(c.inside.size()) +
-                            " outlines share curves: each is a body, and both sides of a shared curve bear its name");
+                            " outlines share curves: each outline is a body, and both bodies have a curve of that name");
   return out;
 }
 
-// A pin that all but fills its hole: which of both outlines is whose, the drawing leaves open.
+// A pin that nearly fills its hole: the drawing does not show which outline belongs to which body.
 void mark_press_fit(const Contour& hole, const Contour& pin, size_t& fits, Drawing& drawing) {
   constexpr double kNear = 0.02; // of the size
   if (hole.body == SIZE_MAX || pin.body == SIZE_MAX || hole.inside.size() != 1) return;
@@ -333,9 +333,9 @@ void mark_press_fit(const Contour& hole, const Contour& pin, size_t& fits, Drawi
   inner.press_fit = hole.inside[0].curves;
   outer.fit = inner.fit = ++fits;
   drawing.notes.push_back(
-      "a hole about " + hole.place() + " and the outline in it are " + told(gap) +
-      " apart at most: taken for a clearance; for a press fit take the outlines behind ! in place of those " +
-      "above them, and the statement 'interference'");
+      "a hole around " + hole.place() + " and the outline inside it are at most " + text_of(gap) +
+      " apart: this is read as a clearance; for a press fit use the outlines in comments instead of those above them, " +
+      "and the statement 'interference'");
 }
 
 // Contours by even depth give bodies, those by odd depth holes in the face around them.
@@ -366,7 +366,7 @@ size_t first_order(const Body& body) {
   return first;
 }
 
-// Circles and the like that lie twice.
+// Coincident closed curves.
 bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
   if (a.kind != b.kind || a.points.size() != b.points.size() || sketch::length(a.centre - b.centre) > tolerance ||
       std::fabs(a.a - b.a) > tolerance || std::fabs(a.b - b.b) > tolerance)
@@ -384,25 +384,25 @@ void note_joined(const Graph& graph, double size, std::vector<std::string>& note
   for (const double moved : graph.moved)
     if (moved > 0.1 * kRound * size) most = std::max(most, moved), ++count;
   if (count > 0)
-    notes.push_back("joined: " + std::to_string(count) + (count == 1 ? " end" : " ends") + ", moved by " + told(most) +
+    notes.push_back("joined: " + std::to_string(count) + (count == 1 ? " end" : " ends") + ", moved by " + text_of(most) +
                     " at most");
 }
 
-std::string told_outline(const Curve& c) {
+std::string outline_text(const Curve& c) {
   return "the outline" + (c.name.empty() ? std::string() : " of " + shown(c.name)) +
          (c.line > 0 ? " in line " + std::to_string(c.line) : std::string());
 }
 
 // Of outlines, or of all curves where no outline is closed.
 void note_crossings(const std::vector<Curve>& curves, double tolerance, Drawing& drawing) {
-  Notes told_ones(drawing.notes, " other crossings");
+  Notes repeated(drawing.notes, " other crossings");
   for (const Crossing& c : crossings_of(curves, tolerance)) {
     const Curve &a = curves[c.first], &b = curves[c.second];
     const bool itself = c.first == c.second || (a.line > 0 && a.line == b.line);
-    const std::string text = (itself ? told_outline(b) + " crosses itself" : told(b) + " crosses " + told(a)) + " near " +
-                             told(c.at) + ": outlines that cross bound no body";
+    const std::string text = (itself ? outline_text(b) + " crosses itself" : text_of(b) + " crosses " + text_of(a)) + " near " +
+                             text_of(c.at) + ": outlines that cross bound no body";
     if (drawing.crossing.text.empty()) drawing.crossing = {b.line, text};
-    told_ones.add(text);
+    repeated.add(text);
   }
 }
 
@@ -420,7 +420,7 @@ void join_curves(Drawing& drawing, double join) {
     const auto twin =
         std::find_if(wholes.begin(), wholes.end(), [&](const Curve& w) { return is_same_whole(w, curve, tolerance); });
     if (twin != wholes.end())
-      drawing.notes.push_back(told(curve) + " lies on " + told(*twin) + " and was left out");
+      drawing.notes.push_back(text_of(curve) + " coincides with " + text_of(*twin) + " and was left out");
     else
       wholes.push_back(std::move(curve));
   }
@@ -428,7 +428,7 @@ void join_curves(Drawing& drawing, double join) {
   Graph graph = graph_of(std::move(loose), tolerance);
   note_joined(graph, size, drawing.notes);
   drop_doubles(graph, tolerance, drawing.notes);
-  tell_open_ends(graph, tolerance, drawing.notes);
+  note_open_ends(graph, tolerance, drawing.notes);
   const std::vector<Curve> drawn = graph.curves;
   prune(graph, drawing.notes);
   std::vector<Curve> outlines = graph.curves;

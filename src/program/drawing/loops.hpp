@@ -1,4 +1,4 @@
-// From curves that lie loose to bodies: ends are joined, loops found, and what encloses what.
+// Bodies from separate curves: joins ends, finds loops and their nesting.
 #pragma once
 
 #include "program/drawing/drawing.hpp"

@@ -72,10 +72,10 @@ private:
 MshReader::Words MshReader::row(const char* section, size_t least) {
   std::string_view line;
   do {
-    if (!lines_.next(line)) throw Fault{number(), std::string("the file ends within ") + section + ": it is cut off"};
+    if (!lines_.next(line)) throw Fault{number(), std::string("the file ends within ") + section + ": it is truncated"};
   } while (trimmed(line).empty());
   Words words = words_of(trimmed(line));
-  if (words[0][0] == '$') throw Fault{number(), std::string(section) + " ends with fewer lines than it tells"};
+  if (words[0][0] == '$') throw Fault{number(), std::string(section) + " has fewer lines than its count"};
   if (words.size() < least)
     throw Fault{number(), std::string(section) + ": " + std::to_string(words.size()) + " numbers in a line, expected " +
                               std::to_string(least) + " or more"};
@@ -95,7 +95,7 @@ void MshReader::format() {
   is_4_ = words[0] == "4.1";
   if (!is_4_ && words[0] != "2.2" && words[0] != "2")
     throw Fault{number(), "MSH format " + shown(words[0]) + ", expected 2.2 or 4.1"};
-  if (integer(words, 1, "the kind of file") != 0) throw Fault{number(), "this MSH file is binary, expected an ASCII file"};
+  if (integer(words, 1, "the file type") != 0) throw Fault{number(), "this MSH file is binary, expected an ASCII file"};
 }
 
 void MshReader::names() {
@@ -105,7 +105,7 @@ void MshReader::names() {
     const std::string_view first = words[2], last = words.back();
     std::string_view name(first.data(), static_cast<size_t>(last.data() + last.size() - first.data())); // with its blanks
     if (name.size() < 2 || name.front() != '"' || name.back() != '"')
-      throw Fault{number(), "the name of a physical group is " + shown(name) + ", expected one in quotes"};
+      throw Fault{number(), "the name of a physical group is " + shown(name) + ", expected a name in quotes"};
     mesh_.names.push_back({static_cast<int>(integer(words, 0, "a dimension")), integer(words, 1, "a physical group"),
                            std::string(name.substr(1, name.size() - 2))});
   }
@@ -160,7 +160,7 @@ void MshReader::partitioned_entities() {
 // Its physical groups stand behind the box around it, of points behind their place, which begins at `box`.
 void MshReader::take_entity(const Words& words, int dimension, size_t box, Origin of) {
   const size_t at = box + (dimension == 0 ? 3 : 6);
-  const char* const few = "an entity has fewer numbers than it should";
+  const char* const few = "too few numbers for an entity";
   if (words.size() <= at) throw Fault{number(), few};
   const int64_t groups = count(words, at, "the number of physical groups"), tag = integer(words, 0, "an entity");
   if (words.size() < at + 1 + static_cast<size_t>(groups)) throw Fault{number(), few};
@@ -193,7 +193,7 @@ void MshReader::add_element(Element element, const Words& words, size_t first) {
   element.line = number();
   for (size_t i = first; i < words.size(); ++i) element.nodes.push_back(integer(words, i, "a node"));
   if (kind->corners == 0 && element.nodes[0] == element.nodes[1])
-    return account_.leave_out("line element", "it ends in the node where it begins", number());
+    return account_.leave_out("line element", "both ends are the same node", number());
   if (kind->order == 1 && kind->corners > 0 && !has_area(element))
     return account_.leave_out("face", "it has fewer than three corners", number());
   (kind->corners == 0 ? mesh_.lines : mesh_.faces).push_back(std::move(element));
@@ -227,7 +227,7 @@ void MshReader::elements_4() {
       if (is_drawn || element.type == kPoint)
         add_element(element, words, 1);
       else
-        account_.leave_out("line element", "between partitions", number());
+        account_.leave_out("line element", "it separates partitions", number());
     }
   }
 }
@@ -239,14 +239,14 @@ void MshReader::end(const std::string& section) {
       if (trimmed(line) == "$End" + section.substr(1)) return;
       throw Fault{number(), shown(trimmed(line)) + ", expected $End" + section.substr(1)};
     }
-  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
+  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is truncated"};
 }
 
 void MshReader::skip(const std::string& section) {
   std::string_view line;
   while (lines_.next(line))
     if (trimmed(line) == "$End" + section.substr(1)) return;
-  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
+  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is truncated"};
 }
 
 void MshReader::sort_nodes() {
@@ -256,7 +256,7 @@ void MshReader::sort_nodes() {
   Mesh sorted;
   for (const size_t i : order) {
     if (!sorted.tags.empty() && sorted.tags.back() == mesh_.tags[i])
-      throw Fault{0, "node " + std::to_string(mesh_.tags[i]) + " stands there twice"};
+      throw Fault{0, "node " + std::to_string(mesh_.tags[i]) + " is defined twice"};
     sorted.tags.push_back(mesh_.tags[i]);
     sorted.nodes.push_back(mesh_.nodes[i]);
   }
@@ -273,11 +273,11 @@ void MshReader::check() {
   };
   for (const Element& face : mesh_.faces) // a surface without one would have a hole
     if (const auto node = missing(face); node != face.nodes.end())
-      throw Fault{face.line, "an element has node " + std::to_string(*node) + ", which is not there"};
+      throw Fault{face.line, "an element has node " + std::to_string(*node) + ", which is missing"};
   const auto is_odd = [&](const Element& line) {
     const auto node = missing(line);
     if (node == line.nodes.end()) return false;
-    account_.leave_out("line element", "node " + std::to_string(*node) + " is not there", line.line);
+    account_.leave_out("line element", "node " + std::to_string(*node) + " is missing", line.line);
     return true;
   };
   mesh_.lines.erase(std::remove_if(mesh_.lines.begin(), mesh_.lines.end(), is_odd), mesh_.lines.end());
@@ -286,8 +286,7 @@ void MshReader::check() {
   double size = 0;
   for (const Point& p : mesh_.nodes) size = std::max(size, sketch::length(p - mesh_.nodes.front()));
   if (*high - *low > kJoin * size)
-    throw Fault{0,
-                "the mesh is not flat: z runs from " + told(*low) + " to " + told(*high) + ", expected a plane of constant z"};
+    throw Fault{0, "the mesh is not plane: z ranges from " + text_of(*low) + " to " + text_of(*high) + ", expected constant z"};
 }
 
 Mesh MshReader::read() {
@@ -296,7 +295,7 @@ Mesh MshReader::read() {
   while (lines_.next(line)) {
     const std::string section(trimmed(line));
     if (section.empty()) continue;
-    if (section[0] != '$') throw Fault{number(), shown(section) + ", expected the begin of a section, such as $Nodes"};
+    if (section[0] != '$') throw Fault{number(), shown(section) + ", expected the start of a section, such as $Nodes"};
     if (mesh_.format.empty() && section != "$MeshFormat")
       throw Fault{number(), shown(section) + ", expected $MeshFormat first"};
     if (section == "$MeshFormat")
@@ -323,7 +322,7 @@ Mesh MshReader::read() {
   if (!mesh_.lines.empty()) account_.read("line element", static_cast<int>(mesh_.lines.size()));
   if (!mesh_.faces.empty()) account_.read("face", static_cast<int>(mesh_.faces.size()));
   mesh_.notes = account_.notes();
-  if (many_) mesh_.notes.push_back("some entities are in several physical groups: the first one names them");
+  if (many_) mesh_.notes.push_back("some entities are in several physical groups: the first group gives the name");
   return std::move(mesh_);
 }
 

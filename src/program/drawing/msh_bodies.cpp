@@ -88,8 +88,7 @@ void Builder::take_lines() {
     else
       ++twice;
   }
-  if (twice > 0)
-    out_.notes.push_back(std::to_string(twice) + " line elements are there twice: the name of the first one holds");
+  if (twice > 0) out_.notes.push_back(std::to_string(twice) + " line elements are repeated: the name of the first one is used");
 }
 
 size_t Builder::root(size_t face) {
@@ -103,7 +102,7 @@ void Builder::join_faces() {
     parent_.push_back(f);
     const Element& face = mesh_.faces[f];
     if (std::set<int64_t>(face.nodes.begin(), face.nodes.end()).size() != face.nodes.size())
-      throw Fault{face.line, "an element of a surface names a node twice"};
+      throw Fault{face.line, "an element of a surface has a node twice"};
     for (const Side& side : sides_of(mesh_, face)) {
       std::vector<size_t>& list = faces_at_[side.key()];
       for (const size_t other : list)
@@ -134,7 +133,7 @@ std::vector<std::vector<Side>> Builder::loops_of(const std::vector<Side>& sides)
         const double turn = std::atan2(sketch::cross(way, on), sketch::dot(way, on));
         if (!used[j] && turn > most) most = turn, next = j;
       }
-      if (next == sides.size()) throw Fault{0, "the boundary of a surface is not closed at " + told(mesh_.at(end))};
+      if (next == sides.size()) throw Fault{0, "the boundary of a surface is not closed at " + text_of(mesh_.at(end))};
       i = next;
     }
   }
@@ -170,7 +169,7 @@ Loop Builder::loop_of(std::vector<Side> sides) {
       first = last;
     }
   }
-  if (loop.curves.empty()) throw Fault{0, "a surface has no extent at " + told(mesh_.at(sides.front().nodes.front()))};
+  if (loop.curves.empty()) throw Fault{0, "a surface has zero size at " + text_of(mesh_.at(sides.front().nodes.front()))};
   std::vector<Point> polygon;
   for (const Side& side : sides)
     for (size_t i = 0; i + 1 < side.nodes.size(); ++i) polygon.push_back(mesh_.at(side.nodes[i]));
@@ -197,7 +196,7 @@ void Builder::body_of(const std::vector<size_t>& faces, const std::string& name)
   for (std::vector<Side>& sides : loops_of(boundary)) body.loops.push_back(loop_of(std::move(sides)));
   std::stable_sort(body.loops.begin(), body.loops.end(), [](const Loop& a, const Loop& b) { return !a.hole && b.hole; });
   if (!body.loops.empty() && !body.loops.front().hole) return out_.bodies.push_back(std::move(body));
-  out_.notes.push_back("left out: a surface without area at " + told(mesh_.at(mesh_.faces[faces.front()].nodes.front())));
+  out_.notes.push_back("left out: a surface of zero area at " + text_of(mesh_.at(mesh_.faces[faces.front()].nodes.front())));
 }
 
 // From one line element as far as lines of its name go on, both ways.
@@ -256,13 +255,13 @@ Drawing Builder::build() {
   take_lines();
   join_faces();
   std::map<size_t, std::vector<size_t>> parts;
-  std::map<int64_t, int> parts_of_group, told_parts;
+  std::map<int64_t, int> parts_of_group, part_numbers;
   for (size_t f = 0; f < parent_.size(); ++f) parts[root(f)].push_back(f);
   for (const auto& part : parts) ++parts_of_group[mesh_.faces[part.first].group];
   for (const auto& part : parts) {
     const int64_t group = mesh_.faces[part.first].group;
     std::string name = mesh_.name(2, group);
-    if (!name.empty() && parts_of_group[group] > 1) name += std::to_string(++told_parts[group]);
+    if (!name.empty() && parts_of_group[group] > 1) name += std::to_string(++part_numbers[group]);
     body_of(part.second, name);
   }
   add_loose();

@@ -51,7 +51,7 @@ std::string Names::numbered(const std::string& stem) {
 std::vector<std::string> Names::changes() const {
   std::vector<std::string> out;
   for (const auto& [raw, name] : known_)
-    if (raw != name) out.push_back("the name " + shown(raw) + " became " + name);
+    if (raw != name) out.push_back("name " + shown(raw) + " is changed to " + name);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Names that a sketch can have for the names of a drawing.
+// Valid names of a sketch for the names of a drawing.
 #pragma once
 
 #include <map>
@@ -12,9 +12,9 @@ class Names {
 public:
   // The same name for the same one each time; different ones for different ones.
   std::string name(const std::string& raw);
-  // One that is not there yet: `stem` and a number.
+  // An unused name: `stem` and a number.
   std::string numbered(const std::string& stem);
-  // What was changed, as sentences.
+  // The changes, as notes.
   std::vector<std::string> changes() const;
 
 private:

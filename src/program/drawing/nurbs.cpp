@@ -104,7 +104,7 @@ std::vector<double> Follow::distances() const {
   return out;
 }
 
-// Neighbours of a piece that is too far off are halved too: a spline carries an error over to them.
+// Halves pieces that are too inaccurate.
 bool refine(Follow& follow, double tolerance, double& doubt) {
   const std::vector<double> far = follow.distances();
   doubt = *std::max_element(far.begin(), far.end());
@@ -169,13 +169,13 @@ std::string Nurbs::fault() const {
     return std::to_string(points.size()) + " control points, expected more than its degree " + std::to_string(degree);
   if (knots.size() != points.size() + p + 1)
     return std::to_string(knots.size()) + " knots, expected " + std::to_string(points.size() + p + 1) +
-           ": control points, degree and 1";
-  if (!std::is_sorted(knots.begin(), knots.end())) return "knots that fall";
-  if (!(knots[p] < knots[points.size()])) return "knots without a range between them";
+           ": control points + degree + 1";
+  if (!std::is_sorted(knots.begin(), knots.end())) return "decreasing knots";
+  if (!(knots[p] < knots[points.size()])) return "knots that span no interval";
   if (!weights.empty() && weights.size() != points.size())
     return std::to_string(weights.size()) + " weights, expected one per control point";
   for (const double w : weights)
-    if (!(w > 0)) return "a weight of " + told(w) + ", expected one above 0";
+    if (!(w > 0)) return "weight " + text_of(w) + ", expected a value above 0";
   return "";
 }
 

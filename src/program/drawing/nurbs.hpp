@@ -12,7 +12,7 @@ struct Nurbs {
   std::vector<double> weights; // above 0; none: all alike
   bool closed = false;
 
-  // What is wrong with it; empty: nothing.
+  // Its fault; empty: none.
   std::string fault() const;
   Point at(double t) const; // t between knots[degree] and knots[points.size()]
   // The polar form of the span that begins at knots[k], of `degree` arguments: at(t) where all of them are t, the control
@@ -24,7 +24,7 @@ struct Nurbs {
 Nurbs nurbs_through(const std::vector<Point>& points, bool whole);
 
 // One curve for every smooth part of it: lines where it is straight, else splines that keep within `tolerance` of it if
-// 1000 points are enough; Curve::doubt tells how near they are.
+// 1000 points are enough; Curve::doubt is the largest distance.
 std::vector<Curve> curves_of(const Nurbs& nurbs, double tolerance);
 
 } // namespace drawing

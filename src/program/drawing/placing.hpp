@@ -1,4 +1,4 @@
-// Where a block of a drawing is put: scaled along its own axes, mirrored, turned, shifted.
+// Placement of a block: scaled along its own axes, mirrored, rotated, shifted.
 #pragma once
 
 #include "program/drawing/drawing.hpp"

@@ -16,15 +16,15 @@ Drawing read_drawing(std::string_view text, double join, std::vector<std::string
   } else if (is_dxf(text)) {
     drawing = read_dxf(text);
   } else {
-    throw Fault{1, "expected a drawing: DXF begins with 0 and SECTION, MSH with $MeshFormat"};
+    throw Fault{1, "not a drawing, expected DXF (begins with 0 and SECTION) or MSH (begins with $MeshFormat)"};
   }
-  if (text.find('\0') != std::string_view::npos) throw Fault{0, "a byte that is zero: this is not a text file"};
+  if (text.find('\0') != std::string_view::npos) throw Fault{0, "zero byte: this is not a text file"};
   const bool has_curves = !drawing.curves.empty() || !drawing.bodies.empty();
   join_curves(drawing, join);
   notes = drawing.notes;
   if (!has_curves) throw Fault{0, "the drawing has no curves"};
   if (drawing.bodies.empty() && !drawing.crossing.text.empty()) throw drawing.crossing;
-  if (drawing.bodies.empty()) throw Fault{0, "no outline is closed; --join D joins ends up to a distance D"};
+  if (drawing.bodies.empty()) throw Fault{0, "no closed outline; --join D joins ends up to a distance D"};
   return drawing;
 }
 

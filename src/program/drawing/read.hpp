@@ -8,7 +8,7 @@
 namespace drawing {
 
 // DXF or MSH, by what it begins with. Ends that are not further apart than `join` are one; 0: kJoin of the drawing's size.
-// `notes` tells what was left out also where no outline is closed. Throws a Fault.
+// `notes` lists the entities left out, also if no outline is closed. Throws a Fault.
 Drawing read_drawing(std::string_view text, double join, std::vector<std::string>& notes);
 
 } // namespace drawing

@@ -25,7 +25,7 @@ private:
 std::string_view trimmed(std::string_view text);
 // The words of a line, at blanks.
 std::vector<std::string_view> words_of(std::string_view line);
-// What stands in a file, cut short and printable; in quotes.
+// Text of a file, shortened and printable; `shown`: in quotes.
 std::string printable(std::string_view text);
 std::string shown(std::string_view text);
 

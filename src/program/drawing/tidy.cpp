@@ -59,8 +59,8 @@ size_t tidy(Loop& loop) {
 
 void note_tidied(size_t count, std::vector<std::string>& notes) {
   if (count > 0)
-    notes.push_back("joined: " + std::to_string(count) + (count == 1 ? " curve" : " curves") +
-                    " to the one before, along which " + (count == 1 ? "it goes on" : "they go on"));
+    notes.push_back("merged: " + std::to_string(count) +
+                    (count == 1 ? " curve that continues the one before it" : " curves that continue the one before them"));
 }
 
 } // namespace drawing

@@ -101,11 +101,11 @@ void Writer::heading(const std::string& name) {
   comment("Made from the drawing " + title + " (" + d_.kind + ").");
   for (const std::string& note : d_.notes) comment(note);
   if (!conditions_.given) {
-    comment("To be filled in: the materials behind 'body'; at the end what touches, what is held and what loads it.");
+    comment("To be filled in: the materials after 'body'; contacts, supports and loads at the end.");
   }
   if (!conditions_.has_title) line("title " + title);
   if (!conditions_.has_units)
-    line(d_.unit.empty() ? "! units mm N  ! the drawing does not tell its unit of length"
+    line(d_.unit.empty() ? "! units mm N  ! the drawing gives no unit of length"
                          : "units " + d_.unit + (d_.unit == "in" ? " lbf" : " N"));
   out_ += conditions_.head;
 }
@@ -123,7 +123,7 @@ void Writer::check_materials() const {
     std::string known;
     for (const Body& body : d_.bodies) known += (known.empty() ? "" : ", ") + body.name;
     if (std::none_of(d_.bodies.begin(), d_.bodies.end(), [&](const Body& b) { return b.name == material.body; }))
-      throw Fault{material.line, "no body of the drawing is called '" + material.body + "', expected " + known};
+      throw Fault{material.line, "the drawing has no body '" + material.body + "', expected " + known};
   }
 }
 
@@ -148,7 +148,7 @@ void Writer::curve(const Curve& c, bool last) {
   if (c.kind == Curve::kEllipse)
     return line("  ellipse " + c.name + " centre" + at(c.centre) + "  axes " + number(c.a) + " " + number(c.b) + "  tilt " +
                 angle(c.tilt) + "  from " + angle(c.from) + "  turn " + angle(c.sweep));
-  // Ends that were moved to a joint may lie beside the circle: then its middle tells the arc.
+  // Ends that were moved to a joint may lie beside the circle: then the arc is given by its midpoint.
   const double off =
       std::max(std::fabs(sketch::length(c.begin - c.centre) - c.a), std::fabs(sketch::length(c.end - c.centre) - c.a));
   if (off > 1e-7 * c.a) return line("  arc " + c.name + to + "  through" + at(shape_of(c)->at(0.5)));
@@ -201,7 +201,7 @@ void Writer::examples() {
     out_ += conditions_.tail;
     return;
   }
-  comment("For example, without the ! before it:");
+  comment("Examples; remove the ! to use them:");
   for (const std::string& text : examples_for(d_.bodies)) comment(text);
 }
 
@@ -218,14 +218,15 @@ std::string Writer::write(const std::string& name) {
   give_names();
   check_materials();
   if (std::any_of(all.begin(), all.end(), [](const Curve& c) { return c.kind == Curve::kSpline; }))
-    d_.notes.push_back("splines go through points of the drawing's curves" +
-                       (doubt_ > 0 ? ", and are at most " + told(doubt_) + " from them" : std::string()));
+    d_.notes.push_back("splines interpolate points of the curves of the drawing" +
+                       (doubt_ > 0 ? "; largest distance " + text_of(doubt_) : std::string()));
   std::string guessed;
   for (const Body& body : d_.bodies)
     for (const Loop& l : body.loops)
       for (const Curve& c : l.curves)
         if (c.guessed) guessed += (guessed.empty() ? "" : ", ") + body.name + "." + c.name;
-  if (!guessed.empty()) d_.notes.push_back("arcs through three or four points, which may be other curves: " + guessed);
+  if (!guessed.empty())
+    d_.notes.push_back("arcs through only three or four points, which may stand for other curves: " + guessed);
   heading(name);
   for (const Body& body : d_.bodies) {
     line("body " + body.name + " " + material_of(body));

@@ -6,8 +6,8 @@
 
 namespace drawing {
 
-// `name` is that of the file of the drawing. `notes`: those of the drawing, and what was changed to write it, such as names
-// that a sketch cannot have; they stand at the head of the sketch. Throws a Fault if a material is that of no body.
+// `name`: the file of the drawing. `notes`: those of the drawing and the changes for the sketch, such as invalid names; they
+// form the head of the sketch. Throws a Fault if a material belongs to no body.
 std::string sketch_of(Drawing drawing, const std::string& name, const Conditions& conditions,
                       std::vector<std::string>* notes = nullptr);
 

@@ -1,3 +1,7 @@
+// The distance of two meshes of one model and the share of each coarse element in it, METHOD (16.6). Phases:
+//   1. For every state and element, interpolate both solutions at Gauss points of the overlaps of elements.
+//   2. Integrate |t - t'| and |t'| over contacts, and the part of u' and t' that the coarse element cannot represent.
+//   3. Take the largest value of all states; states between turns of the loads have the weight kBetween.
 #include "program/estimate/compare.hpp"
 
 #include "program/estimate/functions.hpp"
@@ -8,7 +12,7 @@
 namespace estimate {
 namespace {
 
-constexpr double kBetween = 0.1; // the weight of states between turns of the loads
+constexpr double kBetween = 0.1; // weight of states between turns of the loads
 
 constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
 constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
@@ -23,7 +27,7 @@ double length_of(const Values& a, const Values& b, size_t first) {
   return std::hypot(a[first] - b[first], a[first + 1] - b[first + 1]);
 }
 
-// Integrals over one state: per body and element, per zone.
+// Integrals of one state, per body and element and per zone.
 struct Sums {
   std::vector<std::vector<double>> pressure, energy;
   std::vector<double> norm, off, own;
@@ -46,10 +50,10 @@ private:
   const Trial &coarse_, &fine_;
   const Overlaps& overlaps_;
   std::vector<std::vector<std::vector<int32_t>>> zones_; // of each body and coarse element
-  std::vector<double> largest_;                          // of each zone: of the integral of |t'|
+  std::vector<double> largest_;                          // per zone: largest integral of |t'|
   double work_ = 0;
   std::vector<std::vector<std::vector<double>>> pressure_, energy_; // per state, body and element
-  std::vector<std::vector<std::array<double, 2>>> zone_difference_; // per zone and state: in all, of its elements
+  std::vector<std::vector<std::array<double, 2>>> zone_difference_; // per zone and state: total, and part of its own elements
 };
 
 Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overlaps)
@@ -73,7 +77,7 @@ void Comparer::find_zones() {
   }
 }
 
-// Do the ends of an element, of one mesh or the other, differ in status?
+// Do the two ends of an element differ in contact status on either mesh?
 bool Comparer::holds_edge(size_t body, const Overlap& o, size_t state) const {
   const std::vector<double>&p = coarse_.states[state].ends[body][kStatus], &q = fine_.states[state].ends[body][kStatus];
   const auto c = static_cast<size_t>(o.coarse * coarse_.nodes), f = static_cast<size_t>(o.fine * fine_.nodes);

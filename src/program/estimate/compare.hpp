@@ -1,11 +1,11 @@
-// Two meshes of one model: how far their states are apart, element by element.
+// Distance of the solutions on two meshes of one model, in total and by element.
 #pragma once
 
 #include "program/estimate/trial.hpp"
 
 namespace estimate {
 
-// A stretch of boundary that lies in one element of either mesh: between local coordinates -1 ... 1 of both.
+// A part of the boundary inside one element of each mesh, by local coordinates from -1 to 1 on both.
 struct Overlap {
   int32_t coarse, fine; // from 0
   double from, to;      // on the coarse element
@@ -13,20 +13,20 @@ struct Overlap {
 };
 using Overlaps = std::vector<std::vector<Overlap>>; // of every body
 
-// Of a mesh and the one with every element in two.
+// Overlaps of a mesh with the mesh of bisected elements.
 Overlaps overlaps_of_halves(const Trial& coarse);
 
-// What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 16.5).
+// Contribution of a coarse element to the distance, the largest of all states (METHOD 16.5).
 struct Share {
-  double pressure = 0; // integral of what it cannot follow of |t'|, if it is part of a contact that is no tie, over the zone's
-  double energy = 0;   // of what the element cannot follow of the finer mesh, over the largest work of the states
-  bool edge = false;   // a contact edge or a stick border lies in it at a turn of the loads
+  double pressure = 0; // in contacts without a tie: integral of |t' - I t'| over that of |t'| in the zone, METHOD (16.6)
+  double energy = 0;   // energy norm of the same difference over the largest work of the states
+  bool edge = false;   // it contains a contact edge or a stick border at a turn of the loads
 };
 struct Distance {
   std::vector<std::vector<Share>> shares; // per body and coarse element
-  std::vector<double> pressure;           // of each zone: relative, L1, the largest of the turns
-  double energy = 0;                      // sum of the shares of the state where it is largest
-  std::vector<double> own;                // of `pressure` what a zone's elements cannot follow: finer ones there mend it
+  std::vector<double> pressure;           // per zone: relative L1 distance, largest of all turns
+  double energy = 0;                      // largest sum of the shares of one state
+  std::vector<double> own;                // part of `pressure` caused by the elements of the zone; refinement there reduces it
 };
 Distance distance(const Trial& coarse, const Trial& fine, const Overlaps& overlaps);
 

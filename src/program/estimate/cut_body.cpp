@@ -1,3 +1,5 @@
+// Numbering of a body after every element is bisected: elements, boundary points and functional nodes of each region, and the
+// ranges of contact zones.
 #include "program/estimate/cut_body.hpp"
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace estimate {
 namespace {
 
-// Points nearer to each other than this part of the body's size are one point, as in the library.
+// Points closer than this fraction of the size of the body coincide, as in the library.
 constexpr double kCoincident = 1e-10;
 
 std::vector<Point> field(c2d_solver* solver, int32_t x, int32_t y, int32_t body, int32_t count) {
@@ -27,10 +29,10 @@ double size_of(const std::vector<Point>& points) {
   return std::hypot(high.x - low.x, high.y - low.y);
 }
 
-// Functional nodes from one element to the next, and the number of a region's first one, of the elements as they are
-// (`children` null) or of those that they become.
+// Step of the functional node numbers from element to element and the first number of a region, for the given elements
+// (`children` null) or the bisected ones.
 struct NodeCount {
-  int32_t first, ring; // ring: how many a closed region has; 0: it is open
+  int32_t first, ring; // ring: number of nodes of a closed region; 0: open
 };
 NodeCount nodes_before(const CutBody& body, int32_t region, bool cut) {
   const int32_t step = std::max(body.function_nodes - 1, 1);
@@ -144,7 +146,7 @@ Range cut_nodes(const CutBody& body, const Range& elements, const Range& nodes, 
   const NodeCount before = nodes_before(body, region, false), after = nodes_before(body, region, true);
   const Range cut = cut_elements(body, elements, up);
   const int32_t cut_from = body.children[CutBody::at(from)], way = up ? 1 : -1;
-  // The node at which a range of elements begins, or ends, and how far the zone's first, or last, lies within it.
+  // The node at the begin or end of a range of elements, and the offset of the first or last node of the zone inside it.
   const auto moved = [&](int32_t element, int32_t cut_element, int32_t node, bool begins) {
     const int32_t beyond = begins == up ? 0 : shared * step;
     const auto in_ring = [](int32_t i, int32_t ring) { return ring == 0 ? i : ((i % ring) + ring) % ring; };

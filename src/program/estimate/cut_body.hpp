@@ -1,4 +1,4 @@
-// One body of a deck with its elements cut: which elements and nodes its own become. All numbers are from 0.
+// One body of a deck with bisected elements: new numbers of its elements and nodes. All numbers are from 0.
 #pragma once
 
 #include <contact2d.h>
@@ -16,7 +16,7 @@ struct Point {
 };
 inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-// What the calls of the interface return, as an exception: they fail only if the solver has no model.
+// Throws on a failed call of the interface: calls fail only if the solver has no model.
 void need(c2d_status status);
 
 struct CutRegion {
@@ -31,13 +31,13 @@ struct CutBody {
   std::vector<CutRegion> regions; // open ones first
   std::vector<Point> points;      // boundary points
   std::vector<Point> surface;     // over the middle of every element, METHOD 8.1
-  std::vector<int32_t> children;  // of every element the first of those that it becomes; one number more at the end
+  std::vector<int32_t> children;  // per element, its first new element; one more entry at the end
   std::vector<bool> in_contact;   // by element
-  std::vector<int32_t> curve;     // by element: place among the model's curves, -1: none
+  std::vector<int32_t> curve;     // by element: index of its curve in the model, -1: none
 
   int32_t elements() const { return static_cast<int32_t>(in_contact.size()); }
   int32_t child_count(int32_t element) const { return children[at(element) + 1] - children[at(element)]; }
-  // First boundary point of an element; `nodes` of it as a closed region numbers them.
+  // First boundary point of an element; `nodes`: its boundary points in the numbering of a closed region.
   int32_t first_point(int32_t region, int32_t element) const;
   std::vector<Point> points_of(int32_t region, int32_t element) const;
   int32_t region_of(int32_t element) const;
@@ -46,32 +46,32 @@ struct CutBody {
 
 CutBody cut_body(c2d_solver* solver, int32_t body, int32_t function_nodes);
 
-// The new boundary points, region by region, as the cards count them; of each whether it was there or its surface is told or
-// a circle: not a guess from the points around.
+// The new boundary points, region by region, in the order of the cards. Each has a flag: it existed before, or lies on a given
+// curve or a circle, and is not interpolated from adjacent points.
 struct CutPoints {
   std::vector<Point> points;
   std::vector<bool> sure;
 };
 CutPoints cut_points(const CutBody& body, const std::vector<c2d_curve>& curves);
-// Elements of a matching zone that coincide still do, and those that are apart do not overlap, unless overlaps are closed by a
-// load case.
+// Coincident elements of a matching zone remain coincident, and separate ones do not overlap, unless a load case closes
+// overlaps.
 void match_points(const c2d_zone& zone, const std::vector<CutBody>& bodies, bool overlaps, std::vector<CutPoints>& points);
 
-// A range of elements or of functional nodes as a zone names it: from first to last, going up or down.
+// A range of elements or functional nodes of a zone, from first to last, upwards or downwards.
 struct Range {
   int32_t first, last;
 };
-// Goes a range of so many elements up? 0 elements: by its numbers.
+// Does a range of this number of elements run upwards? 0 elements: by its numbers.
 bool goes_up(const CutBody& body, const Range& elements, int32_t count);
 Range cut_elements(const CutBody& body, const Range& elements, bool up);
-// Functional nodes of a matching zone, as far from the ends of its elements as they were.
+// Functional nodes of a matching zone, at the same offset from the ends of its elements as before.
 Range cut_nodes(const CutBody& body, const Range& elements, const Range& nodes, bool up);
-// How many elements the range becomes.
+// Number of new elements of the range.
 int32_t count_cut(const CutBody& body, const Range& elements, bool up);
 // The elements of a range, in its order.
 std::vector<int32_t> elements_of(const CutBody& body, const Range& elements, bool up);
-// Does side 1 or 2 of a matching zone go up? A single element has the direction of its nodes; one of them, of constant
-// functions, tells none.
+// Does side 1 or 2 of a matching zone run upwards? A single element has the direction of its nodes; with constant functions it
+// has one node, and no direction.
 bool goes_up(const CutBody& body, const c2d_zone& zone, int side);
 
 // Codes and values of an element's end in every load case.

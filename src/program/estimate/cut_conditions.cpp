@@ -1,4 +1,5 @@
-// What the ends of the new elements carry: those that were there what they did, those between what the element does there.
+// Boundary conditions at the ends of bisected elements: old ends keep them, new ends get the interpolated values of the
+// element.
 #include "program/estimate/cut_body.hpp"
 
 #include <algorithm>
@@ -6,15 +7,15 @@
 namespace estimate {
 namespace {
 
-enum class Kind { kTraction, kDisplacement, kBoth, kNone }; // what is known in a direction
+enum class Kind { kTraction, kDisplacement, kBoth, kNone }; // prescribed quantity in a direction
 
 Kind kind_of(const EndCondition& end, size_t direction) {
   const bool traction = end.codes[direction] == 0, displacement = end.codes[direction + 2] == 0;
   return traction ? (displacement ? Kind::kBoth : Kind::kTraction) : displacement ? Kind::kDisplacement : Kind::kNone;
 }
 
-// In a direction, between two ends of an element with linear functions. What is known at an end may be known from the element
-// beside it: the displacement is the element's own only if it is at both ends and a traction reacts.
+// The prescribed quantity in one direction between two ends of an element with linear functions. A displacement at an end may
+// come from the adjacent element: it belongs to this element only if both ends have it and the traction is unknown.
 Kind kind_between(Kind a, Kind b, bool in_contact) {
   const auto either = [&](Kind kind) { return a == kind || b == kind; };
   if (either(Kind::kTraction)) return Kind::kTraction;
@@ -23,8 +24,8 @@ Kind kind_between(Kind a, Kind b, bool in_contact) {
   return either(Kind::kDisplacement) ? Kind::kDisplacement : Kind::kTraction;
 }
 
-// The polynomial through the values at the nodes, at node i of twice as many, where all are known; else the mean of the known
-// ones beside it.
+// Value at node i of the bisected element: the interpolation polynomial if all nodal values are known, else the mean of the
+// adjacent known values.
 double value_between(const std::vector<EndCondition>& ends, size_t load_case, size_t quantity, int32_t i) {
   const int32_t order = static_cast<int32_t>(ends.size()) - 1;
   const auto known = [&](int32_t l) { return ends[CutBody::at(l)].codes[quantity] == 0; };
@@ -53,7 +54,7 @@ EndCondition end_between(const std::vector<EndCondition>& ends, int32_t i, bool 
     Kind kind;
     if (order == 1)
       kind = kind_between(kind_of(ends[0], direction), kind_of(ends[1], direction), in_contact);
-    else // a node inside the element has no condition but the element's own
+    else // an interior node has only conditions of this element
       kind = kind_of(ends[CutBody::at(before > 0 ? before : behind)], direction);
     out.codes[direction] = kind == Kind::kTraction ? 0 : 1;
     out.codes[direction + 2] = kind == Kind::kDisplacement ? 0 : 1;

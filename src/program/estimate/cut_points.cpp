@@ -1,4 +1,5 @@
-// Where the new boundary points lie.
+// Positions of the new boundary points of bisected elements. Phases: place the points on a given curve, on a circle through
+// adjacent points, on the surface of METHOD 8.1, or on the element; match both sides of matching zones (match_points.cpp).
 #include "program/estimate/cut_body.hpp"
 
 #include <algorithm>
@@ -7,10 +8,10 @@
 namespace estimate {
 namespace {
 
-constexpr double kCorner = 0.66; // turn of chords in radians that is a corner of the body, METHOD 8.1
-// Of a chord: a point so near to a circle lies on it. Coordinates of seven digits, as on cards of the fixed form, do.
+constexpr double kCorner = 0.66; // angle between chords, in radians, of a corner of the body, METHOD 8.1
+// Times a chord: points this close to a circle lie on it, as with the seven digits of the fixed form.
 constexpr double kOnCircle = 1e-6;
-constexpr double kStraight = 1e-9; // turn in radians from chord to chord that is none
+constexpr double kStraight = 1e-9; // angle between chords, in radians, that counts as zero
 
 struct Circle {
   Point centre;
@@ -37,7 +38,7 @@ Point moved_to(const Circle& circle, Point p) {
   return {circle.centre.x + part * (p.x - circle.centre.x), circle.centre.y + part * (p.y - circle.centre.y)};
 }
 
-// Four boundary points in a row that lie on one circle, without a corner; the radius is 0 if they do not.
+// The circle through four successive boundary points without a corner; radius 0: they do not lie on one.
 Circle circle_of(const Point p[4]) {
   const double one = turn(p[0], p[1], p[2]), other = turn(p[1], p[2], p[3]);
   const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[3])});
@@ -48,12 +49,12 @@ Circle circle_of(const Point p[4]) {
   return {through.centre, fits ? through.radius : 0};
 }
 
-// The boundary points of a region in a row, and for each chord between two of them what is told of the surface there.
+// The boundary points of a region in order, and the given curve of each chord between two of them.
 struct Row {
   std::vector<Point> points;
-  std::vector<int32_t> curve; // of the chord that begins at a point
+  std::vector<int32_t> curve; // of the chord that starts at a point
   bool open;
-  // So many points from `first` on, if they are there and one curve, or none, goes through them.
+  // This number of points from `first` on, if they exist and share one curve or have none.
   bool take(int32_t first, int32_t wanted, Point* out) const {
     const int32_t count = static_cast<int32_t>(points.size()), chords = static_cast<int32_t>(curve.size());
     int32_t same = 0;
@@ -85,19 +86,19 @@ Row row_of(const CutBody& body, int32_t region) {
   return row;
 }
 
-// What a fifth point, beside four on a circle, says of it.
+// Evidence of a fifth point next to four points on a circle.
 enum class Beside { nothing, fits, is_straight, turns_more };
-// The last of these points, of which the others are the nearest two; `own`: how far the chords turn within the four.
+// The last point is tested with its two neighbours; `own`: the angle between chords of the four points.
 Beside beside(const Circle& circle, const Point p[3], double own) {
   const double angle = turn(p[0], p[1], p[2]);
   if (std::fabs(angle) < kStraight) return Beside::is_straight;
-  if (std::fabs(angle) > kCorner || angle * own <= 0) return Beside::nothing; // there the curve ends
+  if (std::fabs(angle) > kCorner || angle * own <= 0) return Beside::nothing; // the curve ends there
   if (std::fabs(distance(circle.centre, p[2]) - circle.radius) <= kOnCircle * distance(p[1], p[2])) return Beside::fits;
   return std::fabs(angle) > (1 + kOnCircle) * std::fabs(own) ? Beside::turns_more : Beside::nothing;
 }
 
-// Any chord between two of one length that turn alike is one of a circle: a flat between the arcs of its ends, too. So one that
-// goes straight on is no arc's, and neither are those that turn less than what is beside them.
+// A flat between two arcs also fits a circle if adjacent chords have equal lengths and angles. So a chord without a turn
+// belongs to no arc, nor do chords that turn less than their neighbours.
 bool is_arc(const Row& row, int32_t first, const Point p[4], const Circle& circle) {
   Point five[5];
   Beside before = Beside::nothing, after = Beside::nothing;
@@ -111,7 +112,7 @@ bool is_arc(const Row& row, int32_t first, const Point p[4], const Circle& circl
   return before != Beside::turns_more && after != Beside::turns_more;
 }
 
-// The circle on which an element of so many chords lies, with a boundary point beside it at least; `chord` is its first.
+// The circle of an element with this number of chords, confirmed by at least one adjacent point; `chord` is its first.
 Circle circle_around(const Row& row, int32_t chord, int32_t chords) {
   for (const int32_t before : {1, 0, 2}) {
     Point p[4];
@@ -142,17 +143,17 @@ struct NewPoint {
   Point at;
   bool sure;
 };
-// The point between the i-th and the next one of an element; `chord` is the element's first in the row.
-NewPoint new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* told,
+// The new point between point i and the next one of an element; `chord` is the first chord of the element.
+NewPoint new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* given,
                    const std::vector<Point>& p, int32_t i) {
   const int32_t chords = body.element_nodes - 1;
   const Point a = p[CutBody::at(i)], b = p[CutBody::at(i + 1)], middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  if (told != nullptr && told->kind == C2D_CURVE_ARC)
-    return {moved_to({{told->centre[0], told->centre[1]}, told->radius}, middle), true};
+  if (given != nullptr && given->kind == C2D_CURVE_ARC)
+    return {moved_to({{given->centre[0], given->centre[1]}, given->radius}, middle), true};
   const Point own = chords == 1 ? middle : on_element(p, -1 + (2.0 * i + 1) / chords);
-  if (told != nullptr && told->kind == C2D_CURVE_LINE) return {own, true};
+  if (given != nullptr && given->kind == C2D_CURVE_LINE) return {own, true};
   if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0) return {moved_to(circle, middle), true};
-  const bool smooth = chords == 1 && (told != nullptr || body.in_contact[CutBody::at(element)]);
+  const bool smooth = chords == 1 && (given != nullptr || body.in_contact[CutBody::at(element)]);
   return {smooth ? body.surface[CutBody::at(element)] : own, false};
 }
 
@@ -167,8 +168,8 @@ CutPoints cut_points(const CutBody& body, const std::vector<c2d_curve>& curves) 
     const Row row = row_of(body, r);
     for (int32_t e = region.first; e <= region.last; ++e) {
       const std::vector<Point> p = body.points_of(r, e);
-      const int32_t told = body.curve[CutBody::at(e)];
-      const c2d_curve* const curve = told < 0 ? nullptr : &curves[CutBody::at(told)];
+      const int32_t given = body.curve[CutBody::at(e)];
+      const c2d_curve* const curve = given < 0 ? nullptr : &curves[CutBody::at(given)];
       for (int32_t i = 0; i < chords; ++i) {
         add({p[CutBody::at(i)], true});
         if (body.child_count(e) == 1) continue;

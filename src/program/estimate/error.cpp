@@ -1,3 +1,9 @@
+// Stated errors of the numbers of a solution from two meshes, METHOD (16.7). Phases:
+//   1. Match the numbers of both meshes, and of the previous round.
+//   2. Find the scale of each error: the number itself, a force, a length or an energy of its zone.
+//   3. Combine the change between the meshes, the change in the previous round and the distance of the tractions.
+//   4. Confirm: a number counts as met only if two rounds, or two estimates of one round, agree.
+// The weights were fitted to problems with closed forms (tests/truth.mk).
 #include "program/estimate/error.hpp"
 
 #include <algorithm>
@@ -8,16 +14,16 @@
 namespace estimate {
 namespace {
 
-// Error of the coarse mesh over its distance from the finer one, whose own error is no larger than that.
+// Error of the coarse mesh over its distance from the finer mesh.
 constexpr double kOfCoarse = 2.2;
-constexpr double kNoEarlier = 2; // with nothing but two meshes
-constexpr double kExact = 1e-7;  // numbers nearer than that on both meshes are given by the loads
+constexpr double kNoEarlier = 2; // factor on errors without a previous round
+constexpr double kExact = 1e-7;  // relative difference below which a number is determined by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr int32_t kFewPairs = 6;
-constexpr double kSameEnd = 0.01; // of the loads where a history ended early, and twice that of their work
-// Of what a border moved since the round before; of how far two meshes have it apart.
+constexpr double kSameEnd = 0.01; // relative tolerance of the loads at an early end of the history; twice that for their work
+// Bounds on the change of a border: times its motion since the previous round; times the distance on the two meshes.
 constexpr double kOfMove = 2, kAtLeast = 0.4;
-constexpr double kOfDoubt = 2; // where the coarse mesh has nothing to compare with
+constexpr double kOfDoubt = 2; // factor on the uncertainty where the coarse mesh has no comparable value
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
   return a.what == b.what && a.zone == b.zone && a.item == b.item;
@@ -28,7 +34,7 @@ const app::Quantity* find(const State& state, const app::Quantity& wanted) {
   return found == state.quantities.end() ? nullptr : &*found;
 }
 
-// Of the distances of the tractions of each zone that of a zone, of zone 0 the largest.
+// The traction distance of a zone; zone 0: the largest of all.
 double distance_of(const std::vector<double>& pressure, int32_t zone) {
   if (zone > 0) return static_cast<size_t>(zone) <= pressure.size() ? pressure[static_cast<size_t>(zone) - 1] : 0;
   double largest = 0;
@@ -53,15 +59,15 @@ int edges_of(const State& state, int32_t zone) { // at least 1
   return std::max(1, static_cast<int>(edges));
 }
 
-// What numbers of a state that are next to nothing are compared with: forces with what round-off makes of motions, energies
-// of friction with a ten-thousandth of the work, slip with that of what bodies approach.
+// Scales of numbers near zero: forces are compared with the effect of round-off in motions, friction energies with 1e-4 of the
+// work, slip with 1e-4 of the approach.
 constexpr double kNothing = 1e-4, kNoForce = 1e-8;
-constexpr double kUnseen = 1e-6; // of these: slip that no mesh has seen, as it may be narrower than an element
+constexpr double kUnseen = 1e-6; // times these scales: smaller slip is not resolved by any mesh
 struct Sizes {
-  double force = 0, work = 0;         // the least that count
-  double approach = 0;                // of all zones
-  double motion = 0, rotation = 0;    // of rigid bodies and platens
-  std::vector<double> forces, length; // of each zone: its force; of a tie its side 2, of a contact what touches
+  double force = 0, work = 0;         // smallest values that count
+  double approach = 0;                // largest of all zones
+  double motion = 0, rotation = 0;    // largest of rigid bodies and platens
+  std::vector<double> forces, length; // per zone: force; length of side 2 (tie) or of the touching part (contact)
 };
 
 Sizes sizes_of(const Trial& trial, const State& state) {
@@ -88,7 +94,7 @@ Sizes sizes_of(const Trial& trial, const State& state) {
   return out;
 }
 
-// What the error of a number is to be compared with.
+// The scale S of the error of a number.
 double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) {
   using app::Measure;
   const double size = std::fabs(q.value);
@@ -111,23 +117,23 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   }
 }
 
-// How far two values of a number are apart; places by their positions, since lengths begin at a pair that may be another.
+// Difference of two values of a number. Places are compared by position, because lengths may start at different pairs.
 double apart(const app::Quantity& a, const app::Quantity& b) {
   const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
   return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
                                                                : std::fabs(a.value - b.value);
 }
 
-// What is known of a number on two meshes.
+// Data of a number on two meshes, from which its error follows.
 struct Seen {
-  double apart;  // its values
-  double before; // those of the round before, with what tractions have come nearer since
-  double hidden; // the distance of the tractions, of the number's scale: values may agree by accident
+  double apart;  // difference of its values on the two meshes, c of METHOD (16.7)
+  double before; // difference in the previous round times the reduction of the distance since then, m of METHOD (16.7)
+  double hidden; // distance of the tractions times the scale, d S: a bound on accidental agreement
   double spacing, doubt;
-  bool steady; // is the force on the contact that of the turn before?
+  bool steady; // is the force on the contact that of the previous turn?
 };
 
-// The weights are those that cover the true errors of problems with closed forms without much more (tests/truth.mk).
+// METHOD (16.7). The weights cover the true errors of problems with closed forms closely (tests/truth.mk).
 double error_of(app::Measure what, const Seen& s) {
   using app::Measure;
   const auto largest = [](std::initializer_list<double> all) { return std::max(all); };
@@ -150,7 +156,7 @@ double error_of(app::Measure what, const Seen& s) {
   }
 }
 
-// The n-th number of its kind and place in a list, counted as in another one.
+// Matches numbers of two lists: the n-th number of a name and place in one list to the n-th in the other.
 class NumberFinder {
 public:
   explicit NumberFinder(const Round* round) : round_(round) {}
@@ -170,14 +176,14 @@ private:
   std::map<Key, int> seen_;
 };
 
-// What a number changed in the round before, less what the tractions of its zone have come nearer since; NaN: nothing is known.
+// Change of a number in the previous round, reduced by the convergence of the tractions since; NaN: unknown.
 double change_before(const app::Stated* then, const Round* before, const Distance& now, int32_t zone) {
   if (then == nullptr || std::isnan(then->apart)) return NAN;
   const double d = distance_of(now.pressure, zone), d_then = distance_of(before->pressure, zone);
   return then->apart * (d_then > 0 ? std::min(1.0, d / d_then) : 1.0);
 }
 
-// Sets what is stated of a number, `seen` without what was before.
+// Sets the stated error of a number. `seen.before` is filled in here.
 template <class Rule> void state(app::Stated& s, Seen seen, double before, Rule rule) {
   s.apart = seen.apart;
   if (seen.apart <= kExact * s.scale && !(seen.doubt > kExact * s.scale)) {
@@ -204,7 +210,7 @@ double pressing(const State& state, int32_t zone) {
   return 0;
 }
 
-// Did contact change in the last piece of the history?
+// Did the contact change in the last piece of the history?
 bool is_steady(const Trial& trial, size_t last, int32_t zone) {
   size_t before = last;
   while (before > 0 && !trial.states[--before].turn) {
@@ -214,7 +220,7 @@ bool is_steady(const Trial& trial, size_t last, int32_t zone) {
   return std::fabs(now - then) <= 0.01 * std::max(now, then);
 }
 
-// A mean pressure is off by what the edges of its zone are.
+// The error of a mean pressure follows from the errors of the edges of its zone.
 double by_edges(const std::vector<app::Stated>& stated, const app::Stated& mean, double length) {
   double sum = 0;
   for (const app::Stated& s : stated)
@@ -222,12 +228,12 @@ double by_edges(const std::vector<app::Stated>& stated, const app::Stated& mean,
   return length > 0 ? mean.value * sum / length : 0;
 }
 
-// How many pairs of a zone touch at the end.
+// Number of touching pairs of a zone at the end.
 int32_t touching_pairs(const Trial& trial, size_t zone) {
   const Side& side = trial.zones[zone][1];
   const std::vector<double>& status = trial.states.back().ends[static_cast<size_t>(side.body)][kStatus];
   const size_t elements = trial.lengths[static_cast<size_t>(side.body)].size(), nodes = static_cast<size_t>(trial.nodes);
-  const size_t own = std::max<size_t>(1, nodes - 1); // of an element: neighbours share their ends
+  const size_t own = std::max<size_t>(1, nodes - 1); // nodes of one element, without the shared end
   int32_t out = 0;
   for (auto e = static_cast<size_t>(side.first);; e = (e + 1) % elements) {
     for (size_t i = 0; i < own; ++i) out += status[e * nodes + i] > 0 ? 1 : 0;
@@ -235,14 +241,14 @@ int32_t touching_pairs(const Trial& trial, size_t zone) {
   }
 }
 
-// Does contact end at a place that it chooses, and not with the side or at a corner?
+// Does the contact end at a free edge, that is neither at the end of the side nor at a corner?
 bool has_edge(const State& state, size_t zone) {
   return std::any_of(state.quantities.begin(), state.quantities.end(), [&](const app::Quantity& q) {
     return q.what == app::Measure::kContactEdge && q.zone == static_cast<int32_t>(zone) + 1 && !q.at_corner;
   });
 }
 
-// Does the contact of a zone, of any for zone 0, hang on a few pairs?
+// Does the contact of a zone consist of only a few pairs? Zone 0: of any zone.
 bool is_scant(const Trial& trial, int32_t zone) {
   for (size_t z = 0; z < trial.zones.size() && !trial.states.empty(); ++z) {
     if (trial.tied[z] != 0 || (zone > 0 && static_cast<size_t>(zone) != z + 1)) continue;
@@ -252,7 +258,7 @@ bool is_scant(const Trial& trial, int32_t zone) {
   return false;
 }
 
-// A history that ends early does so at the same loads on all meshes, if the model is the reason.
+// If the model is the reason for an early end, the history ends at the same loads on all meshes.
 bool ended_by_mesh(const Trial& halved, const Round* before) {
   if (halved.outcome == C2D_REACHED) return false;
   if (before == nullptr || before->loads.empty() || halved.states.empty()) return true;
@@ -299,14 +305,14 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     if (other != nullptr && !unseen) {
       const bool steady = is_steady(halved, common - 1, q.zone);
       double step = apart(*other, q);
-      if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // the coarse mesh has it at a node
+      if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // on the coarse mesh the border is at a node
         step = std::min(step, std::max(kOfMove * std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]), kAtLeast * step));
       state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, q.doubt, steady}, then,
             [&](const Seen& seen) { return error_of(q.what, seen); });
     }
     out.push_back(s);
   }
-  for (app::Stated& s : out) // edges are known by now
+  for (app::Stated& s : out) // needs the errors of the edges
     if (s.name == app::name_of(app::Measure::kMeanPressure) && s.value > 0 && !std::isnan(s.error))
       s.error = std::max(s.error, by_edges(out, s, force_on(f, s.zone) / s.value));
   return out;
@@ -320,10 +326,11 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     app::Stated& s = fine[i];
     const double then = change_before(finder.find(s), before, between, 0);
     if (i >= coarse.size()) continue;
-    // A value found in a less accurate way on the coarse mesh is no estimate of the error.
+    // A value found by a less accurate method on the coarse mesh gives no error estimate.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
     state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {
-      if (s.way > 0) return std::max({seen.apart, 0.1 * seen.before, 0.05 * seen.hidden, seen.doubt}); // behind an edge
+      if (s.way > 0)
+        return std::max({seen.apart, 0.1 * seen.before, 0.05 * seen.hidden, seen.doubt}); // extrapolated to an edge
       if (s.is_inside) return std::max({seen.apart, 0.3 * seen.before, 0.15 * seen.hidden});
       return std::max({1.5 * seen.apart, 0.1 * seen.before, 0.2 * seen.hidden, seen.doubt});
     });
@@ -350,7 +357,7 @@ std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halve
   std::vector<app::Stated> out = state_numbers(coarse, halved, between, nullptr);
   drop_unknown(out);
   for (app::Stated& s : out) {
-    s.error *= kOfCoarse / kNoEarlier; // an error of the finer mesh falls by this rate
+    s.error *= kOfCoarse / kNoEarlier; // from the error of the finer mesh to that of the coarse one
     for (const app::Quantity& q : coarse.states.back().quantities)
       if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
         s.value = q.value;

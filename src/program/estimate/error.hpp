@@ -1,4 +1,4 @@
-// Errors of numbers from two meshes, the second with elements half as long (METHOD 16.5).
+// Stated errors of numbers from two meshes, the second with bisected elements (METHOD 16.5).
 #pragma once
 
 #include "post/stated.hpp"
@@ -8,31 +8,31 @@ namespace estimate {
 
 using app::kTractions;
 
-// What a round leaves for the next one: its numbers, of each zone the distance of its tractions, where it ended: the loads on
-// the way to which it did, and the work they did until then.
+// Data of a round for the next one: its numbers, the distance of the tractions of each zone, and the loads and the work at the
+// end of the history.
 struct Round {
   std::vector<app::Stated> stated;
   std::vector<double> pressure, loads;
   double work = 0;
 };
 
-// What halved meshes say of a mesh: the numbers of its last state with their errors.
+// The numbers of the last state of the coarse mesh with errors, from a comparison with the bisected mesh.
 std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between);
 
-// The numbers of the last common state, of the finer mesh, with errors. `before`, the round before, may be null.
+// The numbers of the last common state on the finer mesh, with errors. `before`: the previous round, or null.
 std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved, const Distance& between, const Round* before);
 
-// The same of stresses and displacements that were wanted (wanted.hpp), whose values on the two meshes are `coarse` and `fine`.
-// Those that the coarse mesh has not, where the history ended early, have none.
+// The same for requested stresses and displacements (wanted.hpp) with the values `coarse` and `fine` on the two meshes. Values
+// missing on the coarse mesh, because its history ended early, get no error.
 std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, std::vector<app::Stated> fine,
                                       const Distance& between, const Round* before);
 
-// Removes numbers without an error, unless they were asked for.
+// Removes numbers without an error unless they were requested.
 void drop_unknown(std::vector<app::Stated>& stated);
 
-// Two numbers that happen to agree are no reason to end. Once tolerances are known: notes of each number whether it may count
-// as met, as it may where it was so in the round before, too, or where what it changed since then says the same. While contact
-// hangs on a few pairs, or the history ended early, none may.
+// Guards against accidental agreement of two meshes; needs the tolerances. A number is confirmed if it was also met in the
+// previous round, or if its change since then gives an error below the tolerance. No number is confirmed while few pairs touch
+// or the history ends early.
 void confirm(std::vector<app::Stated>& stated, const Trial& halved, const Round* before);
 
 } // namespace estimate

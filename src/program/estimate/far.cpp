@@ -1,3 +1,5 @@
+// Elements of side 2 that stay away from contact are left out of the zone (METHOD 16.5). Phases: find the elements that touched
+// in any increment; keep neighbours within kMargin of the touching length and at least kLeast elements; mark all others as far.
 #include "program/estimate/far.hpp"
 
 #include <algorithm>
@@ -6,10 +8,10 @@
 namespace estimate {
 namespace {
 
-constexpr double kMargin = 0.2; // of the length that touches, kept beside it
-constexpr size_t kLeast = 2;    // elements, too
+constexpr double kMargin = 0.2; // of the touching length: kept on either side of it
+constexpr size_t kLeast = 2;    // elements kept at least
 
-// An element of a mesh: which curve it is on, where.
+// An element of a mesh: its curve and its position on it.
 struct Element {
   sketch::MeshedCurve* curve;
   double from, to;
@@ -23,14 +25,14 @@ std::vector<Element> elements_of(std::vector<sketch::MeshedOutline>& outlines) {
   return out;
 }
 
-// Is a place, or an end of an element, in what is left out?
+// Does a place, or an end of an element, lie in the part left out?
 bool is_far(const sketch::MeshedCurve& curve, double s) {
   const double near = 1e-9 * curve.measure.length();
   return std::any_of(curve.far.begin(), curve.far.end(),
                      [&](const auto& f) { return s > f.first - near && s < f.second + near; });
 }
 
-// The elements of side 2 of a zone, one behind the other.
+// The elements of side 2 of a zone, in order.
 std::vector<size_t> row_of(const Trial& trial, size_t zone) {
   const Side& side = trial.zones[zone][1];
   const size_t n = trial.lengths[static_cast<size_t>(side.body)].size();
@@ -41,7 +43,7 @@ std::vector<size_t> row_of(const Trial& trial, size_t zone) {
   }
 }
 
-// Which elements of a row touch at any time.
+// The elements of a row that touch at any time.
 std::vector<char> touching(const Trial& trial, size_t zone, const std::vector<size_t>& row) {
   const auto body = static_cast<size_t>(trial.zones[zone][1].body), nodes = static_cast<size_t>(trial.nodes);
   std::vector<char> out(row.size(), 0);
@@ -51,7 +53,7 @@ std::vector<char> touching(const Trial& trial, size_t zone, const std::vector<si
   return out;
 }
 
-// Elements of an outline that touch, and those beside them for a length and for a number of elements, round a closed one.
+// Touching elements of an outline with their neighbours, up to a length and a number of elements; cyclic on a closed outline.
 std::vector<char> kept(const std::vector<double>& lengths, const std::vector<char>& touches, size_t first,
                        const sketch::MeshedOutline& outline, double margin) {
   const size_t n = outline.elements();

@@ -1,3 +1,6 @@
+// Search for contact between the nodes of a mesh (METHOD 16.5). Phases: find facing points of the two sides; compute their gaps
+// g + (u1 - u2).n from displacements interpolated on both meshes; report overlaps that no pair has detected, and zones in which
+// contact cannot be excluded; mark elements with an overlap for bisection.
 #include "program/estimate/gaps.hpp"
 
 #include "program/estimate/functions.hpp"
@@ -8,12 +11,12 @@
 namespace estimate {
 namespace {
 
-constexpr double kSettled = 0.2;      // the change of the largest motion, of it, above which a mesh says nothing about contact
-constexpr double kTouch = 1e-7;       // of the contact's length: a gap below that has no direction
-constexpr double kNone = 1e-9;        // motions of that share of the gap are round-off
-constexpr double kMostBisections = 6; // bisections at once
+constexpr double kSettled = 0.2;      // relative change of the largest motion above which contact cannot be excluded
+constexpr double kTouch = 1e-7;       // times the contact length: a smaller gap has no direction
+constexpr double kNone = 1e-9;        // motions below this fraction of the gap are round-off
+constexpr double kMostBisections = 6; // bisections of an element in one round
 
-// A place of an outline on a mesh.
+// A place on an outline of a mesh.
 struct OnMesh {
   sketch::MeshedCurve* curve;
   size_t element, own; // of the body, of the curve
@@ -66,7 +69,7 @@ private:
   std::vector<Own> curves_;
 };
 
-// Points that face each other: where on the mesh, the drawn gap, and its direction out of side 1.
+// Facing points: places on the mesh, drawn gap, and its direction out of side 1.
 struct Facing {
   OnMesh side[2];
   double gap;
@@ -80,7 +83,7 @@ std::vector<Facing> facing_points(const sketch::Sketch& sketch, size_t number, s
   std::vector<Facing> out;
   for (const std::array<double, 2>& lengths : contact.map) {
     Facing f{{finders[0].at(lengths[0]), finders[1].at(lengths[1])}, 0, {}, lengths[1]};
-    // Across the gap, or, where surfaces touch or the point is a corner's, out of side 1.
+    // Direction across the gap; where surfaces touch, or at a corner, the normal out of side 1.
     const sketch::Point way = f.side[0].at - f.side[1].at, outward = f.side[1].outward;
     const double size = sketch::length(way), across = sketch::dot(way, outward);
     const bool opposite = std::fabs(across) > 0.5 * size && size > kTouch * (contact.side[1].to - contact.side[1].from);
@@ -100,7 +103,7 @@ double displacement(const std::vector<double>& ends, int32_t nodes, const OnMesh
   return out;
 }
 
-// What a state moves side 1 against side 2 by along a direction.
+// Displacement of side 1 relative to side 2 in a direction.
 double motion_along(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f,
                     sketch::Point way) {
   double out = 0;
@@ -113,12 +116,13 @@ double motion_along(const sketch::Contact& contact, const Trial& trial, const St
   return out;
 }
 
-// How far it has opened the gap.
+// Change of the gap.
 double opening(const sketch::Contact& contact, const Trial& trial, const State& state, const Facing& f) {
   return motion_along(contact, trial, state, f, f.normal);
 }
 
-// How much farther below the point of side 1 lies the point of side 2 that it has come to by going so far along the surfaces.
+// Change of the gap because sliding by this length along the surfaces brings another point of side 2 opposite the point of
+// side 1.
 double fall(const Finder& side2, const Facing& f, double far) {
   constexpr int kSteps = 6;
   const sketch::Point along = sketch::turned_left(f.normal);
@@ -134,7 +138,7 @@ double fall(const Finder& side2, const Facing& f, double far) {
   return out;
 }
 
-// Does a pair of an element, or of those beside it, touch?
+// Does a pair of an element or of its neighbours touch?
 bool touches(const Trial& trial, const State& state, const sketch::Contact& contact, const OnMesh& place) {
   const std::vector<double>& status = state.ends[static_cast<size_t>(contact.side[1].body)][kStatus];
   const auto nodes = static_cast<size_t>(trial.nodes);
@@ -164,7 +168,7 @@ public:
   double drawn(size_t i) const { return points_[i].gap; }
   const OnMesh& on_coarse(size_t i) const { return coarse_points_[i].side[1]; }
   bool touches(size_t k, size_t i) const { return estimate::touches(fine_, fine_.states[k], contact_, points_[i].side[1]); }
-  // Bodies that slide come to face each other at other points: what overlaps does so there, too.
+  // With sliding, other points face each other: an overlap must also exist there.
   double gap(size_t k, size_t i) const {
     const Facing& f = points_[i];
     const double out = f.gap + opening(contact_, fine_, fine_.states[k], f);
@@ -172,12 +176,12 @@ public:
     const double far = motion_along(contact_, fine_, fine_.states[k], f, sketch::turned_left(f.normal));
     return std::min(0.0, out + std::max(0.0, fall(side2_, f, far)));
   }
-  // By how much that differs on the coarser mesh.
+  // Difference of the gap from the coarser mesh.
   double change(size_t k, size_t i) const {
     return std::fabs(opening(contact_, fine_, fine_.states[k], points_[i]) -
                      opening(contact_, coarse_, coarse_.states[k], coarse_points_[i]));
   }
-  // Do the surfaces lie in each other, by more than elements cannot follow of their motions?
+  // Do the surfaces overlap by more than the uncertainty of the motions?
   bool overlaps(size_t k, size_t i, double tolerance) const {
     return !touches(k, i) && gap(k, i) + 2 * change(k, i) < -tolerance * motion_ - kNone * std::fabs(drawn(i));
   }
@@ -186,7 +190,7 @@ private:
   const sketch::Contact& contact_;
   const Trial &coarse_, &fine_;
   sketch::Mesh fine_mesh_;
-  Finder side2_; // of that
+  Finder side2_; // of side 2
   std::vector<Facing> coarse_points_, points_;
   double motion_ = 0;
 };
@@ -231,7 +235,7 @@ void mark_missed(const sketch::Sketch& sketch, const Solved& coarse, const Solve
       for (size_t i = 0, next; i < survey.size(); i = next) {
         for (next = i; next < survey.size() && survey.overlaps(k, next, tolerance);) ++next;
         if (next++ == i) continue;
-        const size_t low = i > 0 ? i - 1 : i, high = std::min(next - 1, survey.size() - 1); // the open points beside them
+        const size_t low = i > 0 ? i - 1 : i, high = std::min(next - 1, survey.size() - 1); // with the adjacent open points
         const double width = contact.map[high][1] - contact.map[low][1];
         for (size_t p = i; p + 1 < next; ++p) {
           const OnMesh& place = survey.on_coarse(p);

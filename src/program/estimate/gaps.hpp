@@ -1,4 +1,4 @@
-// Contact between the nodes of a mesh: gaps of the shapes themselves, with the motions of two meshes.
+// Detects contact between the nodes of a mesh, from gaps of the drawn shapes and the displacements on two meshes.
 #pragma once
 
 #include "program/estimate/trial.hpp"
@@ -6,27 +6,27 @@
 
 namespace estimate {
 
-// A mesh with the states that were found on it.
+// A mesh and its solution.
 struct Solved {
   const sketch::Mesh& mesh;
   const Trial& trial;
 };
 
-// What two meshes say of a contact where no pair touches.
+// Result for a contact in which no pair touches.
 struct OpenContact {
-  bool misses = false; // surfaces lie in each other between pairs that are open
-  bool unsure = false; // nothing touches, and the meshes do not agree on the motions well enough to rule contact out
+  bool misses = false; // surfaces overlap between open pairs
+  bool unsure = false; // no pair touches, and the motions differ too much to exclude contact
   bool doubts() const { return misses || unsure; }
 };
 
-// One per contact of the sketch; ties are never in doubt. Contact is ruled out where the gap that is left on the finer mesh is
-// more than twice what it has changed by since the coarser one, and motions have changed by less than a fifth. `tolerance`, of
-// the largest motion: gaps that are open or closed by less than that are not distinguished.
+// One result per contact of the sketch; ties are always clear. Contact is excluded where the gap on the finer mesh is more than
+// twice its change from the coarser mesh, and motions have changed by less than a fifth. `tolerance`, times the largest motion:
+// smaller gaps and overlaps are not distinguished from contact.
 std::vector<OpenContact> open_contacts(const sketch::Sketch& sketch, const Solved& coarse, const Solved& fine,
                                        double tolerance);
 
-// Elements of the coarser mesh, `mesh`, in which surfaces lie in each other, marked until they are about as long as that; what
-// was far there is no longer.
+// Marks elements of the coarser mesh, `mesh`, with overlapping surfaces for bisection, down to the length of the overlap. These
+// elements are no longer left out.
 void mark_missed(const sketch::Sketch& sketch, const Solved& coarse, const Solved& fine, double tolerance, sketch::Mesh& mesh,
                  sketch::Levels& levels);
 

@@ -1,3 +1,5 @@
+// Writes a deck with every element bisected (METHOD 16.5). Phases: read heading, sizes and trailing cards of the deck; query
+// the model from the solver; bisect elements, boundary points and conditions (cut_*.cpp); write all cards in the free form.
 #include "program/estimate/halved.hpp"
 
 #include "program/estimate/keyword_cards.hpp"
@@ -14,10 +16,10 @@ namespace {
 
 using sketch::deck_number;
 
-// What is taken from the cards themselves: heading, sizes, the cards behind the last load card.
+// Data read from the cards: heading, sizes, and the cards after the last load card.
 struct Cards {
   std::vector<std::string> heading, extensions;
-  std::vector<int32_t> integers; // fields behind the heading, in order
+  std::vector<int32_t> integers; // fields after the heading, in order
   bool headings_done = false;
 
   static void keep(void* context, const c2d_card* card) {
@@ -80,9 +82,9 @@ private:
   const Cards cards_;
   c2d_summary summary_ = C2D_INIT(c2d_summary);
   std::vector<CutBody> bodies_;
-  std::vector<int32_t> element_offset_; // of the deck that is read; the new one numbers every body's from 1
+  std::vector<int32_t> element_offset_; // of the deck that is read; the new deck numbers the elements of every body from 1
   std::vector<c2d_curve> curves_;
-  std::vector<c2d_zone> matching_; // with numbers as the interface has them
+  std::vector<c2d_zone> matching_; // with the numbers of the interface
   std::vector<CutPoints> points_;
   std::vector<std::vector<EndCondition>> ends_;
   std::string out_;
@@ -104,7 +106,7 @@ Writer::Writer(c2d_solver* solver, const std::string& deck) : solver_(solver), c
     curves_.push_back(curve);
   }
   read_contact();
-  int32_t overlaps = 0; // the load case that closes them
+  int32_t overlaps = 0; // load case that closes overlaps
   need(c2d_get_interference(solver_, &overlaps));
   for (const CutBody& body : bodies_) points_.push_back(cut_points(body, curves_));
   for (const c2d_zone& zone : matching_) match_points(zone, bodies_, overlaps > 0, points_);
@@ -112,7 +114,7 @@ Writer::Writer(c2d_solver* solver, const std::string& deck) : solver_(solver), c
     ends_.push_back(cut_conditions(solver_, b, bodies_[CutBody::at(b - 1)], summary_.load_cases));
 }
 
-// The first element of body 2's first region tells whether its numbers go on from those of body 1.
+// The first element of the first region of body 2 shows whether its numbers continue those of body 1.
 void Writer::read_numbering() {
   const size_t at = kBodiesAt + 4 * bodies_.size() + 2 * bodies_[0].regions.size();
   const bool go_on = bodies_.size() > 1 && cards_.integers.at(at) != 1;
@@ -220,7 +222,7 @@ void Writer::conditions(size_t b) {
   }
   for (size_t k = 0, next; k < all.size(); k = next) {
     for (next = k + 1; next < all.size() && texts[next] == texts[k];) ++next;
-    if (texts[k] == " 0011 0 0 0 0") continue; // as where no card names an end
+    if (texts[k] == " 0011 0 0 0 0") continue; // as for an end without a card
     const auto add = [&](size_t i, bool range) {
       cards.push_back((range ? "1 " : "") + std::to_string(i / nodes + 1) + " " + std::to_string(i % nodes + 1) + texts[k]);
     };
@@ -236,7 +238,7 @@ void Writer::zones() {
   std::vector<int32_t> pairs(bodies_.size(), 0), elements(bodies_.size(), 0);
   for (const c2d_zone& zone : matching_) {
     Range of_elements[2], of_nodes[2];
-    int32_t count = 0; // of elements, as many on either side
+    int32_t count = 0; // of elements, equal on both sides
     for (int s = 0; s < 2; ++s) {
       const c2d_side& side = s == 0 ? zone.side1 : zone.side2;
       const CutBody& body = bodies_[CutBody::at(side.body - 1)];
@@ -261,7 +263,7 @@ void Writer::zones() {
   for (size_t b = 0; b < bodies_.size(); ++b) card(std::to_string(pairs[b]) + " " + std::to_string(elements[b]));
 }
 
-// A *PATH card takes the place of the load cards, but does not spare them.
+// A *PATH card overrides the load cards, which are still required.
 void Writer::loads() {
   const bool elsewhere = has_keyword("*PATH");
   card(std::to_string(elsewhere ? 1 : summary_.paths) + " " + std::to_string(summary_.iteration_limit));
@@ -295,7 +297,7 @@ void Writer::cases() {
 
 void Writer::extensions() {
   size_t curve = 0;
-  bool skipping = false; // cards below *CASES, which the model tells
+  bool skipping = false; // cards after *CASES, which are written from the model
   for (const std::string& text : cards_.extensions) {
     const std::vector<std::string> words = words_of(text);
     const bool keyword = !words.empty() && words[0][0] == '*';
@@ -330,7 +332,7 @@ std::string halved_deck(c2d_solver* solver, const std::string& deck, std::string
   error.clear();
   const int32_t state = c2d_get_state(solver);
   if (state != C2D_STATE_MODEL && state != C2D_STATE_PREPARED && state != C2D_STATE_RUNNING) {
-    error = "the deck cannot be halved: the solver holds no model";
+    error = "the deck cannot be halved: the solver has no model";
     return std::string();
   }
   try {

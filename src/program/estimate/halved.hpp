@@ -1,4 +1,4 @@
-// A deck's problem once more, with every element cut in two: what a second solution is compared with.
+// The problem of a deck with every element bisected, for the comparison of two solutions.
 #pragma once
 
 #include <contact2d.h>
@@ -7,11 +7,11 @@
 
 namespace estimate {
 
-// The deck, in the free form, of the problem that `deck` describes, whose model `solver` holds (state model or later). Each
-// element is two, but for those of zero length; boundary points, functional nodes and conditions that were there stay, bit for
-// bit. New boundary points lie on the surface: on the line or the arc of a *CURVE card; on a circle that the boundary points
-// around lie on; in contact zones, and where a spline is told, on the surface of METHOD 8.1; else on the element's own curve.
-// Empty if it cannot be made, and `error` says why.
+// Returns the bisected deck of `deck`, in the free form. `solver` has its model (state model or later). Each element becomes
+// two, except elements of zero length. Existing boundary points, functional nodes and conditions keep their bits. New boundary
+// points lie on the surface: on the line or arc of a *CURVE card; on the circle through the adjacent boundary points; in
+// contact zones and on splines on the surface of METHOD 8.1; otherwise on the curve of the element. Empty on failure; `error`
+// gives the reason.
 std::string halved_deck(c2d_solver* solver, const std::string& deck, std::string& error);
 
 } // namespace estimate

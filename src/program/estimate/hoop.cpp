@@ -1,3 +1,8 @@
+// Stress along the surface of a body (METHOD-MESHES, "Stress along a surface"). Phases:
+//   1. Find the edges of contacts that slip up to the edge.
+//   2. There, extrapolate stress plus pressure, which is smooth inside the contact, to the edge by a least-squares parabola.
+//   3. Elsewhere take nodal values, and the vertex of the parabola through the largest node and its neighbours.
+//   4. Combine both to the largest and smallest values and the largest range.
 #include "program/estimate/hoop.hpp"
 
 #include "program/sketch/place_ends.hpp"
@@ -8,32 +13,32 @@
 namespace estimate {
 namespace {
 
-// Elements from an edge inwards that are asked: all of them, or fewer where slip ends before. The mesh disturbs the first two.
+// Elements used from an edge inwards, or fewer if slip ends before. The first two are disturbed by the mesh.
 constexpr size_t kBehind = 8, kFewer = 6, kDisturbed = 2;
-constexpr double kScatter = 2;      // how much more a value at the edge is off than those that it follows from
-constexpr double kSameBound = 0.1;  // friction over pressure in them, if they slip
-constexpr double kPressed = 1e-3;   // of the largest pressure: less is none
-constexpr size_t kShadow = 2;       // elements beside an edge whose own values count for nothing
-constexpr double kOfStanding = 0.1; // how far a node stands above the line between those beside it: what elements do not follow
-constexpr double kSmooth = 0.02;    // more than that apart, of the value, in the elements that meet: no smooth boundary
+constexpr double kScatter = 2;      // error of the extrapolated value over the scatter of the data
+constexpr double kSameBound = 0.1;  // relative difference of friction over pressure in slipping elements
+constexpr double kPressed = 1e-3;   // of the largest pressure: smaller pressures count as zero
+constexpr size_t kShadow = 2;       // elements beside an edge whose nodal values are not used
+constexpr double kOfStanding = 0.1; // times the height of a node above the line between its neighbours: unresolved part
+constexpr double kSmooth = 0.02;    // relative difference of the adjacent elements above which the boundary is not smooth
 
 struct HoopElement {
   const sketch::MeshedCurve* curve;
   double from, to;
-  size_t before, after; // neighbours on its outline; its own number where there is none
+  size_t before, after; // neighbours on the outline; its own number: none
   bool wanted;
   double length() const { return to - from; }
   sketch::Point at(double f) const { return curve->curve->shape->at(curve->measure.u_at(from + f * (to - from))); }
 };
 
-// A place where contact ends, seen from inside.
+// An edge of a contact.
 struct HoopEdge {
-  size_t element; // that it lies in
-  double s;       // along that one's curve
-  bool up;        // contact lies behind it in the order of the elements
+  size_t element; // containing the edge
+  double s;       // length along its curve
+  bool up;        // contact follows in the order of the elements
 };
 
-// A stress of an edge in one state.
+// The stress at an edge in one state.
 struct EdgeStress {
   HoopEdge edge;
   Along stress;
@@ -63,9 +68,9 @@ private:
   const Trial& trial_;
   const size_t body_, first_;
   std::vector<HoopElement> elements_;
-  std::vector<double> largest_;                 // pressure of each state
-  std::vector<std::vector<EdgeStress>> stress_; // of each state
-  std::vector<char> shadowed_;                  // elements beside edges at turns whose stresses are known
+  std::vector<double> largest_;                 // largest pressure per state
+  std::vector<std::vector<EdgeStress>> stress_; // per state
+  std::vector<char> shadowed_;                  // elements next to edges, at turns of the loads, with extrapolated stresses
 };
 
 HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first)
@@ -86,7 +91,7 @@ HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketc
   shadowed_.assign(elements_.size(), 0);
 }
 
-// Of an element's functions, at a place from 0 to 1: linear between the two nodes beside it.
+// Value in an element at a coordinate from 0 to 1, linear between the adjacent nodes.
 double HoopFinder::field(size_t state, Field f, size_t element, double at) const {
   const std::vector<double>& v = trial_.states[state].ends[body_][f];
   const auto n = static_cast<size_t>(trial_.nodes);
@@ -105,15 +110,16 @@ double HoopFinder::pressure(size_t state, size_t element, double at, double* fri
   return std::fabs(sketch::cross(along, t)) / size;
 }
 
-// The mean over an element of the stress along the surface plus the pressure. Strain is a mean as it is; the pressure, whose
-// square is nearly linear beside an edge, is taken so, both in what the stress has of it and beside it.
+// Mean over an element of the stress along the surface plus the pressure. The strain of an element is already a mean. The
+// square of the pressure is taken as linear, which is accurate next to an edge; this applies to both contributions of the
+// pressure.
 double HoopFinder::smooth_part(size_t state, size_t element) const {
   const double p = pressure(state, element, 0.5), a = pressure(state, element, 0), b = pressure(state, element, 1),
                mean = trial_.nodes == 1 ? p : 2.0 / 3 * (a * a + a * b + b * b) / (a + b), across = trial_.across[body_];
   return field(state, kHoop, element, 0.5) + across * p + (1 - across) * mean;
 }
 
-// Those of this body's contacts, on the curves that are wanted.
+// Edges of the contacts of this body on the requested curves.
 std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
   std::vector<HoopEdge> out;
   for (const app::Quantity& q : trial_.states[state].quantities) {
@@ -134,14 +140,14 @@ std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
       }
       if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, edge = {e, s, false};
     }
-    if (edge.element == elements_.size() || least > elements_[edge.element].length()) continue; // elsewhere
+    if (edge.element == elements_.size() || least > elements_[edge.element].length()) continue; // not on these curves
     edge.up = pressure(state, next(edge.element, true), 0.5) > pressure(state, next(edge.element, false), 0.5);
     out.push_back(edge);
   }
   return out;
 }
 
-// The parabola, or the straight line, that fits y(x) best: its value at 0, and how far the y are from it, as a mean.
+// Least-squares parabola or straight line through y(x): its value at 0 and the mean deviation.
 struct Fit {
   double at_zero = 0, scatter = 0;
   Fit(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree);
@@ -150,7 +156,7 @@ struct Fit {
 Fit::Fit(const std::vector<double>& x, const std::vector<double>& y, size_t count, int degree) {
   double a[3][4] = {}, c[3] = {};
   const int n = degree + 1;
-  const double unit = x[count - 1]; // so that nothing is badly scaled
+  const double unit = x[count - 1]; // scales x to 1
   for (size_t k = 0; k < count; ++k)
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) a[i][j] += std::pow(x[k] / unit, i + j);
@@ -173,11 +179,11 @@ Fit::Fit(const std::vector<double>& x, const std::vector<double>& y, size_t coun
   scatter = std::sqrt(scatter);
 }
 
-// Stress along the surface and pressure together are smooth inside a contact that slips up to its edge, where the pressure
-// ends: a parabola through the means over elements behind it gives the value there. False: the contact sticks in them.
+// Stress plus pressure is smooth inside a contact that slips up to its edge, and the pressure vanishes there: the parabola
+// through the means over elements gives the stress at the edge. False: the contact sticks in these elements.
 bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const {
   const HoopElement& own = elements_[edge.element];
-  double begin = edge.up ? own.to - edge.s : edge.s - own.from; // of the next element, from the edge
+  double begin = edge.up ? own.to - edge.s : edge.s - own.from; // distance of the next element from the edge
   const bool with_own = begin > 0.5 * own.length();
   if (with_own) begin -= own.length();
   size_t e = with_own ? edge.element : next(edge.element, edge.up);
@@ -212,7 +218,7 @@ void HoopFinder::find_edges() {
       if (!find_stress(state, edge, stress)) continue;
       stress_.back().push_back(stress);
       for (const bool up : {false, true}) {
-        if (!trial_.states[state].turn) break; // on the way edges pass over places that have their peak elsewhere
+        if (!trial_.states[state].turn) break; // only turns: between them edges move past places with peaks elsewhere
         size_t e = edge.element;
         for (size_t k = 0; k <= kShadow; ++k, e = next(e, up)) shadowed_[e] = 1;
       }
@@ -220,7 +226,7 @@ void HoopFinder::find_edges() {
   }
 }
 
-// What the node beside another one has, and how far away it is. False: nothing smooth goes on there.
+// Value and distance of the neighbour of a node. False: the boundary does not continue smoothly.
 bool HoopFinder::find_beside(const std::vector<double>& v, size_t e, size_t i, bool up, double& value, double& away) const {
   const auto n = static_cast<size_t>(trial_.nodes);
   size_t other = e, j = i;
@@ -244,8 +250,8 @@ sketch::Point HoopFinder::place_beside(size_t e, size_t i, double away) const {
   return own.at((before ? own.length() + s : after ? s - elements_[e].length() : s) / own.length());
 }
 
-// The vertex of the parabola through the largest of all nodes and those beside it: two meshes may have their largest at one
-// node.
+// The vertex of the parabola through the largest node and its neighbours, because the largest value of two meshes may be at the
+// same node.
 Along HoopFinder::top_at(const std::vector<double>& v, size_t e, size_t i) const {
   const double most = v[e * static_cast<size_t>(trial_.nodes) + i];
   double before = 0, after = 0, a = 0, b = 0;
@@ -259,8 +265,8 @@ Along HoopFinder::top_at(const std::vector<double>& v, size_t e, size_t i) const
 
 void HoopFinder::take_nodes(Hoop& out) const {
   const auto n = static_cast<size_t>(trial_.nodes);
-  std::vector<double> high(elements_.size() * n, -HUGE_VAL), below = high, range = high; // below: less the smallest
-  const auto most = [&](const std::vector<double>& v) {                                  // of those that count
+  std::vector<double> high(elements_.size() * n, -HUGE_VAL), below = high, range = high; // below: minus the smallest
+  const auto most = [&](const std::vector<double>& v) {                                  // over the nodes in use
     size_t best = v.size();
     for (size_t k = 0; k < v.size(); ++k)
       if (elements_[k / n].wanted && shadowed_[k / n] == 0 && (best == v.size() || v[k] > v[best])) best = k;
@@ -281,7 +287,7 @@ void HoopFinder::take_nodes(Hoop& out) const {
   out.widest = top_at(range, tops[2] / n, tops[2] % n);
 }
 
-// The stress of a state at the place of an edge of another one, which may be an edge there, too.
+// The stress of a state at the edge of another state; it may be an edge in both.
 double HoopFinder::value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const {
   const HoopElement& own = elements_[edge.element];
   for (const EdgeStress& s : stress_[state])

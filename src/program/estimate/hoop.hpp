@@ -1,5 +1,5 @@
-// Stresses along the surface of a body on one mesh: at the nodes, and at edges of contacts that slip, where they have their
-// peaks and elements say too little of them.
+// Stresses along the surface of a body on one mesh: at the nodes, and at edges of slipping contacts. There the stress has a
+// peak that nodal values do not resolve.
 #pragma once
 
 #include "program/estimate/trial.hpp"
@@ -7,8 +7,9 @@
 
 namespace estimate {
 
-// A stress along the surface, and where it is. `way`: from how many elements behind an edge it was found, 0: at a node or
-// between nodes. `doubt`: what it changes with fewer of them; between nodes, what elements do not follow.
+// A stress along the surface and its place. `way`: number of elements behind an edge that it was extrapolated from, 0: at a
+// node or between nodes. `doubt`: its uncertainty, from the change with fewer elements or from the unresolved part between
+// nodes.
 struct Along {
   double value = 0, doubt = 0;
   sketch::Point at = {};
@@ -20,7 +21,7 @@ struct Hoop {
   Along high, low, widest;
   bool any = false; // false: the curves have no elements, or there is no such state
 };
-// The pressure on a body at the place of its curves that is nearest to a point, at the end; `largest`: on all of them.
+// The pressure on a body at the end, at the place of its curves nearest to a point; `largest`: the largest on all curves.
 struct PressureAt {
   double value = 0, largest = 0;
   sketch::Point at = {};

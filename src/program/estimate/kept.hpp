@@ -1,4 +1,4 @@
-// What a loop over meshes found, as a text that is kept beside the deck it made.
+// The result of mesh refinement as a text, stored beside the deck of its mesh.
 #pragma once
 
 #include "post/stated.hpp"
@@ -7,9 +7,9 @@
 
 namespace estimate {
 
-// Every number to its last bit.
+// Numbers keep all bits.
 std::string text_of(app::MeshLoop loop);
-// What the text was made of; false if it is no such text, or not a whole one: then `out` has no meaning.
+// Reads the text; false if it is not such a text or incomplete: `out` is then undefined.
 bool read_meshes(const std::string& text, app::MeshLoop& out);
 
 } // namespace estimate

@@ -15,7 +15,7 @@ std::string capitals(std::string text) {
   return text;
 }
 
-// The library has read the card, so that what is not here is no number that it took.
+// The library has accepted the card: a missing value is an omitted number.
 int32_t integer(const std::vector<std::string>& words, size_t i) {
   const std::string& text = words.at(i);
   int32_t value = 0;
@@ -31,7 +31,7 @@ std::vector<std::string> words_of(const std::string& card) {
   std::vector<std::string> out;
   std::string text = card.substr(0, card.find('!'));
   std::string at;
-  bool ended = false; // a word has been read since the last comma, which belongs to it
+  bool ended = false; // a word was read since the last comma
   for (const char c : text + " ") {
     if (c != ' ' && c != '\t' && c != ',') {
       at += c;

@@ -1,4 +1,4 @@
-// The cards behind the last load card, for a deck with its elements cut. Those that name no element stay as they are.
+// The cards after the last load card, for a deck with bisected elements. Cards without element numbers are copied.
 #pragma once
 
 #include "program/estimate/cut_body.hpp"
@@ -8,7 +8,7 @@
 
 namespace estimate {
 
-// A card without its comment, as words; small letters as they are.
+// The words of a card without its comment; case is kept.
 std::vector<std::string> words_of(const std::string& card);
 bool is_keyword(const std::vector<std::string>& words, const char* name); // "*ZONE", in capitals
 
@@ -19,7 +19,7 @@ struct FreeZoneCard {
   Range elements[2];
   int32_t count[2]; // 0: by their numbers
 };
-// `offset`: of each body, what the deck adds to the numbers of its elements.
+// `offset`: per body, the offset of its element numbers in the deck.
 FreeZoneCard free_zone_card(const std::vector<std::string>& words, const std::vector<int32_t>& offset);
 std::string free_zone_card(const FreeZoneCard& card, const std::vector<CutBody>& bodies);
 std::string curve_card(const c2d_curve& curve, const CutBody& body);

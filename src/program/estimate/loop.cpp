@@ -1,3 +1,10 @@
+// Adaptive refinement of the mesh of a sketch (METHOD 16.5). Every round has four phases:
+//   1. solve_pair: solve the history on the coarse mesh and on the mesh with every element bisected, and compare the tractions.
+//   2. state_errors: state the error of every requested number from both meshes, METHOD (16.7).
+//   3. check_kind: change the kind of mesh where it is unsuitable: quadratic functions, finer contacts, no elements left out.
+//   4. refine: end when all tolerances are met, else bisect the elements whose share of the error is large, METHOD (16.6).
+// Tolerances are reached in stages: 1 % first, then a tenth of the previous stage. For a deck, estimate_deck does phases 1 and
+// 2 once.
 #include "program/estimate/loop.hpp"
 
 #include "program/drawn_words.hpp"
@@ -21,22 +28,22 @@ namespace estimate {
 namespace {
 
 constexpr double kFirst = 0.25;                        // fineness of the first mesh
-constexpr double kStalls = 0.7;                        // of the distance of the round before
-constexpr double kFirstStage = 0.01, kNextStage = 0.1; // tolerances on the way to that which is asked for
-constexpr double kBends = 1;          // of the energy of the first pair of meshes: elements do not follow it at all
-constexpr double kSlenderBends = 0.3; // the same, where a body is slender
+constexpr double kStalls = 0.7;                        // ratio to the previous distance that is too large
+constexpr double kFirstStage = 0.01, kNextStage = 0.1; // first stage; ratio of successive stages
+constexpr double kBends = 1;          // energy difference of the first two meshes that selects quadratic functions
+constexpr double kSlenderBends = 0.3; // the same for a model with a slender body
 constexpr double kSlender = 8;        // (half the boundary) squared over the area: a rectangle six times as long as it is high
-constexpr double kUnfollowed = 0.1;   // more of it than that, and no number is met
-constexpr int kMostRegrown = 3;       // then nothing is taken to be far
-constexpr double kOwn = 0.5;      // of a zone's distance: from its own elements; of less the rest of the boundary is to blame
-constexpr double kOfMotion = 0.1; // of the tolerance, of motions: smaller gaps count as contact
-constexpr double kOfUndecided = 0.25; // of the energy, while contact is neither found nor ruled out
-constexpr double kSettles = 0.8;      // of the error before: more is none that falls
+constexpr double kUnfollowed = 0.1;   // above this energy difference no number counts as met
+constexpr int kMostRegrown = 3;       // after so many corrections no elements are left out
+constexpr double kOwn = 0.5;      // if the elements of a zone cause less than this fraction of its distance, refine elsewhere
+constexpr double kOfMotion = 0.1; // times the tolerance and the largest motion: smaller gaps count as contact
+constexpr double kOfUndecided = 0.25; // factor on the energy target while contact is neither found nor excluded
+constexpr double kSettles = 0.8;      // of the previous error: above it the error does not fall
 constexpr int kPatience = 3;
-constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is believed
-constexpr double kOfElements = 2.6; // the power of their number that time goes with
-constexpr double kOfPlaces = 0.75;  // if nothing but places are off
-constexpr double kOfEnergy = 8;     // energy that elements cannot follow, over the tolerance
+constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is accepted
+constexpr double kOfElements = 2.6; // exponent of the solution time over the number of elements
+constexpr double kOfPlaces = 0.75;  // tightening factor if only numbers at one place are inaccurate
+constexpr double kOfEnergy = 8;     // allowed energy difference over the tolerance
 
 constexpr app::Measure kLocal[] = {app::Measure::kPeakPressure, app::Measure::kContactEdge, app::Measure::kStickBorder,
                                    app::Measure::kDissipated};
@@ -49,7 +56,7 @@ struct Level {
 
 class Loop {
 public:
-  Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+  Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& report,
        TrialKeeper* keeper);
   Adapted run();
 
@@ -62,7 +69,7 @@ private:
   void regrow(Level& coarse);
   bool solve_level(Level& level, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
-  void judge(const Level& coarse, const Level& fine, const Distance& between);
+  void state_errors(const Level& coarse, const Level& fine, const Distance& between);
   bool is_near_enough(const app::Stated& s) const;
   bool all_met() const;
   bool all_within() const;
@@ -82,7 +89,7 @@ private:
   void take(const Level& level);
 
   Demand demand_;
-  const std::function<void(const app::MeshRound&)>& told_;
+  const std::function<void(const app::MeshRound&)>& report_;
   TrialKeeper* keeper_;
   Adapted out_;
   const sketch::Sketch& s_;
@@ -91,23 +98,23 @@ private:
     int stays = 0; // rounds in a row
   };
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
-      watched_;  // by name, zone, item, body, which of these
-  Round before_; // what was stated in the round before
+      watched_;  // by name, zone, item, body, and count among equal ones
+  Round before_; // stated numbers of the previous round
   double seconds_ = 0, work_ = 0;
-  double last_work_ = 0;               // of the last mesh
-  int last_size_ = 1;                  // its elements, times the order of functions
-  double least_;                       // tolerance that is asked for
-  double stage_;                       // tolerance that meshes are made for
-  double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
-  std::string history_;                // why it ended early, of the mesh that was taken
-  bool is_whole_ = false;              // it did not
-  bool has_tapes_ = false;             // the mesh that was taken was solved last: they are in the demand's store
-  bool tries_order_ = false;           // functions have just been chosen anew
-  double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
-  bool begun_ = false;                 // a pair of meshes has led to a finer one
-  int early_ = 0;                      // rounds whose history ended early
-  int idle_ = 0;                       // rounds in a row whose mesh has no more elements than the one before
-  int regrown_ = 0;                    // how often contact has grown beyond what was taken to be far
+  double last_work_ = 0;               // multiplications on the last mesh
+  int last_size_ = 1;                  // elements of the last mesh times the order of functions
+  double least_;                       // smallest requested tolerance
+  double stage_;                       // tolerance of the current stage
+  double rest_ = 1, worst_ = HUGE_VAL; // rest_ < 1: refine the boundary outside contacts more
+  std::string history_;                // why the history of the selected mesh ended early
+  bool is_whole_ = false;              // the history of the selected mesh is complete
+  bool has_tapes_ = false;             // the store of the demand has the tapes of the selected mesh
+  bool tries_order_ = false;           // the order of functions has just been raised
+  double strictness_ = 1;              // below 1 if numbers are inaccurate although the tractions have converged
+  bool begun_ = false;                 // a finer mesh has been made at least once
+  int early_ = 0;                      // rounds with an incomplete history
+  int idle_ = 0;                       // successive rounds without more elements
+  int regrown_ = 0;                    // how often contact has reached elements that were left out
 };
 
 double least_tolerance(const sketch::Sketch& s) {
@@ -116,9 +123,9 @@ double least_tolerance(const sketch::Sketch& s) {
   return out;
 }
 
-Loop::Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+Loop::Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& report,
            TrialKeeper* keeper)
-    : demand_(demand), told_(told), keeper_(keeper), s_(out_.sketch), least_(least_tolerance(sketch)), stage_(kFirstStage) {
+    : demand_(demand), report_(report), keeper_(keeper), s_(out_.sketch), least_(least_tolerance(sketch)), stage_(kFirstStage) {
   out_.sketch = sketch;
   demand_.drawn = true;
 }
@@ -175,28 +182,28 @@ std::string number(double value) {
   return text;
 }
 
-// The first mesh always is.
+// The first mesh is always within the limits.
 bool Loop::is_within_limits(const sketch::Mesh& mesh) {
   if (out_.loop.rounds.empty()) return true;
   if (sketch::elements_of(mesh) > s_.most_elements) {
-    out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
+    out_.loop.stopped = "a finer mesh would have more than " + std::to_string(s_.most_elements) + " elements";
     return false;
   }
   const app::MeshRound& last = out_.loop.rounds.back();
   const double more = std::pow(static_cast<double>(sketch::elements_of(mesh) * s_.order) / last_size_, kOfElements);
   if (s_.most_seconds > 0 && seconds_ + more * last.seconds > s_.most_seconds) {
-    out_.loop.stopped = "to refine it once more would take more than the limit of time";
+    out_.loop.stopped = "another refinement would exceed the time limit";
     return false;
   }
   if (s_.most_seconds == 0 && work_ + more * last_work_ > s_.most_work) {
-    out_.loop.stopped = "to refine it once more would take more than the limit of work, " + number(s_.most_work) +
-                        " multiplications (" + number(work_) + " took " + number(seconds_) + " s)";
+    out_.loop.stopped = "another refinement would exceed the work limit, " + number(s_.most_work) + " multiplications (" +
+                        number(work_) + " took " + number(seconds_) + " s)";
     return false;
   }
   return true;
 }
 
-// Does a history end for want of accuracy, which says nothing of the bodies?
+// Did the history end because of numerical inaccuracy rather than mechanics?
 bool fails(c2d_outcome outcome) {
   return outcome == C2D_NO_ADMISSIBLE_CHANGE || outcome == C2D_NO_PROGRESS || outcome == C2D_UNDECIDED ||
          outcome == C2D_BEYOND_LIMITS;
@@ -218,7 +225,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
     return false;
   }
   if (is_whole_ && fails(level.trial.outcome)) {
-    out_.loop.stopped = "refined once more the history ended early: " + level.trial.why;
+    out_.loop.stopped = "on the next mesh the history ended early: " + level.trial.why;
     return false;
   }
   last_work_ = level.trial.work, last_size_ = level.trial.elements * s_.order;
@@ -251,7 +258,7 @@ double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
   return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
 }
 
-// Does a contact go on as a bond, as at a crack's tip? Linear functions are a fixed share off there, however fine the mesh.
+// Does a tie continue a contact, as at a crack tip? Linear functions have a fixed relative error there on every mesh.
 bool meets_tie(const sketch::Sketch& s) {
   const auto bodies = [](const sketch::Interface& i) { return std::minmax(i.side[0].body, i.side[1].body); };
   return std::any_of(s.interfaces.begin(), s.interfaces.end(), [&](const sketch::Interface& a) {
@@ -260,7 +267,7 @@ bool meets_tie(const sketch::Sketch& s) {
   });
 }
 
-// May a body bend? Elements of linear functions follow that worst.
+// Can a body bend? Linear functions represent bending poorly.
 bool has_slender_body(const sketch::Sketch& s) {
   return std::any_of(s.bodies.begin(), s.bodies.end(), [&](const sketch::Body& body) {
     const sketch::Region region(s, body);
@@ -268,13 +275,13 @@ bool has_slender_body(const sketch::Sketch& s) {
   });
 }
 
-// May friction do work that no mesh has seen yet?
+// Can friction dissipate energy in slip zones narrower than the elements?
 bool may_rub(const sketch::Sketch& s) {
   return std::any_of(s.interfaces.begin(), s.interfaces.end(),
                      [](const sketch::Interface& i) { return !i.tied && i.friction > 0 && std::isfinite(i.friction); });
 }
 
-void Loop::judge(const Level& coarse, const Level& fine, const Distance& between) {
+void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& between) {
   std::vector<app::Stated>& stated = out_.loop.stated;
   const Round* before = before_.stated.empty() ? nullptr : &before_;
   stated = state_numbers(coarse.trial, fine.trial, between, before);
@@ -282,12 +289,12 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   for (const app::Stated& s :
        state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
-  // As long as contact is neither found nor ruled out somewhere, no number has an error.
+  // While contact is neither found nor excluded somewhere, no number has an error.
   const std::vector<OpenContact> open =
       open_contacts(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_);
   if (std::any_of(open.begin(), open.end(), [](const OpenContact& c) { return c.doubts(); }))
     for (app::Stated& s : stated) s.error = NAN;
-  for (app::Stated& s : stated) // narrow slip at the edges of contact is below the size of these elements
+  for (app::Stated& s : stated) // slip zones at the edges may be narrower than an element
     if (s.name == app::name_of(app::Measure::kDissipated) && s.error == 0 && may_rub(s_)) s.error = NAN;
   drop_unknown(stated);
   confirm(stated, fine.trial, before);
@@ -296,12 +303,12 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   if (!fine.trial.states.empty()) before_.loads = fine.trial.states.back().loads, before_.work = fine.trial.states.back().work;
 }
 
-// As the meshes of this stage are to have it.
+// Is the error below the tolerance of the current stage?
 bool Loop::is_near_enough(const app::Stated& s) const {
   return std::isnan(s.tolerance) || s.error <= stage_ / least_ * s.tolerance * s.scale;
 }
 
-// The next stages, up to one that a number does not meet.
+// Advances to the first stage that some number does not meet.
 void Loop::end_stages() {
   const auto ends = [&] {
     return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
@@ -310,8 +317,7 @@ void Loop::end_stages() {
   while (stage_ > least_ && ends()) stage_ *= kNextStage, strictness_ = 1;
 }
 
-// Numbers at one place whose errors no longer fall though the mesh there becomes finer: at a sharp corner there may be no
-// bound.
+// Finds numbers at one place whose errors no longer fall under refinement: at a sharp corner the value may be unbounded.
 void Loop::watch() {
   std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
@@ -341,14 +347,14 @@ sketch::Mesh without_far(sketch::Mesh mesh) {
   return mesh;
 }
 
-// Does a number hang on the tractions of the contact alone?
+// Does a number depend on the contact tractions alone?
 bool is_local(const app::Stated& s) {
   using app::Measure;
   return s.name == kTractions ||
          std::any_of(std::begin(kLocal), std::end(kLocal), [&](Measure m) { return s.name == app::name_of(m); });
 }
 
-// A body that rests on too few pairs slides or turns off them: the same history may go on where there are more.
+// A body supported by too few pairs may slide or tip off: with more pairs the same history may continue.
 sketch::Mesh Loop::with_finer_contacts(const sketch::Mesh& mesh) const {
   sketch::Levels levels;
   for (const auto& outlines : mesh.bodies) {
@@ -360,7 +366,7 @@ sketch::Mesh Loop::with_finer_contacts(const sketch::Mesh& mesh) const {
   return sketch::refined(s_, without_far(mesh), levels, {});
 }
 
-// What is far by now left out, what adds most bisected, ends of elements at the ends of contact and stick.
+// The next mesh: leave out far elements, bisect those with large shares, move element ends to edges and stick borders.
 sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near) {
   sketch::Mesh mesh = coarse.mesh;
   if (regrown_ < kMostRegrown) mark_far(s_, coarse.trial, mesh);
@@ -377,23 +383,23 @@ sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Dista
   return sketch::refined(s_, mesh, levels, edges_of(fine.trial));
 }
 
-// The distance of the tractions at which every number is expected to be met.
+// Target of the distance of the tractions.
 double Loop::aim() const { return strictness_ * stage_; }
 
-// The same of the energy that elements cannot follow, which numbers beside those of the contact depend on.
+// Target of the energy difference, on which numbers outside the contact depend.
 double Loop::energy_aim() const { return kOfEnergy * rest_ / strictness_ * aim(); }
 
 bool Loop::is_near(const Distance& d) const {
   return std::all_of(d.pressure.begin(), d.pressure.end(), [&](double p) { return p < aim(); });
 }
 
-// By as much as the worst number is off on a mesh that should have met all; places have marks of their own.
+// Lowers the targets by the ratio of tolerance to error of the worst number. Numbers at one place have marks of their own.
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
   for (const app::Stated& s : out_.loop.stated) {
     if (s.endless || std::isnan(s.tolerance)) continue;
     const bool within = is_near_enough(s);
-    if (within && (s.confirmed || stage_ > least_)) continue; // what is within must be so on a finer mesh, too
+    if (within && (s.confirmed || stage_ > least_)) continue; // a met number still needs confirmation on a finer mesh
     double& worst = is_local(s) && !std::isnan(s.error) ? contact : rest;
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
     worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
@@ -405,7 +411,7 @@ void Loop::tighten(const Distance& d) {
 void Loop::tell_endless() {
   const std::vector<app::Stated>& all = out_.loop.stated;
   if (std::any_of(all.begin(), all.end(), [&](const app::Stated& s) { return !s.is_met(); }))
-    out_.loop.stopped = "it does not settle however often it is refined there: it may have no bound";
+    out_.loop.stopped = "it does not converge when the mesh there is refined: it may be unbounded";
 }
 
 void Loop::take(const Level& level) {
@@ -427,10 +433,10 @@ bool is_same(const sketch::Mesh& a, const sketch::Mesh& b) {
   return true;
 }
 
-// Has any load done work up to the last state?
+// Have the loads done work up to the last state?
 bool is_loaded(const Trial& trial) { return !trial.states.empty() && trial.states.back().work != 0; }
 
-// In place of linear functions, unless the sketch names some.
+// Replaces linear functions by quadratic ones unless the sketch prescribes the order.
 bool Loop::takes_quadratic() {
   if (!s_.chooses_order || s_.order > 1) return false;
   out_.sketch.order = 2;
@@ -438,7 +444,7 @@ bool Loop::takes_quadratic() {
   return true;
 }
 
-// Where quadratic ones cannot be solved (slender bodies that float upon each other lose digits with them).
+// Returns to linear functions where quadratic ones cannot be solved (ill-conditioned floating slender bodies).
 bool Loop::stays_linear() {
   if (!tries_order_ || app::interrupted()) return false;
   tries_order_ = false;
@@ -448,18 +454,18 @@ bool Loop::stays_linear() {
   return true;
 }
 
-// Contact has grown up to what was taken to be far, or what is far parts a zone: nothing is far.
+// Contact has reached elements that were left out, or these divide a zone: leave out none.
 void Loop::regrow(Level& coarse) {
   coarse.mesh = without_far(coarse.mesh);
   ++regrown_;
 }
 
-// A mesh and its half, solved and compared. `again`: on the mesh that coarse has then.
+// Solves and compares a mesh and the mesh with every element bisected. Next::again: repeat with the changed coarse mesh.
 Loop::Next Loop::solve_pair(Level& coarse, Level& fine, Distance& between) {
   if (!is_within_limits(coarse.mesh)) return Next::end;
   if (!solve_level(coarse, true)) return stays_linear() ? Next::again : Next::end;
-  told_(out_.loop.rounds.back());
-  if (out_.loop.rounds.size() == 1) take(coarse); // what is kept where no later mesh can be made or solved
+  report_(out_.loop.rounds.back());
+  if (out_.loop.rounds.size() == 1) take(coarse); // the result if no later mesh can be made or solved
   if (is_cut_off(coarse.trial, coarse.mesh)) return regrow(coarse), Next::again;
   if (!begun_ && regrown_ == 0) mark_far(s_, coarse.trial, coarse.mesh);
   fine = {sketch::halved(s_, coarse.mesh), {}, {}};
@@ -468,21 +474,21 @@ Loop::Next Loop::solve_pair(Level& coarse, Level& fine, Distance& between) {
   if (fine.trial.zones.size() != coarse.trial.zones.size()) return regrow(coarse), Next::again;
   between = distance_of(coarse, fine);
   tell_distance(between, fine.trial, out_.loop.rounds.back());
-  told_(out_.loop.rounds.back());
-  judge(coarse, fine, between);
+  report_(out_.loop.rounds.back());
+  state_errors(coarse, fine, between);
   take(fine);
   tries_order_ = false;
   return Next::refine;
 }
 
-// Do meshes of this kind serve? `again`: others take their place.
+// Are meshes of this kind suitable? Next::again: repeat with another kind.
 Loop::Next Loop::check_kind(Level& coarse, const Level& fine, const Distance& between) {
   if (is_cut_off(fine.trial, fine.mesh)) return regrow(coarse), Next::again;
   const bool bends = between.energy > kBends || (between.energy > kSlenderBends && has_slender_body(s_));
   if (!begun_ && (bends || meets_tie(s_)) && takes_quadratic()) return before_ = Round(), Next::again;
   if (history_.empty()) return Next::refine;
   if (early_++ < kEarlyRounds) return coarse.mesh = with_finer_contacts(coarse.mesh), Next::again;
-  return is_loaded(fine.trial) ? Next::refine : Next::end; // nor does anything begin where more elements touch
+  return is_loaded(fine.trial) ? Next::refine : Next::end; // more contact elements did not help an unloaded start either
 }
 
 // The mesh of the next round, unless every number is met or no finer mesh can be made.
@@ -493,21 +499,22 @@ Loop::Next Loop::refine(Level& coarse, const Level& fine, const Distance& betwee
   const double before = stage_;
   end_stages();
   begun_ = true;
-  if (stage_ < before && takes_quadratic()) return Next::again; // they need fewer unknowns, on the same elements at first
-  if (is_near(between)) tighten(between);                       // of the stage that is next
+  if (stage_ < before && takes_quadratic())
+    return Next::again;                   // fewer unknowns for the same accuracy; first on the same elements
+  if (is_near(between)) tighten(between); // for the next stage
   sketch::Mesh next = next_mesh(coarse, fine, between, near);
-  if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // which has to confirm it
+  if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // confirm the errors on the finer mesh
   idle_ = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle_ + 1;
   if (is_same(next, coarse.mesh))
-    out_.loop.stopped = "it is refined there as far as the digits of coordinates allow";
+    out_.loop.stopped = "the mesh there is as fine as the digits of coordinates allow";
   else if (idle_ > kPatience)
-    out_.loop.stopped = "nothing is left to refine";
+    out_.loop.stopped = "no element is left to refine";
   else
     return coarse.mesh = std::move(next), Next::again;
   return Next::end;
 }
 
-// Round after round: a pair of meshes is solved, it is seen whether meshes of its kind serve, and the next one is made.
+// The rounds of refinement, from the first mesh to the end.
 void Loop::search() {
   Level coarse, fine;
   coarse.mesh = sketch::first_mesh(s_, kFirst);
@@ -523,20 +530,20 @@ Adapted Loop::run() {
   std::string& stopped = out_.loop.stopped;
   try {
     search();
-  } catch (const sketch::Fault& fault) { // of a later mesh: the results of the last one stand
+  } catch (const sketch::Fault& fault) { // fault of a later mesh: keep the results of the last one
     if (out_.deck.empty()) throw;
     stopped = fault.text;
   }
-  if (demand_.store != nullptr && !has_tapes_) demand_.store->drop_tapes(); // of another mesh
+  if (demand_.store != nullptr && !has_tapes_) demand_.store->drop_tapes(); // they belong to another mesh
   if (!history_.empty()) stopped = "the history ended early: " + history_ + (stopped.empty() ? "" : "; " + stopped);
   return std::move(out_);
 }
 
 } // namespace
 
-Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& report,
               TrialKeeper* keeper) {
-  return Loop(sketch, demand, told, keeper).run();
+  return Loop(sketch, demand, report, keeper).run();
 }
 
 app::MeshLoop estimate_deck(c2d_solver* solver, const std::string& deck, const Demand& demand) {

@@ -1,3 +1,5 @@
+// Marking of elements for bisection (METHOD 16.5): elements with a share, METHOD (16.6), above that of a mesh with equal shares
+// that meets the tolerance, elements at the places of numbers not yet met, and neighbours of these.
 #include "program/estimate/marks.hpp"
 
 #include <algorithm>
@@ -6,8 +8,8 @@
 namespace estimate {
 namespace {
 
-constexpr double kEdge = 2.8, kSmoothShare = 8; // by how much a share falls if its element is bisected
-constexpr double kLargest = 0.3;                // of the largest share: what is marked in any case
+constexpr double kEdge = 2.8, kSmoothShare = 8; // factor by which bisection reduces a share
+constexpr double kLargest = 0.3;                // of the largest share: always marked
 constexpr int kMostLevels = 2;
 
 } // namespace

@@ -1,4 +1,4 @@
-// Which elements of a mesh are to be bisected.
+// Selects the elements of a mesh to be bisected.
 #pragma once
 
 #include "post/stated.hpp"
@@ -7,17 +7,17 @@
 
 namespace estimate {
 
-// Where contact ends and slip begins at the turns of the loads, as places of side 2.
+// Contact edges and stick borders at the turns of the loads, as places on side 2.
 std::vector<sketch::Spot> edges_of(const Trial& trial);
 
-// Elements whose shares are above those of a mesh whose distance and energy are `pressure` and `energy` with shares alike; the
-// largest in any case.
+// Elements with shares above those of a mesh of equal shares with the distance `pressure` and the energy difference `energy`;
+// the element with the largest share always.
 sketch::Levels marks(const Distance& distance, double pressure, double energy);
 
-// Does a number hang on one place: an edge of contact, a border of stick, the peak of a pressure, a stress?
+// Does a number belong to one place: a contact edge, a stick border, a peak pressure, a stress?
 bool is_place(const app::Stated& s);
 
-// Beside that the elements at the places of numbers that are not met, and their neighbours.
+// Also marks the elements at the places of numbers not yet met, and their neighbours.
 void mark_places(const sketch::Sketch& sketch, const Trial& trial, const std::vector<app::Stated>& stated, sketch::Mesh& mesh,
                  sketch::Levels& levels);
 

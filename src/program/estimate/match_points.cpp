@@ -1,5 +1,5 @@
-// New boundary points of a matching zone. Of two surfaces that are one, each side makes its own guess from the points around,
-// and these are others beyond the zone.
+// New boundary points of a matching zone. Where the two surfaces coincide, each side interpolates from its own adjacent points,
+// which differ beyond the zone; this file makes the new points of both sides consistent.
 #include "program/estimate/cut_body.hpp"
 
 #include <cmath>
@@ -7,17 +7,17 @@
 namespace estimate {
 namespace {
 
-// Of the length of an element: ends that are so near to each other coincide, as where the library counts all gaps of a zone as
-// none (METHOD 8.3).
+// Times the length of an element: ends this close coincide, as where the library sets all gaps of a zone to zero
+// (METHOD 8.3).
 constexpr double kOnePoint = 1e-5;
 
 Point between(Point a, Point b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
-// One element of either side and its boundary points, those of side 2 backwards.
+// One element of each side with its boundary points, those of side 2 in reverse order.
 struct FacingElements {
   int32_t element[2];
   std::vector<Point> p[2];
-  // Place of the new point behind the i-th, in the order of side 1.
+  // Position of the new point after point i, in the order of side 1.
   static size_t place(const CutBody& body, int32_t element, int32_t i) {
     const int32_t region = body.region_of(element), chords = body.element_nodes - 1;
     const int32_t open = body.first_point(region, element) - element * chords;

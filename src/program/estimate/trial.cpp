@@ -1,3 +1,6 @@
+// One solution of a model along its whole load history, with the data needed for comparison. Phases: size the workspace and the
+// tapes; read and prepare the deck; advance through all increments; record the states at turns of the loads and midway between
+// them.
 #include "program/estimate/trial.hpp"
 
 #include "program/deck_file.hpp"
@@ -14,7 +17,7 @@
 namespace estimate {
 namespace {
 
-// A solver over a deck's text, with all of its memory.
+// A solver for the text of a deck, with all of its memory.
 class Solver {
 public:
   ~Solver() {
@@ -22,7 +25,7 @@ public:
   }
   c2d_status read(const std::string& text, const Demand& demand, std::string& why);
   c2d_solver* get() const { return solver_; }
-  bool keeps_tapes() const { return keeps_; } // in the store that was demanded
+  bool keeps_tapes() const { return keeps_; } // in the requested store
   std::string words(c2d_status status) const;
 
 private:
@@ -55,10 +58,10 @@ std::string Solver::words(c2d_status status) const {
 
 app::StoreChoice& store_of(void* store) { return *static_cast<app::StoreChoice*>(store); }
 
-// Tapes in memory, as large as they can become.
+// Tapes in memory, at their largest size.
 c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
   const c2d_options options = options_of(demand);
-  // Of what compressed elimination may write a quarter is the most that was seen.
+  // Compressed elimination writes at most a quarter of its bound, as observed.
   const bool compressed = app::elimination_of(limits_, demand.elimination) == C2D_ELIMINATION_COMPRESSED;
   uint64_t sum = 0;
   std::vector<std::pair<uint64_t, uint64_t>> sizes;
@@ -90,7 +93,7 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   c2d_status status = c2d_scan_deck(app::DeckFile::read_line, &deck_, &limits_, &error);
   if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, demand.elimination, workspace_, why);
   if (!why.empty()) return status;
-  constexpr uint64_t kMostKept = uint64_t{1} << 28; // bytes of workspace: saved states of larger models take much room
+  constexpr uint64_t kMostKept = uint64_t{1} << 28; // bytes of workspace; saved states of larger models need too much memory
   keeps_ = demand.store != nullptr && workspace_.bytes <= kMostKept;
   if (keeps_) store_ = demand.store;
   if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
@@ -107,13 +110,13 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   return status;
 }
 
-// Follows the history and takes what the states show.
+// Solves the history and records its states.
 class History {
 public:
   History(c2d_solver* solver, const Demand& demand, Trial& out) : solver_(solver), demand_(demand), out_(out) {}
   c2d_status describe(const std::string& deck); // the model
   c2d_status follow();
-  double work() const; // of all that was done
+  double work() const; // estimated cost of all steps
 
 private:
   c2d_status measure(int32_t body);
@@ -128,7 +131,7 @@ private:
   Trial& out_;
   app::Summary summary_;
   std::vector<app::ZoneLine> lines_;
-  std::vector<double> loads_;        // reached
+  std::vector<double> loads_;        // load factors reached
   std::vector<double> slip_at_turn_; // of the pairs
 };
 
@@ -186,10 +189,10 @@ c2d_status History::describe(const std::string& deck) {
   return status;
 }
 
-// Bodies, by the number of their equations, dense or compressed; the contact, by its exchanges.
+// Estimated multiplications: bodies by their equations, dense or compressed; the contact by its exchanges.
 double History::work() const {
-  constexpr double kEntry = 3000;          // an entry takes as long to assemble as so many multiplications
-  constexpr double kCompressedFrom = 1600; // equations; beyond the cost grows about like their number
+  constexpr double kEntry = 3000;          // multiplications equivalent to the assembly of one entry
+  constexpr double kCompressedFrom = 1600; // equations; above it the cost grows nearly linearly
   app::Summary now;
   if (app::get_summary(solver_, now) != C2D_OK) return 0;
   double out = 0;

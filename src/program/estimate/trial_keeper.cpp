@@ -30,7 +30,7 @@ void TrialKeeper::begin(const std::string& store_folder, const std::string& job,
 
 bool TrialKeeper::recall(const std::string& deck, Trial& out) {
   ++number_;
-  std::string text, ignored; // what is damaged is solved again, with the same result
+  std::string text, ignored; // damaged files are ignored: the mesh is solved again, with the same result
   if (app::read_sealed(path(), kKind, text, ignored) != app::Sealed::kWhole) return false;
   app::ArchiveReader reader(text);
   std::string job, its_deck;

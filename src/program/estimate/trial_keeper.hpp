@@ -1,4 +1,4 @@
-// Meshes that a loop has solved, kept beside the job of the run so that one that goes on has them.
+// Stores solved meshes beside the job of a run, so that a resumed run need not solve them again.
 #pragma once
 
 #include "program/estimate/trial.hpp"
@@ -9,11 +9,11 @@ namespace estimate {
 
 class TrialKeeper {
 public:
-  // Into the folder of a store, for the job of that name (app::id_of); only what took `seconds` to solve.
+  // Stores into the folder of a store, for the job with this id (app::id_of); only meshes that took at least `seconds`.
   void begin(const std::string& store_folder, const std::string& job, double seconds);
-  // Of the loop's next mesh, whose deck this is. False: it has to be solved, with an empty `out`.
+  // Reads the solution of the next mesh, with this deck. False: it must be solved; `out` is empty.
   bool recall(const std::string& deck, Trial& out);
-  // Of the mesh that was asked for last. False if that failed, as error() says.
+  // Stores the solution of the mesh requested last. False on failure, see error().
   bool keep(const std::string& deck, Trial& trial);
   const std::string& error() const { return error_; }
 

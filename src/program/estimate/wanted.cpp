@@ -1,3 +1,5 @@
+// Values of the stresses and displacements requested by a sketch: at points inside, along curves, their ranges over the history
+// or over its last cycle. The order of the values is the same on every mesh.
 #include "program/estimate/wanted.hpp"
 
 #include "program/estimate/hoop.hpp"
@@ -22,7 +24,7 @@ app::Stated number(const std::string& name, size_t body, double value, double sc
   return s;
 }
 
-// How far a stress goes over states.
+// Range of a stress over states.
 struct Range {
   double low = HUGE_VAL, high = -HUGE_VAL;
   void take(double v) { low = std::min(low, v), high = std::max(high, v); }
@@ -30,7 +32,7 @@ struct Range {
   double largest() const { return std::max(std::fabs(low), std::fabs(high)); }
 };
 
-// The three stresses at a place, at the end, and how far each goes from the state `first` on; of a cycle this alone.
+// The three stresses at a place at the end and their ranges from state `first` on; for a cycle only the ranges.
 void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance,
                size_t first) {
   Range range[3];
@@ -60,7 +62,7 @@ void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t
   }
 }
 
-// Of a cycle the range alone.
+// For a cycle only the range.
 void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want, double tolerance,
               size_t first) {
   const Hoop hoop = find_hoop(mesh, trial, *want.side, first);
@@ -75,7 +77,7 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
   add("range of stress along ", hoop.widest);
 }
 
-// The state at which the history's last cycle begins; behind the last one if it ended before the cycle did.
+// The state at which the last cycle of the history begins; past the last state if the history ended before the cycle.
 size_t state_of_cycle(const sketch::Sketch& sketch, const Trial& trial) {
   const int start = sketch::cycle_start(sketch);
   int turns = 0;
@@ -94,7 +96,7 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
   out.back().at[0] = pressure.at.x, out.back().at[1] = pressure.at.y;
 }
 
-// The energy that friction takes in the last cycle.
+// Energy dissipated by friction in the last cycle.
 void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t first) {
   if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
   const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
@@ -102,7 +104,7 @@ void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t 
   out.back().body = 0;
 }
 
-// Points that a statement of stress has alone, without a tolerance.
+// Points given only by a stress statement, without a tolerance.
 std::vector<sketch::WantedPoint> not_wanted(const sketch::Sketch& sketch) {
   std::vector<sketch::WantedPoint> out;
   for (const sketch::WantedPoint& p : sketch.points)
@@ -113,7 +115,7 @@ std::vector<sketch::WantedPoint> not_wanted(const sketch::Sketch& sketch) {
   return out;
 }
 
-// Stresses and displacements at the end there, which no tolerance was asked for.
+// Stresses and displacements at these points at the end; they have no tolerance.
 void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, const Trial& trial, size_t place) {
   for (const sketch::WantedPoint& p : not_wanted(sketch)) {
     const auto body = static_cast<size_t>(p.body);
@@ -140,7 +142,7 @@ void ask(const sketch::Sketch& sketch, Demand& demand) {
   for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
 }
 
-// Cycles come last: a history that ends early has none, and the others keep their places.
+// Cycles come last: if the history ends early they are missing, and the order of the others is unchanged.
 std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial) {
   std::vector<app::Stated> out;
   for (const bool cycle : {false, true}) {

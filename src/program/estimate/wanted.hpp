@@ -1,4 +1,4 @@
-// Stresses that a sketch wants: inside, and along curves; at the end of the history, over all of it, over its last cycle.
+// Stresses requested by a sketch: inside and along curves; at the end of the history, over all of it, or over its last cycle.
 #pragma once
 
 #include "program/estimate/error.hpp"
@@ -6,11 +6,11 @@
 
 namespace estimate {
 
-// What trials are to bring for the stresses that are wanted.
+// The requests to solutions for these stresses.
 void ask(const sketch::Sketch& sketch, Demand& demand);
 
-// Their values of one mesh, without errors, in an order that is the same on every mesh; those of a cycle are missing at its end
-// where the history ended early.
+// Their values on one mesh, without errors, in the same order on every mesh. Values of a cycle are missing at the end of the
+// list if the history ended early.
 std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial);
 
 } // namespace estimate

@@ -53,7 +53,7 @@ bool append_row(const std::string& name, const std::string& heading, const std::
 
 std::string outcome_of(const Answer& answer) {
   if (answer.exit == kExitSolved) return "ok";
-  if (answer.exit == kExitInaccurate) return "a wanted tolerance is not met";
+  if (answer.exit == kExitInaccurate) return "a requested tolerance is not met";
   std::string text = failure_text(answer.reason);
   text.pop_back();
   return text;

@@ -1,4 +1,4 @@
-// What became of a run that was asked for numbers, where others look for it.
+// The outcome of a run with responses, written to --results and --row.
 #pragma once
 
 #include "program/options.hpp"
@@ -10,14 +10,14 @@ namespace app {
 
 struct Answer {
   int exit = 0;
-  std::vector<double> values; // of the responses; those of a run that failed do not count
+  std::vector<double> values; // of the responses; undefined after a failure
   std::string reason;         // why it failed
 };
 
 // Writes --results and appends to --row. False with an error text.
 bool write_answer(const Options& options, const Answer& answer, std::string& error);
 
-// "ok", or "FAIL" and why.
+// "ok", or "FAIL" and the reason.
 std::string outcome_of(const Answer& answer);
 
 // Appends a row to a CSV file, as one write, under a lock; a new file gets the heading before it, one with another heading is

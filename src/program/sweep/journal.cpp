@@ -45,12 +45,12 @@ int Journal::open(const std::string& path, uint64_t inputs, bool resume, std::st
   const std::string heading = "contact2d sweep " + hexadecimal(inputs) + "\n";
   file_ = open_file(path, O_RDWR | O_APPEND | O_CREAT | (resume ? 0 : O_EXCL));
   if (file_ < 0 && errno == EEXIST) {
-    error = path + ": rows of a sweep that was cut off, expected --resume, or no such file";
+    error = path + ": contains rows of an interrupted sweep, expected --resume, or the file removed";
     return kExitInput;
   }
   if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
     const bool busy = file_ >= 0 && errno == EWOULDBLOCK;
-    error = path + ": " + (busy ? "another process is at this sweep" : system_text(errno));
+    error = path + ": " + (busy ? "another process is running this sweep" : system_text(errno));
     return busy ? kExitBusy : kExitFiles;
   }
   if (const int exit = take_rows(heading, error); exit != 0) return exit;
@@ -61,7 +61,7 @@ int Journal::take_rows(const std::string& heading, std::string& error) {
   std::string all;
   int code = read_all(file_, all);
   const bool torn = !all.empty() && all.back() != '\n';
-  // Nothing, or not all of a heading; where the power was lost zeros stand for what the disk had not got yet.
+  // An empty file or an incomplete heading; after a power loss, data not yet on disk may read as zeros.
   const std::string known = all.substr(0, all.find_last_not_of('\0') + 1);
   if (code == 0 && heading.compare(0, known.size(), known) == 0) {
     if (::ftruncate(file_, 0) != 0) code = errno;
@@ -75,7 +75,7 @@ int Journal::take_rows(const std::string& heading, std::string& error) {
     return kExitFiles;
   }
   if (all.compare(0, heading.size(), heading) != 0) {
-    error = path_ + ": rows of another sweep: the table, the deck or the options were others, or the program was";
+    error = path_ + ": contains rows of another sweep: the table, the deck, the options or the program differ";
     return kExitInput;
   }
   for (size_t at = heading.size(); at < all.size();) {

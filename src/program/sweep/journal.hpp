@@ -1,4 +1,4 @@
-// The rows of a sweep that are done, kept in a file as they come, so that a sweep that is cut off can go on.
+// The solved rows of a sweep, stored in a file one by one, so that an interrupted sweep can be resumed.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ public:
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  // `path` belongs to the sweep whose inputs have the checksum `inputs`. With `resume` the rows that are whole in it are taken
-  // up, if there is such a file; else there must be none. 0, or the exit status with an error text. The file is locked: another
-  // sweep that wants it gets kExitBusy.
+  // Opens `path` for the sweep whose inputs have the checksum `inputs`. With `resume` its complete rows are read, if the file
+  // exists; otherwise it must not exist. Returns 0, or the exit status with an error text. The file is locked: another sweep
+  // gets kExitBusy.
   int open(const std::string& path, uint64_t inputs, bool resume, std::string& error);
-  // One line, in one write; what a kill leaves of it is not taken for a row.
+  // Writes one line in one call; an incomplete line is ignored later.
   bool add(size_t row, const std::string& text, std::string& error);
   const std::map<size_t, std::string>& rows() const { return rows_; } // by number
-  void remove();                                                      // the table is there
+  void remove();                                                      // after the results are written
 
 private:
   int take_rows(const std::string& heading, std::string& error);

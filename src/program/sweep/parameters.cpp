@@ -107,15 +107,15 @@ void Filler::put(std::string& line, int32_t number, const Place& place, const st
     at = place.end;
     return fault(number, place,
                  "the value " + value + " of " + place.name + " has " + std::to_string(value.size()) +
-                     " characters, and there is room for " + std::to_string(place.end - begin) +
-                     ": leave blanks before the braces");
+                     " characters, but there is room for " + std::to_string(place.end - begin) +
+                     ": add blanks before the braces");
   }
   const std::string padded = free_ || value.size() >= width ? value : std::string(width - value.size(), ' ') + value;
   line.replace(begin, place.end - begin, padded);
   at = begin + padded.size();
   Place around;
   if (find_place(line, 0, around) && around.begin < begin && around.end > begin)
-    fault(number, place, "{" + place.name + "} stands in braces, expected one name and one value in a pair of braces");
+    fault(number, place, "{" + place.name + "} is inside other braces, expected one name and one value in each pair of braces");
   shift_ += static_cast<int32_t>(place.end) - static_cast<int32_t>(at);
 }
 
@@ -181,7 +181,7 @@ bool read_parameters(const std::string& text, std::vector<std::string>& words, s
     words.push_back(first + "=" + second);
     --left;
   }
-  if (dakota && left > 0) error = "ends before the last of its variables";
+  if (dakota && left > 0) error = "ends before the last variable";
   return error.empty();
 }
 

@@ -18,7 +18,7 @@ bool read_setting(const std::string& word, Setting& setting);
 // line.
 bool read_parameters(const std::string& text, std::vector<std::string>& words, std::string& error);
 
-// Names that stand in braces in the cards of a deck.
+// The parameter names in the cards of a deck.
 std::set<std::string> parameters_of(const std::string& deck);
 
 struct DeckFault {
@@ -26,9 +26,9 @@ struct DeckFault {
   std::string text;
 };
 
-// Puts values in. In fixed columns (a deck that does not begin with *FREE) a value ends where the braces end, and a longer one
-// takes the blanks before them, so that no other field moves. Comments are left alone. False with what is wrong: a name without
-// a value, a setting that no card takes, too narrow a place.
+// Replaces parameters by values. In fixed columns (a deck that does not begin with *FREE) a value ends where the braces end,
+// and a longer one uses the blanks before them, so that no other field moves. Comments are not changed. False with faults: a
+// name without a value, an unused setting, a field that is too narrow.
 bool put_parameters(std::string& deck, const std::vector<Setting>& settings, std::vector<DeckFault>& faults);
 
 } // namespace app

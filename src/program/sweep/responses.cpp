@@ -9,9 +9,8 @@
 namespace app {
 
 const char kResponseWords[] =
-    "max or min tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary; stress, or a column of --interior, and the "
-    "number "
-    "of a point; touching, sticking, slipping, load; behind them: zone Z, and the number of an edge or border";
+    "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary; stress or a column of --interior with the "
+    "number of a point; touching, sticking, slipping, load; then, if needed, zone Z and the number of an edge or border";
 
 namespace {
 
@@ -69,7 +68,7 @@ bool is_quantity(const std::string& text, Response& r) {
   return false;
 }
 
-// What the words before zone and number mean.
+// The meaning of the words before zone and number.
 bool take_head(const std::vector<std::string>& words, Response& r) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -142,7 +141,7 @@ bool read_responses(const std::string& text, std::vector<Response>& responses, s
     }
     responses.push_back(r);
   }
-  if (responses.empty()) error = std::string("nothing is asked for, expected ") + kResponseWords;
+  if (responses.empty()) error = std::string("no response is given, expected ") + kResponseWords;
   return error.empty();
 }
 
@@ -169,7 +168,7 @@ std::string results_text(const std::vector<Response>& responses, const std::vect
 
 std::string failure_text(const std::string& why) {
   std::string line = why.substr(0, why.find('\n'));
-  return "FAIL " + (line.empty() ? "no reason is known" : line) + "\n";
+  return "FAIL " + (line.empty() ? "reason unknown" : line) + "\n";
 }
 
 std::string csv_field(const std::string& text) {

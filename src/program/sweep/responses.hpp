@@ -1,4 +1,4 @@
-// Numbers that are asked of a run: --response "max tn; contact edge 1; stress 3".
+// Requested numbers of a run: --response "max tn; contact edge 1; stress 3".
 #pragma once
 
 #include "report/interior.hpp"
@@ -25,7 +25,7 @@ struct Response {
 // Reads a list with semicolons. False with an error text.
 bool read_responses(const std::string& text, std::vector<Response>& responses, std::string& error);
 
-// What --help and pages say of the words.
+// Description of the words for --help and pages.
 extern const char kResponseWords[];
 
 // NaN: the state has no such number.
@@ -33,7 +33,7 @@ double evaluate(const Response& response, const RunRecord& record);
 
 // "name value" and a line each.
 std::string results_text(const std::vector<Response>& responses, const std::vector<double>& values);
-// The first line of the file of a run that failed: FAIL and why.
+// The first line of the file of a failed run: FAIL and the reason.
 std::string failure_text(const std::string& why);
 
 // A field of a CSV file, in quotes where it has to be.

@@ -74,20 +74,20 @@ int Sweep::read() {
     return kExitInput;
   }
   DeckFile deck;
-  Messages told(deck);
+  Messages deck_messages(deck);
   if (!deck.read(options_.deck, why)) {
-    told.fault(why);
+    deck_messages.fault(why);
     return kExitInput;
   }
   *deck_ = deck.text();
   const std::set<std::string> parameters = parameters_of(deck);
   for (const std::string& word : options_.settings)
     if (const std::string name = word.substr(0, word.find('=')); parameters.count(name) == 0)
-      return fail(deck.name() + ": there is no parameter " + name, kExitUsage);
+      return fail(deck.name() + ": no parameter " + name, kExitUsage);
   return read_table(file, parameters, messages, table_) ? 0 : kExitInput;
 }
 
-// Of all that the results depend on.
+// Checksum of everything that the results depend on.
 uint64_t Sweep::inputs() const {
   std::string all = c2d_version() + std::string("\n") + *deck_, points;
   for (const std::string& name : table_.names) all += name + ",";
@@ -95,7 +95,7 @@ uint64_t Sweep::inputs() const {
     for (const std::string& value : row) all += value + ",";
   for (const std::string& word : options_.settings) all += word + "\n";
   for (const Response& response : options_.responses) all += response.words + ";";
-  if (!options_.points.empty()) read_named(options_.points, points); // whoever cannot read them says so
+  if (!options_.points.empty()) read_named(options_.points, points); // the run itself reports a failure
   for (const int32_t choice :
        {options_.stepping, options_.quadrature, options_.symmetry, options_.elimination, options_.touching})
     all += std::to_string(choice) + " ";
@@ -148,7 +148,7 @@ void Sweep::work() {
     options.threads = 1;
     options.progress = Progress::kNever;
     options.store = "memory";
-    options.quiet = true; // neither a listing nor a file of its own
+    options.quiet = true; // no listing and no files
     options.results.clear(), options.table.clear();
     options.text = deck_;
     for (size_t k = 0; k < table_.names.size(); ++k) options.settings.push_back(table_.names[k] + "=" + table_.rows[row][k]);
@@ -176,10 +176,11 @@ int Sweep::go() {
   const bool named = !options_.results.empty() && options_.results != "-";
   struct stat about = {};
   const bool there = named && ::stat(options_.results.c_str(), &about) == 0;
-  if (there && S_ISDIR(about.st_mode)) // told before the work
+  if (there && S_ISDIR(about.st_mode)) // reported before the work
     return fail(options_.results + ": cannot be written: " + system_text(EISDIR), kExitFiles);
-  keeps_ = named && (!there || S_ISREG(about.st_mode)); // beside a device or a pipe is no place for files
-  if (options_.resume && !keeps_) return fail("--resume: expected --results FILE, beside which rows are kept", kExitUsage);
+  keeps_ = named && (!there || S_ISREG(about.st_mode)); // no journal beside a device or a pipe
+  if (options_.resume && !keeps_)
+    return fail("--resume: expected --results FILE; solved rows are stored beside it", kExitUsage);
   std::string error;
   if (keeps_)
     if (const int exit = journal_.open(options_.results + ".rows", inputs(), options_.resume, error); exit != 0)
@@ -200,8 +201,7 @@ int Sweep::go() {
   if (!error_.empty()) return fail(error_, kExitFiles);
   if (done_ < missing_.size()) {
     if (!keeps_) return fail("cancelled", kExitCancelled);
-    return fail("cancelled: sweep --resume goes on with the rows that are missing",
-                told_to_end() ? kExitStopped : kExitCancelled);
+    return fail("cancelled: sweep --resume solves the missing rows", told_to_end() ? kExitStopped : kExitCancelled);
   }
   return write();
 }

@@ -5,7 +5,7 @@
 
 namespace app {
 
-// Returns the exit status: 0 if all rows were tried, also if runs failed, which their rows tell.
+// Returns the exit status: 0 if all rows were run, also if some failed; the rows have the reasons.
 int sweep_table(const Options& options);
 
 } // namespace app

@@ -57,9 +57,9 @@ void TableReader::heading(const std::vector<Cell>& cells, int32_t line, SweepTab
     if (!read_setting(cell.text + "=0", setting))
       fault(line, cell, "'" + cell.text + "': expected the name of a parameter");
     else if (std::count(table.names.begin(), table.names.end(), cell.text) > 0)
-      fault(line, cell, cell.text + " names two columns");
+      fault(line, cell, cell.text + " is the name of two columns");
     else if (parameters_.count(cell.text) == 0)
-      fault(line, cell, "there is no parameter " + cell.text + (parameters_.empty() ? "" : ", expected one of" + list));
+      fault(line, cell, "no parameter " + cell.text + (parameters_.empty() ? "" : ", expected one of" + list));
     table.names.push_back(cell.text);
   }
 }
@@ -89,7 +89,7 @@ bool read_table(const DeckFile& file, const std::set<std::string>& parameters, M
       reader.row(cells_of(line), static_cast<int32_t>(i), table);
   }
   if (reader.sound() && table.rows.empty())
-    messages.fail("no rows, expected a heading with the names of parameters and a row for each run");
+    messages.fail("no rows, expected a heading with names of parameters and one row for each run");
   return reader.sound() && !table.rows.empty();
 }
 

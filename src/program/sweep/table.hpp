@@ -14,8 +14,8 @@ struct SweepTable {
   std::vector<std::vector<std::string>> rows; // as many values as there are names
 };
 
-// Reads a CSV file whose columns are among `parameters`; blank lines count for nothing. Every fault is told with its place to
-// `messages`; false after any, and if there is no row.
+// Reads a CSV file whose columns are among `parameters`; blank lines count for nothing. Every fault is reported with its place
+// to `messages`; false after any, and if there is no row.
 bool read_table(const DeckFile& file, const std::set<std::string>& parameters, Messages& messages, SweepTable& table);
 
 } // namespace app

@@ -164,7 +164,7 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
 void append_short_ending(std::string& out, const RunRecord& record, const Summary& s) {
   if (is_solved(record)) append_findings(out, record, s);
   append_outcome(out, record);
-  out += "\nThis is the end of the listing: --listing FILE writes the whole, --listing - shows it.\n";
+  out += "\nSummary only: --listing FILE writes the complete listing, --listing - prints it.\n";
 }
 
 } // namespace app

@@ -70,16 +70,16 @@ void append_accuracy(std::string& out, const RunRecord& record) {
   if (!loop.ran()) return;
   append_section(out, "Accuracy");
   append_rounds(out, loop);
-  out += "\n  changes are those from the mesh before, whose elements are twice as long; there is none where the mesh was "
-         "adapted\n";
+  out += "\n  changes are relative to the previous mesh, whose elements are twice as long; none after an adapted mesh\n";
   if (!loop.stated.empty()) {
     size_t width = 18;
     for (const Stated& s : loop.stated) width = std::max(width, characters_in(name_of(s)) + 1);
     out += "\n    zone   body   quantity";
-    out.append(width - 8, ' ') += "         value   error, %   asked for, %\n";
+    out.append(width - 8, ' ') += "         value   error, %   requested, %\n";
     for (const Stated& s : loop.stated) append_row(out, s, width);
-    out += "\n  errors are estimates, no bounds; edges are compared with the length of contact, a force with the zone's whole "
-           "one\n";
+    out += "\n  errors are estimates, not bounds; errors of edges are relative to the contact length, those of a force to the "
+           "total "
+           "force of the zone\n";
   }
   if (const std::string why = loop.ending(); !why.empty()) out += "  " + why + ".\n";
 }

@@ -108,7 +108,7 @@ void append_frame(std::string& out, const Summary& s, const c2d_zone& zone, bool
   out += "  Frame: n from " + body1 + " to " + body2 + ", t is n turned by -90 degrees. Tractions act on " + body2 +
          " per length of " + body1;
   if (free)
-    out += ",\n  in zones between meshes that do not match of " + body2 + "; their pairs have a place on an element of " +
+    out += ",\n  in zones of non-matching meshes per length of " + body2 + "; their pairs have a coordinate on an element of " +
            body1 + ", from -1 to 1,\n  instead of an end";
   out += ".\n\n";
 }
@@ -147,7 +147,7 @@ void append_zone_frame(std::string& out, const Summary& s, const c2d_zone& zone)
   if ((zone.kind & C2D_ZONE_FREE) == 0) return append_frame(out, s, zone, false);
   const std::string body1 = body_text(s, zone.side1.body), body2 = body_text(s, zone.side2.body);
   out += "  Frame: n from " + body1 + " to " + body2 + ", t is n turned by -90 degrees. Tractions act on " + body2 +
-         " per length of " + body2 + ";\n  pairs have a place on an element of " + body1 +
+         " per length of " + body2 + ";\n  pairs have a coordinate on an element of " + body1 +
          ", from -1 to 1, instead of an end.\n\n";
 }
 

@@ -95,7 +95,7 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& s, 
   for (int32_t body = 1; body <= s.bodies && status == C2D_OK; ++body) {
     if (s.is_platen(body)) {
       append_body_section(out, s, body);
-      append_item(out, "a platen, which moves", s.moved_by(body).c_str());
+      append_item(out, "a platen that moves", s.moved_by(body).c_str());
       continue;
     }
     append_body(out, s, body);

@@ -60,9 +60,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
     out += '\n';
   }
-  out += "  edges and borders are counted by the length along side 2 from the zone's first pair, x and y is where they are; an "
-         "edge\n"
-         "  pressure is p / sqrt(d), an edge friction q sqrt(d), at the distance d inside an edge\n";
+  out += "  value of an edge or border: length along side 2 from the first pair of the zone; x and y: its position\n"
+         "  edge pressure p: tn = p / sqrt(d); edge friction q: tt = q sqrt(d); d: distance inside the edge\n";
 }
 
 void append_key_tables(std::string& out, const RunRecord& record, const Summary& s) {
