@@ -10,7 +10,7 @@ FOUND_PORTS := $(filter-out $(OTHER_PORTS:%=port/%/%),$(wildcard port/*/*.cpp po
 FOUND_CORE := $(filter-out src/post/% src/report/% src/program/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
 FOUND_POST := $(wildcard src/post/*.cpp)
 FOUND_REPORT := $(wildcard src/report/*.cpp src/report/*/*.cpp)
-FOUND_PROGRAM := $(wildcard src/program/*.cpp src/program/*/*.cpp)
+FOUND_PROGRAM := $(wildcard src/program/*.cpp src/program/*/*.cpp src/program/*/*/*.cpp)
 FOUND_SOURCES := $(sort $(FOUND_PORTS) $(FOUND_CORE) $(FOUND_POST) $(FOUND_REPORT) $(FOUND_PROGRAM))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))

@@ -1,8 +1,8 @@
 #include "estimate_truth.hpp"
 
-#include "program/estimate/functions.hpp"
+#include "program/estimate/mesh/functions.hpp"
 #include "program/estimate/wanted.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>

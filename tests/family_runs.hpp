@@ -4,7 +4,7 @@
 
 #include "paths.hpp"
 #include "post/cracks.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "solver_runs.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "family_runs.hpp"
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "shell.hpp"
 
 namespace sketch_test {

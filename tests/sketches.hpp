@@ -3,7 +3,7 @@
 
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/outline.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

@@ -4,7 +4,7 @@
 #include "effort.hpp"
 #include "many_bodies.hpp"
 #include "memory/config.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "shell.hpp"
 #include "solver/phases.hpp"
 #include "solver/solver.hpp"

@@ -3,7 +3,7 @@
 #include "paths.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
-#include "program/sketch/cycle.hpp"
+#include "program/sketch/deck/cycle.hpp"
 #include "shell.hpp"
 #include "sketches.hpp"
 

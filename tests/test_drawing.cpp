@@ -1,11 +1,11 @@
 // Drawings that become sketches: files of gmsh and ezdxf, drawings written here, what is wrong with drawings.
 #include "paths.hpp"
-#include "program/drawing/nurbs.hpp"
+#include "program/drawing/formats/nurbs.hpp"
 #include "program/drawing/read.hpp"
 #include "program/drawing/write.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/outline.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "shell.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "program/drawing/read.hpp"
 #include "program/drawing/write.hpp"
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "shell.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The balance of energy: work minus elastic energy minus what friction dissipates, over the largest of them. What is left
 // is the error of the mesh.
 #include "problem.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Which parts of the sides of a sketch face each other and may touch, from the shapes: against closed forms, and the same in
 // equivalent drawings.
-#include "program/drawn_words.hpp"
+#include "program/commands/drawn_words.hpp"
 #include "program/estimate/loop.hpp"
 #include "sketch_runs.hpp"
 

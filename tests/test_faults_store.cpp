@@ -1,7 +1,7 @@
 // The whole solver over a store that fails, tears, shortens, swaps, flips and forgets, at its n-th operation, for
 // every n: the right error, nothing wrong passed off as right, and a workspace that can be used again.
 #include "contact/contact_tape.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
 

@@ -3,7 +3,7 @@
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>

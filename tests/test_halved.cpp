@@ -1,7 +1,7 @@
 // The halved deck: the same problem with every element cut in two, against closed forms and meshes made otherwise.
 #include "family_runs.hpp"
-#include "program/estimate/cut_body.hpp"
-#include "program/estimate/halved.hpp"
+#include "program/estimate/mesh/cut_body.hpp"
+#include "program/estimate/mesh/halved.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>

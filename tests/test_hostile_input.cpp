@@ -1,6 +1,6 @@
 // Hostile input and hosts: control characters, special files, closed descriptors, a store that was cut off, names with dashes.
 #include "paths.hpp"
-#include "program/system_file.hpp"
+#include "program/files/system_file.hpp"
 #include "report/text.hpp"
 #include "shell.hpp"
 

@@ -2,7 +2,7 @@
 // rates.
 #include "paths.hpp"
 #include "problem.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 

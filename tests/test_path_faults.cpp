@@ -2,7 +2,7 @@
 // changes are shown, and when results are asked for. Two squares, the upper one pressed and pushed, by 0.01 too deep or not.
 #include "many_bodies.hpp"
 #include "memory/config.hpp"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 // Files of points for splines: what is read, and which line is refused.
-#include "program/sketch/point_rows.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/point_rows.hpp"
+#include "program/sketch/read/read.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -6,15 +6,15 @@
 #include "system_calls.hpp"
 
 #include "effort.hpp"
-#include "program/drawn_deck.hpp"
+#include "program/commands/drawn_deck.hpp"
+#include "program/commands/job.hpp"
 #include "program/exit_code.hpp"
+#include "program/files/sealed_file.hpp"
+#include "program/files/store_choice.hpp"
+#include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
-#include "program/job.hpp"
 #include "program/run.hpp"
-#include "program/sealed_file.hpp"
-#include "program/store_choice.hpp"
 #include "program/sweep/sweep.hpp"
-#include "program/system_file.hpp"
 #include "program/voice.hpp"
 
 #include <algorithm>

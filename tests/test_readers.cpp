@@ -3,9 +3,9 @@
 #include "paths.hpp"
 #include "shell.hpp"
 
-#include "program/deck_file.hpp"
+#include "program/files/deck_file.hpp"
 #include "program/options.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 
 #include <contact2d.h>
 

@@ -1,10 +1,10 @@
 // Meshes of sketches made finer, what is left out of a contact, and limits of the loop over meshes.
-#include "program/estimate/far.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/marks.hpp"
+#include "program/estimate/mesh/far.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>

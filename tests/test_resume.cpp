@@ -1,9 +1,9 @@
 // `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
 #include "effort.hpp"
 #include "paths.hpp"
+#include "program/commands/job.hpp"
 #include "program/estimate/kept.hpp"
-#include "program/job.hpp"
-#include "program/sealed_file.hpp"
+#include "program/files/sealed_file.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>

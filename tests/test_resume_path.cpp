@@ -4,7 +4,7 @@
 #include "effort.hpp"
 #include "faults/preload/control.h"
 #include "paths.hpp"
-#include "program/path_record.hpp"
+#include "program/files/path_record.hpp"
 #include "shell.hpp"
 #include "slip_pads.hpp"
 

@@ -1,9 +1,9 @@
 // Sketches at the ends of what their parser, their shapes and their zones take: formulas and lengths where a curve halts, lines
 // of symmetry on either side, sides that adjoin, wrap round an outline's begin or lie on rigid bodies.
 #include "problem.hpp"
+#include "program/sketch/deck/zones.hpp"
 #include "program/sketch/refine.hpp"
 #include "program/sketch/region.hpp"
-#include "program/sketch/zones.hpp"
 #include "sketches.hpp"
 
 #include <algorithm>

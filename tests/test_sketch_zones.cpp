@@ -1,6 +1,6 @@
 // Which elements of a sketch may touch: sides in several interfaces, sides that go round, ties, press fits.
+#include "program/sketch/deck/zones.hpp"
 #include "program/sketch/refine.hpp"
-#include "program/sketch/zones.hpp"
 #include "sketch_runs.hpp"
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 #include "model_fixture.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "slip_pads.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "c2d_memory.h"
 #include "contact2d.h"
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "post/summary.hpp"
-#include "program/points_file.hpp"
+#include "program/files/points_file.hpp"
 #include "report/interior.hpp"
 #include "report/stresses.hpp"
 

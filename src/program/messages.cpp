@@ -1,6 +1,6 @@
 #include "program/messages.hpp"
 
-#include "program/drawn_words.hpp"
+#include "program/commands/drawn_words.hpp"
 #include "program/voice.hpp"
 #include "report/text.hpp"
 

@@ -2,7 +2,7 @@
 // for the reports.
 #pragma once
 
-#include "program/deck_file.hpp"
+#include "program/files/deck_file.hpp"
 
 #include <contact2d.h>
 

@@ -24,7 +24,7 @@ struct OutputName {
 constexpr size_t kOutputs = 12;
 extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
 
-struct Job; // program/job.hpp
+struct Job; // program/commands/job.hpp
 
 struct Options {
   Command command = Command::kHelp;

@@ -1,6 +1,6 @@
 #include "program/outputs.hpp"
 
-#include "program/system_file.hpp"
+#include "program/files/system_file.hpp"
 #include "report/interior.hpp"
 
 #include <c2d_posix.h>

@@ -1,9 +1,9 @@
 // All outputs of a run: opened before the work, published together after it.
 #pragma once
 
-#include "program/figure_folder.hpp"
+#include "program/files/figure_folder.hpp"
+#include "program/files/output_file.hpp"
 #include "program/options.hpp"
-#include "program/output_file.hpp"
 
 #include <string>
 #include <vector>

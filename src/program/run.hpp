@@ -1,8 +1,8 @@
 // `contact2d run DECK`.
 #pragma once
 
+#include "program/files/store_choice.hpp"
 #include "program/options.hpp"
-#include "program/store_choice.hpp"
 #include "program/sweep/answer.hpp"
 
 namespace app {

@@ -1,9 +1,9 @@
 // Common part of run and check: a deck, its sizes, a workspace, and a solver with the model.
 #pragma once
 
-#include "program/deck_file.hpp"
-#include "program/drawn_deck.hpp"
-#include "program/job.hpp"
+#include "program/commands/drawn_deck.hpp"
+#include "program/commands/job.hpp"
+#include "program/files/deck_file.hpp"
 #include "program/messages.hpp"
 #include "program/workspace.hpp"
 

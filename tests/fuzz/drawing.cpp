@@ -3,7 +3,7 @@
 
 #include "program/drawing/read.hpp"
 #include "program/drawing/write.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size == 0) return 0;

@@ -1,9 +1,9 @@
 // Arithmetic of sketches and values of their parameters. The first byte chooses what the rest is.
 #include "fuzz.hpp"
 
-#include "program/drawn_deck.hpp"
+#include "program/commands/drawn_deck.hpp"
 #include "program/estimate/loop.hpp"
-#include "program/sketch/statement.hpp"
+#include "program/sketch/read/statement.hpp"
 
 #include <algorithm>
 #include <cmath>

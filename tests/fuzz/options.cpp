@@ -1,7 +1,7 @@
 // Words of the command line, one per line; those of `make` make the deck of a family, which is then read.
 #include "fuzz.hpp"
 
-#include "program/families.hpp"
+#include "program/commands/families.hpp"
 #include "program/options.hpp"
 
 #include <algorithm>

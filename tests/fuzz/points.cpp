@@ -1,7 +1,7 @@
 // CSV of points inside: every row is taken or told.
 #include "fuzz.hpp"
 
-#include "program/points_file.hpp"
+#include "program/files/points_file.hpp"
 
 #include <cmath>
 

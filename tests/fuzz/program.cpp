@@ -1,12 +1,12 @@
 // A deck through the words of the program: check, convert there and back, mesh --halve.
 #include "fuzz.hpp"
 
-#include "program/check.hpp"
-#include "program/convert.hpp"
-#include "program/estimate/halved.hpp"
+#include "program/commands/check.hpp"
+#include "program/commands/convert.hpp"
+#include "program/estimate/mesh/halved.hpp"
 #include "program/exit_code.hpp"
 #include "program/session.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 
 #include <contact2d_cards.h>
 

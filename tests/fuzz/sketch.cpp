@@ -2,7 +2,7 @@
 #include "fuzz.hpp"
 
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 
 namespace {
 

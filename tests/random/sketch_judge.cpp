@@ -2,7 +2,7 @@
 
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
-#include "program/sketch/read.hpp"
+#include "program/sketch/read/read.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 #include "program/drawing/read.hpp"
 
-#include "program/drawing/dxf.hpp"
+#include "program/drawing/formats/dxf.hpp"
+#include "program/drawing/formats/msh.hpp"
 #include "program/drawing/loops.hpp"
-#include "program/drawing/msh.hpp"
 #include "program/drawing/text.hpp"
 
 namespace drawing {

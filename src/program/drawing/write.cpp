@@ -1,7 +1,7 @@
 #include "program/drawing/write.hpp"
 
 #include "program/drawing/examples.hpp"
-#include "program/drawing/names.hpp"
+#include "program/drawing/formats/names.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 //   3. Take the largest value of all states; states between turns of the loads have the weight kBetween.
 #include "program/estimate/compare.hpp"
 
-#include "program/estimate/functions.hpp"
+#include "program/estimate/mesh/functions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "program/estimate/kept.hpp"
 
-#include "program/archive.hpp"
+#include "program/commands/archive.hpp"
 
 namespace app {
 

@@ -7,12 +7,12 @@
 // 2 once.
 #include "program/estimate/loop.hpp"
 
-#include "program/drawn_words.hpp"
-#include "program/estimate/far.hpp"
-#include "program/estimate/gaps.hpp"
-#include "program/estimate/halved.hpp"
+#include "program/commands/drawn_words.hpp"
 #include "program/estimate/marks.hpp"
-#include "program/estimate/mesh_curves.hpp"
+#include "program/estimate/mesh/far.hpp"
+#include "program/estimate/mesh/gaps.hpp"
+#include "program/estimate/mesh/halved.hpp"
+#include "program/estimate/mesh/mesh_curves.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/refine.hpp"

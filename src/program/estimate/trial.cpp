@@ -3,8 +3,8 @@
 // them.
 #include "program/estimate/trial.hpp"
 
-#include "program/deck_file.hpp"
-#include "program/drawn_words.hpp"
+#include "program/commands/drawn_words.hpp"
+#include "program/files/deck_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/progress.hpp"
 #include "program/workspace.hpp"

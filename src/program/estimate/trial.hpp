@@ -2,7 +2,7 @@
 #pragma once
 
 #include "post/quantities.hpp"
-#include "program/store_choice.hpp"
+#include "program/files/store_choice.hpp"
 
 #include <contact2d.h>
 

@@ -1,8 +1,8 @@
 #include "program/estimate/trial_keeper.hpp"
 
-#include "program/archive.hpp"
-#include "program/archive_quantity.hpp"
-#include "program/sealed_file.hpp"
+#include "program/commands/archive.hpp"
+#include "program/commands/archive_quantity.hpp"
+#include "program/files/sealed_file.hpp"
 
 namespace estimate {
 

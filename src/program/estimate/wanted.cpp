@@ -3,7 +3,7 @@
 #include "program/estimate/wanted.hpp"
 
 #include "program/estimate/hoop.hpp"
-#include "program/sketch/cycle.hpp"
+#include "program/sketch/deck/cycle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "program/sketch/elements.hpp"
 
 #include "program/sketch/outline.hpp"
-#include "program/sketch/reader.hpp"
+#include "program/sketch/read/reader.hpp"
 
 #include <algorithm>
 #include <cmath>

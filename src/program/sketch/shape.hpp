@@ -1,7 +1,7 @@
 // Shapes of boundary curves: a point for every u from 0 to 1, with its derivatives, and lengths along them.
 #pragma once
 
-#include "program/sketch/expression.hpp"
+#include "program/sketch/read/expression.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,9 +1,9 @@
 #include "program/sweep/answer.hpp"
 
 #include "program/exit_code.hpp"
-#include "program/output_file.hpp"
+#include "program/files/output_file.hpp"
+#include "program/files/system_file.hpp"
 #include "program/sweep/parameters.hpp"
-#include "program/system_file.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,8 +1,8 @@
 #include "program/sweep/journal.hpp"
 
 #include "program/exit_code.hpp"
-#include "program/sealed_file.hpp"
-#include "program/system_file.hpp"
+#include "program/files/sealed_file.hpp"
+#include "program/files/system_file.hpp"
 
 #include <cerrno>
 #include <charconv>

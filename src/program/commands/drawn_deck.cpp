@@ -1,0 +1,204 @@
+#include "program/commands/drawn_deck.hpp"
+
+#include "program/estimate/loop.hpp"
+#include "program/estimate/wanted.hpp"
+#include "program/exit_code.hpp"
+#include "program/files/output_file.hpp"
+#include "program/files/system_file.hpp"
+#include "program/interrupt.hpp"
+#include "program/messages.hpp"
+#include "program/progress.hpp"
+#include "program/sketch/mesh.hpp"
+#include "program/sketch/read/read.hpp"
+#include "program/sketch/read/words.hpp"
+#include "program/sweep/parameters.hpp"
+#include "program/voice.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+void print(const DeckFile& deck, const sketch::Fault& fault) {
+  c2d_error entry = C2D_INIT(c2d_error);
+  entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
+  std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
+  say(quote(deck, entry, "error"));
+}
+
+bool read_number(const std::string& word, sketch::Parameters& given) {
+  const size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0) return false;
+  double value = 0;
+  const char *const begin = word.data() + equals + 1, *const end = word.data() + word.size();
+  const auto result = std::from_chars(begin, end, value);
+  given[word.substr(0, equals)] = value;
+  return result.ec == std::errc() && result.ptr == end && !std::isnan(value);
+}
+
+// Names of files in a sketch are seen from where the sketch is.
+std::string beside(const std::string& sketch, const std::string& name) {
+  return name.empty() || is_absolute(name) ? name : sketch.substr(0, begin_of_name(sketch)) + name;
+}
+
+bool find_text(const std::vector<NamedText>& files, const std::string& name, std::string& text) {
+  for (const NamedText& file : files)
+    if (file.name == name) return text = file.text, true;
+  return false;
+}
+
+// The numbers whose tolerances were not met.
+void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
+  if (loop.stopped.empty()) return;
+  const Messages messages(deck);
+  if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
+  for (const Stated& s : loop.stated) {
+    if (s.is_met()) continue;
+    std::string text = s.name;
+    if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
+    char numbers[120] = ": its error cannot be told";
+    if (!std::isnan(s.relative_error()))
+      std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%", 100 * s.relative_error());
+    text += numbers;
+    std::snprintf(numbers, sizeof numbers, ", asked for was %.2g %%", 100 * s.tolerance);
+    messages.note(text + numbers + ", " + loop.stopped);
+  }
+}
+
+void show(const MeshRound& round, size_t number) {
+  std::fprintf(stderr, "contact2d: mesh %zu: %d elements, %d pairs, %.2g s", number, round.elements, round.pairs,
+               round.seconds);
+  if (!std::isnan(round.pressure)) std::fprintf(stderr, ", tractions changed by %.2g %%", 100 * round.pressure);
+  std::fputc('\n', stderr);
+}
+
+// The deck of a sound sketch. Throws a sketch::Fault.
+int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
+                MeshLoop& loop) {
+  if (!drawing.adapts || !sketch.adapts) {
+    deck.replace_by_deck(sketch::deck_of(sketch, sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch)
+                                                               : sketch::given_mesh(sketch)));
+    return 0;
+  }
+  if (const int status = drawing.before_search ? drawing.before_search(files) : 0; status != 0) return status;
+  estimate::Demand demand;
+  demand.memory = drawing.memory;
+  demand.store = drawing.store;
+  estimate::ask(sketch, demand);
+  size_t meshes = 0;
+  const auto told = [&](const MeshRound& round) {
+    if (drawing.shows) show(round, ++meshes);
+  };
+  estimate::Adapted adapted = estimate::adapt(sketch, demand, told, drawing.keeper);
+  if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;
+  if (interrupted()) put_off_interrupt();
+  if (drawing.keeper != nullptr && !drawing.keeper->error().empty()) {
+    Messages(deck).fail(drawing.keeper->error());
+    return kExitFiles;
+  }
+  deck.replace_by_deck(adapted.deck);
+  tell_misses(deck, adapted.loop);
+  loop = std::move(adapted.loop);
+  return 0;
+}
+
+} // namespace
+
+namespace {
+
+// A deck's own parameters.
+int fill_deck(DeckFile& deck, const Drawing& drawing) {
+  std::vector<Setting> settings;
+  for (const std::string& word : drawing.settings) {
+    settings.emplace_back();
+    if (read_setting(word, settings.back())) continue;
+    print(deck, {{}, word + ": expected the name of a parameter, = and a value without blanks"});
+    return kExitUsage;
+  }
+  if (settings.empty() && deck.text().find('{') == std::string::npos) return 0;
+  std::string text = deck.text();
+  std::vector<DeckFault> faults;
+  if (put_parameters(text, settings, faults)) {
+    deck.replace(text);
+    return 0;
+  }
+  for (const DeckFault& fault : faults) print(deck, {{fault.line, fault.column, fault.column_end}, fault.text});
+  return faults.back().line == 0 ? kExitUsage : kExitInput;
+}
+
+} // namespace
+
+std::set<std::string> parameters_of(const DeckFile& deck) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) return parameters_of(deck.text());
+  return sketch::read_sketch(deck.text(), {}, [](const std::string&, std::string&) { return false; }).parameters;
+}
+
+int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
+  sketch::Parameters given;
+  for (const std::string& word : drawing.settings)
+    if (!read_number(word, given)) {
+      print(deck, {{}, word + ": expected the name of a parameter, = and a number"});
+      return kExitUsage;
+    }
+  std::vector<std::string> read;
+  std::vector<NamedText> files;
+  const auto file = [&](const std::string& name, std::string& text) {
+    read.push_back(beside(deck.name(), name));
+    if (drawing.files == nullptr) {
+      if (const std::string why = read_named(read.back(), text); !why.empty()) return text = why, false;
+    }
+    if (drawing.files != nullptr && !find_text(*drawing.files, read.back(), text)) return false;
+    files.push_back({read.back(), text});
+    return true;
+  };
+  const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
+  if (interrupted()) return kExitCancelled; // a file that was waited for is none that cannot be read
+  for (const sketch::Fault& fault : reading.faults) print(deck, fault);
+  if (!reading.faults.empty()) return kExitInput;
+  int exit = 0;
+  for (const auto& [name, value] : given)
+    if (reading.parameters.count(name) == 0) {
+      print(deck, {{}, "no parameter of this sketch is called " + sketch::in_quotes(name)});
+      exit = kExitUsage;
+    }
+  if (exit != 0) return exit;
+  if (const std::string clash = drawing.find_clash ? drawing.find_clash(read) : ""; !clash.empty()) {
+    print(deck, {{}, clash});
+    return kExitUsage;
+  }
+  try {
+    return mesh_sketch(deck, reading.sketch, files, drawing, loop);
+  } catch (const sketch::Fault& fault) {
+    print(deck, fault);
+    return kExitInput;
+  }
+}
+
+int write_mesh(const Options& options) {
+  DeckFile deck;
+  MeshLoop loop;
+  Messages messages(deck);
+  c2d_error fault = C2D_INIT(c2d_error);
+  if (!deck.read(options.deck, fault)) {
+    messages.fault(fault);
+    return kExitInput;
+  }
+  if (!sketch::is_sketch(deck.text(), deck.name())) {
+    messages.fail("a deck has its mesh, expected a sketch");
+    return kExitInput;
+  }
+  if (const int status =
+          take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active(), true}, loop);
+      status != 0)
+    return status;
+  std::string error;
+  if (write_output(options.output, deck.text(), error))
+    return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
+  messages.fail(error);
+  return kExitFiles;
+}
+
+} // namespace app

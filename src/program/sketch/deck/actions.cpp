@@ -1,0 +1,277 @@
+#include "program/sketch/deck/actions.hpp"
+
+#include "program/sketch/deck/cycle.hpp"
+#include "program/sketch/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+const char* const kAlong[2] = {"x", "y"};
+
+std::string line_of(Place at) { return "line " + std::to_string(at.line); }
+
+bool is_zero(Point p) { return p.x == 0 && p.y == 0; }
+
+// The first curve that two sides have in common; empty: none.
+std::string shared(const Side& a, const Side& b) {
+  for (const std::string& name : a.names)
+    if (a.body == b.body && b.has(name)) return name;
+  return "";
+}
+
+class ActionCheck {
+public:
+  explicit ActionCheck(const Sketch& sketch) : s_(sketch) {}
+  std::vector<Fault> run();
+
+private:
+  void fault(Place at, const std::string& text) { faults_.push_back({at, text}); }
+  const Body& body(int b) const { return s_.bodies[static_cast<size_t>(b)]; }
+  std::string curve(int b, const std::string& name) const { return body(b).name + "." + name; }
+  bool takes_pressure(const Condition& c, size_t held) const;
+  void check_pair(const Condition& a, const Condition& b);
+  void check_joints(int b, const Outline& outline);
+  void check_rigid();
+  void check_interface(size_t index);
+  void check_platen(const Drive& platen, size_t before);
+  void check_case(size_t load_case);
+  void check_field(const Condition& c, size_t axis);
+  void check_place(int b, Point p, Place at, const std::string& what);
+  void check_wants();
+  void check_supports();
+  void hold_from(int b, std::vector<bool>& held) const;
+
+  const Sketch& s_;
+  std::vector<Fault> faults_;
+};
+
+// Does a pressure act along the directions that are not held, anywhere on its curves?
+bool ActionCheck::takes_pressure(const Condition& c, size_t held) const {
+  for (const Outline& outline : body(c.side.body).outlines)
+    for (const Curve& curve : outline.curves)
+      for (int i = 0; i <= 8 && c.side.has(curve.name); ++i) {
+        const Point normal = turned_left(curve.shape->tangent(i / 8.0));
+        if (std::fabs(held == 0 ? normal.y : normal.x) > 1e-9) return true;
+      }
+  return false;
+}
+
+// Two conditions that give the same, or a displacement and a traction where one of them must be unknown.
+void ActionCheck::check_pair(const Condition& a, const Condition& b) {
+  const std::string name = shared(a.side, b.side);
+  if (name.empty()) return;
+  const Condition &u = a.kind == Condition::kDisplacement ? a : b, &t = a.kind == Condition::kDisplacement ? b : a;
+  if (u.kind != Condition::kDisplacement) return;                                         // tractions add
+  if (a.part != b.part && a.part != Condition::kAll && b.part != Condition::kAll) return; // both ends
+  if (t.kind != Condition::kDisplacement && u.part != Condition::kAll) return;            // a point of what is loaded
+  if (t.kind == Condition::kPressure) {
+    const size_t held = u.value[0] ? 0 : 1;
+    if ((u.value[0] && u.value[1]) || !takes_pressure(t, held))
+      fault(b.at, curve(a.side.body, name) + " has " + (&u == &a ? "a displacement" : "a pressure") + " in " + line_of(a.at) +
+                      ", expected one of them");
+    return;
+  }
+  for (size_t i = 0; i < 2; ++i) {
+    if (!u.value[i] || !t.value[i]) continue;
+    const bool both = t.kind == Condition::kDisplacement;
+    if (both && (a.load_case != b.load_case || (*u.value[i] == 0 && *t.value[i] == 0))) continue;
+    return fault(b.at, curve(a.side.body, name) + " has a " + (&u == &a ? "displacement" : "traction") + " along " + kAlong[i] +
+                           " in " + line_of(a.at) + (both ? " already" : ", expected one of them"));
+  }
+}
+
+// What is given of a displacement at the first or the last point of a curve.
+struct AtEnd {
+  bool held = false;
+  double value = 0;
+  Place at; // of the last statement that says so
+};
+AtEnd given_at_end(const Sketch& s, int b, const Curve& curve, bool last, size_t axis, size_t load_case) {
+  AtEnd out;
+  for (const Condition& c : s.conditions) {
+    if (c.kind != Condition::kDisplacement || c.side.body != b || !c.side.has(curve.name) || !c.value[axis]) continue;
+    if (c.part == (last ? Condition::kStart : Condition::kEnd)) continue;
+    out.held = true;
+    if (c.load_case == static_cast<int>(load_case)) out.value += *c.value[axis], out.at = c.at;
+    if (out.at.line == 0) out.at = c.at;
+  }
+  return out;
+}
+
+// Where two curves meet the displacement is one.
+void ActionCheck::check_joints(int b, const Outline& outline) {
+  const size_t n = outline.curves.size();
+  for (size_t i = 0; i < n - (outline.open ? 1 : 0); ++i)
+    for (size_t axis = 0; axis < 2; ++axis)
+      for (size_t c = 0; c < s_.cases.size(); ++c) {
+        const Curve &one = outline.curves[i], &next = outline.curves[(i + 1) % n];
+        const AtEnd p = given_at_end(s_, b, one, true, axis, c), q = given_at_end(s_, b, next, false, axis, c);
+        if (!p.held || !q.held || p.value == q.value) continue;
+        return fault(p.at.line > q.at.line ? p.at : q.at, curve(b, one.name) + " and " + curve(b, next.name) +
+                                                              " meet, with displacements of " + show(p.value) + " and " +
+                                                              show(q.value) + " along " + kAlong[axis] + ", expected the same");
+      }
+}
+
+// Nothing but contact, and what its statement says, acts on a rigid body.
+void ActionCheck::check_rigid() {
+  const auto check = [&](int b, Place at, const std::string& text) {
+    if (body(b).rigid) fault(at, "body " + in_quotes(body(b).name) + " is rigid: " + text);
+  };
+  const char* const moves = "drive moves and loads it, without that it stands still";
+  for (const Condition& c : s_.conditions) check(c.side.body, c.at, moves);
+  for (const PointLoad& p : s_.point_loads) check(p.body, p.at, moves);
+  for (const BodyForce& f : s_.body_forces) check(f.body, f.at, moves);
+  for (const Want& w : s_.wants)
+    if (w.kind == Want::kStress || w.kind == Want::kHoop || w.kind == Want::kPressureAt)
+      check(w.body, w.at, "it has no stresses");
+}
+
+void ActionCheck::check_interface(size_t index) {
+  const Interface& i = s_.interfaces[index];
+  for (size_t k = 0; k < index; ++k)
+    for (size_t side = 0; side < 2; ++side) {
+      const Side &one = s_.interfaces[k].side[side], &two = s_.interfaces[k].side[1 - side];
+      const std::string first = shared(i.side[0], one), second = shared(i.side[1], two);
+      if (!first.empty() && !second.empty())
+        return fault(i.at, curve(one.body, first) + " and " + curve(two.body, second) + " are sides of the interface of " +
+                               line_of(s_.interfaces[k].at) + " already");
+    }
+  if (const std::string name = shared(i.side[0], i.side[1]); !name.empty())
+    fault(i.at, curve(i.side[0].body, name) + " is on both sides");
+  else if (body(i.side[0].body).rigid && body(i.side[1].body).rigid)
+    fault(i.at, "both bodies are rigid, expected one that is not");
+}
+
+// Its curves move as it does and touch nothing.
+void ActionCheck::check_platen(const Drive& platen, size_t before) {
+  const auto check = [&](const Side& other, Place at, const char* what) {
+    const std::string name = shared(*platen.side, other);
+    if (name.empty()) return false;
+    fault(platen.at, curve(platen.body, name) + " is " + what + " in " + line_of(at) + ", expected curves of the platen alone");
+    return true;
+  };
+  for (const Interface& i : s_.interfaces)
+    for (const Side& side : i.side)
+      if (check(side, i.at, "on a side of an interface")) return;
+  for (const Condition& c : s_.conditions)
+    if (check(c.side, c.at, "given a displacement or a load")) return;
+  for (size_t k = 0; k < before; ++k)
+    if (s_.drives[k].side && !same_target(platen, s_.drives[k]) && check(*s_.drives[k].side, s_.drives[k].at, "on a platen"))
+      return;
+}
+
+// A case with loads that no piece of the history applies.
+void ActionCheck::check_case(size_t load_case) {
+  const LoadCase& one = s_.cases[load_case];
+  const bool acts =
+      s_.pieces == 0 ? load_case == 0 : std::any_of(one.factors.begin(), one.factors.end(), [](double f) { return f != 0; });
+  if (acts) return;
+  Place at; // of its first load
+  const auto load = [&](int of, Place place, bool any) {
+    if (of == static_cast<int>(load_case) && any && (at.line == 0 || place.line < at.line)) at = place;
+  };
+  for (const Condition& c : s_.conditions) load(c.load_case, c.at, c.value[0].value_or(0) != 0 || c.value[1].value_or(0) != 0);
+  for (const PointLoad& p : s_.point_loads) load(p.load_case, p.at, !is_zero(p.force));
+  for (const BodyForce& f : s_.body_forces) load(f.load_case, f.at, !is_zero(f.weight) || f.rho_omega2 != 0);
+  for (const Drive& d : s_.drives)
+    for (size_t i = 0; i < 3; ++i) load(d.load_case, d.at, d.motion[i].value_or(0) != 0 || d.load[i].value_or(0) != 0);
+  if (at.line == 0) return;
+  if (one.name.empty())
+    fault(at, "this stands before the first case, which the history cannot name, expected a statement 'case' before it");
+  else
+    fault(at, "load case " + in_quotes(one.name) + " never acts, expected a statement 'history' that gives it a factor");
+}
+
+// A load that has no value at some place of its curves.
+void ActionCheck::check_field(const Condition& c, size_t axis) {
+  for (const Outline& outline : body(c.side.body).outlines)
+    for (const Curve& curve : outline.curves)
+      for (int i = 0; i <= 64 && c.side.has(curve.name); ++i) {
+        const Point p = curve.shape->at(i / 64.0);
+        if (std::isfinite(c.field[axis]->at(p.x, p.y))) continue;
+        return fault(c.at, "the formula has no value at (" + rounded(p.x) + ", " + rounded(p.y) + ") of " +
+                               this->curve(c.side.body, curve.name));
+      }
+}
+
+// In the material, and not on its boundary.
+void ActionCheck::check_place(int b, Point p, Place at, const std::string& what) {
+  const Region region(s_, body(b));
+  const double depth = region.depth(p);
+  if (depth <= kJoint * region.size())
+    fault(at, what + " (" + show(p.x) + ", " + show(p.y) + ") is not inside body " + in_quotes(body(b).name) + ": " +
+                  (depth < 0 ? rounded(-depth) + " from it" : "on its boundary"));
+}
+
+void ActionCheck::check_wants() {
+  for (const Want& w : s_.wants) {
+    const bool needs_interface = w.kind == Want::kPressure || w.kind == Want::kEdges || w.kind == Want::kDissipation;
+    if (needs_interface && s_.interfaces.empty()) fault(w.at, "nothing is in contact here, expected a statement 'contact'");
+    if (w.cycle && cycle_start(s_) == 0)
+      fault(w.at, "the history has no cycle, expected one that ends with the load factors of the end of an earlier piece, and "
+                  "has others between");
+  }
+  for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
+  for (const PointLoad& p : s_.point_loads) check_place(p.body, p.where, p.at, "the force at");
+}
+
+// Marks a body and all that interfaces join it to.
+void ActionCheck::hold_from(int b, std::vector<bool>& held) const {
+  if (held[static_cast<size_t>(b)]) return;
+  held[static_cast<size_t>(b)] = true;
+  for (const Interface& i : s_.interfaces)
+    for (int side = 0; side < 2; ++side)
+      if (i.side[side].body == b) hold_from(i.side[1 - side].body, held);
+}
+
+// Bodies that could fly away: neither they nor what they touch have a support, a motion that is given, or a line of symmetry.
+// Whether a support is enough in every direction is told when the sketch is run.
+void ActionCheck::check_supports() {
+  if (s_.interfaces.empty() && s_.conditions.empty() && s_.drives.empty() && s_.point_loads.empty() && s_.body_forces.empty())
+    return; // shapes alone
+  std::vector<bool> held(s_.bodies.size(), false);
+  for (const Condition& c : s_.conditions)
+    if (c.kind == Condition::kDisplacement) hold_from(c.side.body, held);
+  for (const Drive& d : s_.drives)
+    if (d.motion[0] || d.motion[1]) hold_from(d.body, held);
+  for (size_t b = 0; b < s_.bodies.size(); ++b) {
+    const Body& one = s_.bodies[b];
+    const bool is_driven = std::any_of(s_.drives.begin(), s_.drives.end(),
+                                       [&](const Drive& d) { return !d.side && d.body == static_cast<int>(b); });
+    const bool is_on_line = std::any_of(one.outlines.begin(), one.outlines.end(), [](const Outline& o) { return o.open; });
+    if ((one.rigid && !is_driven) || is_on_line) hold_from(static_cast<int>(b), held);
+  }
+  for (size_t b = 0; b < s_.bodies.size(); ++b)
+    if (!held[b])
+      fault(s_.bodies[b].at,
+            "nothing holds body " + in_quotes(s_.bodies[b].name) +
+                ", expected fix, move or platen on one of its curves, or contact or tie with a body that is held");
+}
+
+std::vector<Fault> ActionCheck::run() {
+  check_rigid();
+  for (size_t j = 0; j < s_.conditions.size(); ++j)
+    for (size_t i = 0; i < j; ++i) check_pair(s_.conditions[i], s_.conditions[j]);
+  for (size_t b = 0; b < s_.bodies.size() && faults_.empty(); ++b)
+    for (const Outline& outline : s_.bodies[b].outlines) check_joints(static_cast<int>(b), outline);
+  for (size_t i = 0; i < s_.interfaces.size(); ++i) check_interface(i);
+  for (size_t i = 0; i < s_.drives.size(); ++i)
+    if (s_.drives[i].side) check_platen(s_.drives[i], i);
+  for (size_t c = 0; c < s_.cases.size(); ++c) check_case(c);
+  for (const Condition& c : s_.conditions)
+    for (size_t axis = 0; axis < 2; ++axis)
+      if (c.field[axis]) check_field(c, axis);
+  check_wants();
+  check_supports();
+  return faults_;
+}
+
+} // namespace
+
+std::vector<Fault> faults_of_actions(const Sketch& sketch) { return ActionCheck(sketch).run(); }
+
+} // namespace sketch

@@ -1,0 +1,206 @@
+#include "program/sketch/deck/actions.hpp"
+#include "program/sketch/deck/contacts.hpp"
+#include "program/sketch/outline.hpp"
+#include "program/sketch/read/reader.hpp"
+
+#include <algorithm>
+
+namespace sketch {
+
+const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},
+                                             {"units", &Reader::units},
+                                             {"plane", &Reader::plane},
+                                             {"functions", &Reader::functions},
+                                             {"parameter", &Reader::parameter},
+                                             {"symmetry", &Reader::symmetry},
+                                             {"body", &Reader::body},
+                                             {"outline", &Reader::outline},
+                                             {"hole", &Reader::hole},
+                                             {"from", &Reader::from},
+                                             {"line", &Reader::straight},
+                                             {"arc", &Reader::arc},
+                                             {"circle", &Reader::circle},
+                                             {"ellipse", &Reader::ellipse},
+                                             {"curve", &Reader::curve},
+                                             {"spline", &Reader::spline},
+                                             {"fillet", &Reader::fillet},
+                                             {"chamfer", &Reader::chamfer},
+                                             {"mirror", &Reader::mirror},
+                                             {"copy", &Reader::copy},
+                                             {"part", &Reader::part_of},
+                                             {"contact", &Reader::contact},
+                                             {"tie", &Reader::tie},
+                                             {"case", &Reader::load_case},
+                                             {"fix", &Reader::fix},
+                                             {"move", &Reader::move},
+                                             {"traction", &Reader::traction},
+                                             {"pressure", &Reader::pressure},
+                                             {"force", &Reader::force},
+                                             {"weight", &Reader::weight},
+                                             {"spin", &Reader::spin},
+                                             {"platen", &Reader::platen},
+                                             {"drive", &Reader::drive},
+                                             {"history", &Reader::history},
+                                             {"interference", &Reader::interference},
+                                             {"steps", &Reader::steps},
+                                             {"stress", &Reader::stress},
+                                             {"want", &Reader::want},
+                                             {"tolerance", &Reader::tolerance},
+                                             {"limit", &Reader::limit},
+                                             {"elements", &Reader::elements},
+                                             {"require", &Reader::require}};
+
+bool is_sketch(const std::string& text, const std::string& name) {
+  constexpr std::string_view kEnding = ".c2s";
+  if (name.size() > kEnding.size() && name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0) return true;
+  size_t at = 0;
+  while (at < text.size()) { // the first word behind comments
+    const size_t end = std::min(text.find('\n', at), text.size());
+    const size_t first = text.find_first_not_of(" \t\r", at);
+    if (first < end && text[first] != '!') {
+      const std::string word = text.substr(first, text.find_first_of(" \t\r\n=,;!", first) - first);
+      const std::vector<std::string> known = Reader::words();
+      return std::find(known.begin(), known.end(), word) != known.end();
+    }
+    at = end + 1;
+  }
+  return false;
+}
+
+std::vector<std::string> Reader::words() {
+  std::vector<std::string> out;
+  for (const Keyword& keyword : kKeywords) out.push_back(keyword.name);
+  out.push_back("when");
+  return out;
+}
+
+void Reader::statement(Statement& s) {
+  for (const Keyword& keyword : kKeywords)
+    if (s.keyword().text == keyword.name && !s.keyword().quoted) {
+      (this->*keyword.read)(s);
+      return s.end();
+    }
+  is_lost_ = true;
+  const std::string near = nearest(s.keyword().text, words());
+  throw Fault{s.at(), in_quotes(s.keyword().text) + ": expected a statement, " +
+                          (near.empty() ? "such as body, line, contact, fix, platen, pressure or history"
+                                        : "perhaps " + in_quotes(near))};
+}
+
+void Reader::read(const std::string& text) {
+  size_t at = 0;
+  for (int line = 1; at < text.size(); ++line) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    try {
+      std::vector<Word> words = words_of(std::string_view(text).substr(at, end - at), line);
+      if (applies(words)) {
+        Statement s(std::move(words), s_.parameters);
+        statement(s);
+      }
+    } catch (const Fault& fault) {
+      if (!broken_ && !fault.text.empty()) faults_.push_back(fault);
+      broken_ = in_body_;
+      if (in_body_) broken_bodies_.insert(static_cast<int>(s_.bodies.size()) - 1);
+    }
+    at = end + 1;
+  }
+  finish();
+}
+
+// `when value statement`: the statement is there where the value is not 0.
+bool Reader::applies(std::vector<Word>& words) {
+  while (!words.empty() && words[0].is("when")) {
+    Statement condition(words, s_.parameters);
+    if (condition.number("a value, 0 where the statement behind it is not to be") == 0) return false;
+    if (!condition.has_more()) condition.missing("a statement");
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  return !words.empty();
+}
+
+// What only the whole sketch can tell. Shapes are judged if all statements could be read.
+void Reader::finish() {
+  end_body();
+  if (!faults_.empty()) return;
+  if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
+  for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
+  for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
+  if (!faults_.empty()) return;
+  for (Fault& fault : cut_contacts(s_)) faults_.push_back(std::move(fault));
+}
+
+// Of statements that stand once.
+void Reader::once(Statement& s, const std::string& what) {
+  if (!told_.insert(what).second) throw Fault{s.at(), what + " is there already, expected once"};
+}
+
+void Reader::title(Statement& s) {
+  once(s, "a title");
+  if (!s.has_more()) return;
+  s_.title = s.rest();
+  std::replace(s_.title.begin(), s_.title.end(), '\t', ' ');
+  if (!is_ascii(s_.title)) s.fail("the title has a character that a deck cannot hold, expected plain ASCII text");
+  if (s_.title.size() > kLongestTitle)
+    s.fail("the title has " + std::to_string(s_.title.size()) + " bytes, expected at most " + std::to_string(kLongestTitle));
+}
+
+void Reader::units(Statement& s) {
+  once(s, "a statement of units");
+  for (std::string& unit : s_.units) {
+    unit = s.take("the names of the units of length and force").text;
+    if (unit.size() > 15) s.fail(in_quotes(unit) + ": expected at most 15 characters");
+    if (unit.empty() || !is_ascii(unit) || unit.find_first_of(" ,!") != std::string::npos)
+      s.fail("the name of a unit is not one word of plain ASCII text, expected such as mm, N or lbf");
+  }
+}
+
+void Reader::plane(Statement& s) {
+  once(s, "plane strain or stress");
+  s_.plane_stress =
+      s.is_number() ? s.whole("0 for plane strain, 1 for plane stress", 0, 1) == 1 : s.choice({"strain", "stress"}) == 1;
+}
+
+void Reader::functions(Statement& s) {
+  once(s, "a statement of functions");
+  const int order = s.is_number() ? s.whole("1 for linear functions, 2 for quadratic, 3 for cubic ones, 0 for any", 0, 3)
+                                  : static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
+  s_.order = std::max(order, 1);
+  s_.chooses_order = order == 0;
+}
+
+// Pairs of a name and a value; later values may use earlier ones. One that is given from outside keeps that value.
+void Reader::parameter(Statement& s) {
+  do {
+    const std::string name = s.name("the name of a parameter");
+    if (name.find('-') != std::string::npos) s.fail(in_quotes(name) + ": expected letters, digits and _, as - is arithmetic");
+    if (used_.count(name) > 0) s.fail("parameter " + in_quotes(name) + " is there already");
+    if (name == "pi" || name == "deg" || name == "inf")
+      s.fail(in_quotes(name) + " has a value already: pi, deg and inf are reserved");
+    used_.insert(name);
+    const double value = s.number("the value of " + name, true);
+    const auto given = given_.find(name);
+    s_.parameters[name] = given == given_.end() ? value : given->second;
+  } while (s.has_more());
+}
+
+// require value text: the text is an error where the value is below 0.
+void Reader::require(Statement& s) {
+  const bool holds = s.number("what is not to be below 0") >= 0;
+  const std::string why = s.take("what is wrong otherwise, in quotes").text;
+  if (!holds) throw Fault{s.at(), why};
+}
+
+void Reader::symmetry(Statement& s) {
+  const size_t axis = s.choice({"x", "y"});
+  if (s_.symmetry[axis]) s.fail(std::string("a line of symmetry across ") + (axis == 0 ? "x" : "y") + " is there already");
+  if (!s_.bodies.empty()) throw Fault{s.at(), "a line of symmetry stands before the first body"};
+  s_.symmetry[axis] = s.number("its place");
+}
+
+Reading read_sketch(const std::string& text, const Parameters& given, const Reader::File& file) {
+  Reader reader(given, file);
+  reader.read(text);
+  return reader.take();
+}
+
+} // namespace sketch

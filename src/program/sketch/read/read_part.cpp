@@ -1,0 +1,149 @@
+// The statement that gives a part of a curve a name of its own, so that a side may end amid a curve.
+#include "program/sketch/outline.hpp"
+#include "program/sketch/read/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+constexpr int kSamples = 720; // in which a coordinate or an angle is looked for; a spline has more
+
+// The only u where a function that rises or falls through zero does so; a fault at the last word for none or several.
+template <class Function> double only_root(const Statement& s, int samples, const Function& f, const std::string& what) {
+  std::vector<double> roots;
+  const auto add = [&roots](double u) {
+    if (roots.empty() || u - roots.back() > 1e-9) roots.push_back(u);
+  };
+  for (int i = 0; i < samples; ++i) {
+    double low = static_cast<double>(i) / samples, high = static_cast<double>(i + 1) / samples;
+    const double begin = f(low), end = f(high);
+    if (begin == 0) add(low);
+    if (end == 0) add(high);
+    if (!(begin * end < 0)) continue;
+    while (high - low > 1e-15) {
+      const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
+      ((f(middle) < 0) == (begin < 0) ? low : high) = middle;
+    }
+    add((low + high) / 2);
+  }
+  if (roots.empty()) s.fail("the curve has no point with " + what);
+  if (roots.size() > 1)
+    s.fail("the curve has " + std::to_string(roots.size()) + " points with " + what +
+           ", expected one: a length, a share of it, or an angle tells which");
+  return roots[0];
+}
+
+// Where a curve has a coordinate, which an end of it may have up to round-off.
+double coordinate(const Statement& s, const Shape& shape, size_t axis, double value) {
+  const auto off = [&](double u) {
+    const Point p = shape.at(u);
+    return (axis == 0 ? p.x : p.y) - value;
+  };
+  const double size = std::max({std::fabs(off(0)), std::fabs(off(0.5)), std::fabs(off(1))});
+  const auto rounded = [&](double u) {
+    const double d = off(u);
+    return std::fabs(d) <= 1e-12 * (size + std::fabs(value)) ? 0 : d;
+  };
+  return only_root(s, kSamples + 4 * shape.pieces(), rounded, (axis == 0 ? "x = " : "y = ") + show(value));
+}
+
+// Where an arc is seen from its centre under an angle.
+double angle(const Statement& s, const Shape& arc, double degrees) {
+  if (arc.form() != Form::kArc) s.fail("expected an arc or a circle, which an angle belongs to");
+  const double degree = std::acos(-1.0) / 180, bend = arc.curvature(0);
+  const double sweep = length(arc.local(0).d) * bend / degree;
+  const Point out = (-1 / bend) * turned_left(arc.tangent(0)); // from the centre
+  const double begin = std::atan2(out.y, out.x) / degree, turn = sweep > 0 ? 360 : -360;
+  double way = std::fmod(degrees - begin, 360);
+  if (way * turn < 0) way += turn;
+  if (std::fabs(way - turn) < 1e-9) way = 0;
+  if (std::fabs(way) > std::fabs(sweep) + 1e-9)
+    s.fail("the arc goes from " + rounded(begin) + " to " + rounded(begin + sweep) + " degrees, " + show(degrees) +
+           " is not on it");
+  return std::min(way / sweep, 1.0);
+}
+
+// A place along a curve, as u.
+double place(Statement& s, const ShapePtr& curve, const std::string& which) {
+  if (s.accept("start")) return 0;
+  if (s.accept("end")) return 1;
+  if (s.accept("angle")) return angle(s, *curve, s.number("an angle in degrees"));
+  for (const size_t axis : {0u, 1u})
+    if (s.accept(axis == 0 ? "x" : "y")) return coordinate(s, *curve, axis, s.number("the coordinate"));
+  const Measure measure(curve);
+  const bool is_share = s.is_share();
+  const double value = s.share(which + ": a length along the curve, a share such as 25 %, x, y, angle, start or end");
+  const double at = is_share ? value * measure.length() : value;
+  if (at < 0 || at > measure.length() * (1 + 1e-9))
+    s.fail(show(at) + " from its start: the curve is " + rounded(measure.length()) + " long");
+  return measure.u_at(at);
+}
+
+Curve piece_of(const Curve& curve, const ShapePtr& whole, const std::string& name, double first, double last) {
+  Curve out{name, part(whole, first, last), curve.at};
+  if (name == curve.name) out.drawn = whole, out.first = first, out.last = last; // what is left may be cut again
+  return out;
+}
+
+} // namespace
+
+// The curves of the body that is drawn which have a name: one, or what is left of one.
+std::vector<Curve*> Reader::pieces_named(Statement& s, const std::string& name) {
+  std::vector<Curve*> out;
+  for (Outline& outline : current_body(s).outlines)
+    for (Curve& curve : outline.curves)
+      if (curve.name == name) out.push_back(&curve);
+  if (out.empty()) s.fail("body " + in_quotes(s_.bodies.back().name) + " has no curve " + in_quotes(name) + " yet");
+  for (const Curve* curve : out)
+    if (out.size() > 1 && (!curve->drawn || curve->drawn != out[0]->drawn))
+      s.fail("several curves are called " + in_quotes(name) + ", expected one");
+  return out;
+}
+
+// Gives what lies between two places the name `name`, and leaves the rest its own.
+void Reader::cut(Statement& s, const std::string& name, const std::string& of, double first, double last) {
+  constexpr double kNothing = 1e-9;
+  for (Outline& outline : current_body(s).outlines)
+    for (size_t i = 0; i < outline.curves.size(); ++i) {
+      const Curve curve = outline.curves[i];
+      if (curve.name != of || first < curve.first - kNothing || last > curve.last + kNothing) continue;
+      const ShapePtr whole = curve.drawn ? curve.drawn : curve.shape;
+      std::vector<Curve> pieces;
+      const bool has_before = first > curve.first + kNothing, has_behind = last < curve.last - kNothing;
+      if (has_before) pieces.push_back(piece_of(curve, whole, of, curve.first, first));
+      pieces.push_back(piece_of(curve, whole, name, has_before ? first : curve.first, has_behind ? last : curve.last));
+      if (has_behind) pieces.push_back(piece_of(curve, whole, of, last, curve.last));
+      const auto at = outline.curves.erase(outline.curves.begin() + static_cast<std::ptrdiff_t>(i));
+      outline.curves.insert(at, pieces.begin(), pieces.end());
+      return;
+    }
+  s.fail("a part of this has another name already");
+}
+
+// part tip of face from angle -135 to angle -45: places are seen along the curve as it was drawn; a part of a closed one may
+// go round its begin.
+void Reader::part_of(Statement& s) {
+  current_body(s);
+  if (corner_) throw Fault{s.at(), "'part' stands between a corner and the curve behind it, expected it behind that"};
+  const std::string name = s.name("the name of the part");
+  if (!s.accept("of")) s.missing("of and the name of a curve");
+  const std::string of = s.name("the name of a curve");
+  if (name == of) s.fail("expected another name than that of the part");
+  const std::vector<Curve*> pieces = pieces_named(s, of);
+  const ShapePtr whole = pieces[0]->drawn ? pieces[0]->drawn : pieces[0]->shape;
+  if (!s.accept("from")) s.missing("from and where the part begins");
+  const double first = place(s, whole, "where it begins");
+  if (!s.accept("to")) s.missing("to and where the part ends");
+  const double last = place(s, whole, "where it ends");
+  if (last - first > 1e-9) return cut(s, name, of, first, last);
+  const bool is_closed = length(whole->at(0) - whole->at(1)) <= kJoint * Measure(whole).length();
+  if (!is_closed || first - last < 1e-9)
+    s.fail("the part ends where it begins or before, expected it to go on along the curve");
+  if (last > 0) cut(s, name, of, 0, last);
+  if (first < 1) cut(s, name, of, first, 1);
+}
+
+} // namespace sketch

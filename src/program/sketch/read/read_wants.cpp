@@ -1,0 +1,110 @@
+// Statements that say what is wanted, how accurately, and what it may cost.
+#include "program/sketch/read/reader.hpp"
+
+#include <algorithm>
+
+namespace sketch {
+namespace {
+
+// In the order of Want::Kind, and one more.
+constexpr std::initializer_list<const char*> kWants = {"pressure",    "edges",  "forces", "approach",
+                                                       "dissipation", "stress", "hoop",   "cycle"};
+
+// A number that is not the name of what is wanted next; a parameter may be called so.
+bool is_number(const Statement& s, size_t ahead = 0) {
+  const auto is_next = [&](const char* word) { return s.is_next(word, ahead); };
+  return s.is_number(ahead) && std::none_of(kWants.begin(), kWants.end(), is_next);
+}
+
+// A tolerance as it stands there, 1 for 1, would be a hundred per cent.
+double tolerance_of(Statement& s, double value) {
+  if (!(value > 0 && value <= 0.5)) s.fail(show(value) + ": expected a tolerance above 0, at most 50 %, such as 1 % or 0.01");
+  return value;
+}
+
+} // namespace
+
+void Reader::steps(Statement& s) {
+  once(s, "a statement of steps");
+  s_.steps.clear();
+  do s_.steps.push_back(s.whole("the number of steps of each piece of the history", 1, 100000));
+  while (s.has_more());
+}
+
+// Where displacements and stresses are printed.
+void Reader::stress(Statement& s) {
+  end_body();
+  const int body = body_named(s.take("the name of a body"));
+  do s_.points.push_back({body, s.point("a point"), s.at()});
+  while (s.has_more());
+}
+
+void Reader::want(Statement& s) {
+  end_body();
+  do want_one(s);
+  while (s.has_more());
+}
+
+void Reader::want_one(Statement& s) {
+  Want want;
+  want.at = s.at();
+  size_t kind = s.choice(kWants);
+  want.cycle = kind + 1 == kWants.size();
+  if (want.cycle) s.choice({"range"}), kind = Want::kStress + s.choice({"stress", "hoop"});
+  want.kind = static_cast<Want::Kind>(kind);
+  if (want.kind == Want::kStress) return want_stress(s, want);
+  if (want.kind == Want::kPressure && s.accept("at")) return want_pressure_at(s, want);
+  if (want.kind == Want::kHoop) want.side = side(s), want.body = want.side->body;
+  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  s_.wants.push_back(want);
+}
+
+// Points, and a tolerance where the last number is in percent or has no partner: a want of each.
+void Reader::want_points(Statement& s, Want want) {
+  const size_t first = s_.wants.size();
+  do want.where = s.point("a point"), s_.wants.push_back(want);
+  while (is_number(s) && !s.is_share() && is_number(s, 1));
+  if (!is_number(s)) return;
+  const double tolerance = tolerance_of(s, s.share("a tolerance"));
+  for (size_t i = first; i < s_.wants.size(); ++i) s_.wants[i].tolerance = tolerance;
+}
+
+void Reader::want_stress(Statement& s, Want want) {
+  s.accept("at");
+  want.body = body_named(s.take("the name of a body"));
+  const size_t first = s_.wants.size();
+  want_points(s, want);
+  for (size_t i = first; i < s_.wants.size(); ++i) s_.points.push_back({want.body, s_.wants[i].where, s.at()});
+}
+
+void Reader::want_pressure_at(Statement& s, Want want) {
+  want.kind = Want::kPressureAt;
+  want.side = side(s), want.body = want.side->body;
+  want_points(s, want);
+}
+
+void Reader::tolerance(Statement& s) {
+  once(s, "a statement of tolerance");
+  if (s.accept("off"))
+    s_.adapts = false;
+  else
+    s_.tolerance = tolerance_of(s, s.share("a tolerance, such as 1 %, or off"));
+}
+
+void Reader::limit(Statement& s) {
+  do {
+    switch (s.choice({"seconds", "elements", "work"})) {
+    case 0:
+      once(s, "a limit of seconds");
+      s_.most_seconds = s.positive("how many seconds");
+      break;
+    case 1:
+      once(s, "a limit of elements");
+      s_.most_elements = s.whole("how many elements", 1, 1000000);
+      break;
+    default: once(s, "a limit of work"); s_.most_work = s.positive("how many multiplications");
+    }
+  } while (s.has_more());
+}
+
+} // namespace sketch
