@@ -38,22 +38,22 @@ std::string tail_of(const double* loads, int32_t load_cases) {
 
 // A table is a list of columns: the name, and what adds the value of a row with a comma before it. Behind them stand the
 // factors of the other load cases.
-template <class Row> struct Column {
+template <class Row> struct TableColumn {
   const char* name;
   void (*add)(std::string& out, const Row& row);
 };
 
-template <class Row, size_t N> void append_heading(std::string& out, const Column<Row> (&columns)[N], int32_t load_cases) {
+template <class Row, size_t N> void append_heading(std::string& out, const TableColumn<Row> (&columns)[N], int32_t load_cases) {
   out += "mu,step,load";
-  for (const Column<Row>& column : columns) (out += ',') += column.name;
+  for (const TableColumn<Row>& column : columns) (out += ',') += column.name;
   end_heading(out, load_cases);
 }
 
 template <class Row, size_t N>
-void append_row(std::string& out, const Column<Row> (&columns)[N], const Row& row, const std::string& head,
+void append_row(std::string& out, const TableColumn<Row> (&columns)[N], const Row& row, const std::string& head,
                 const std::string& tail) {
   out += head;
-  for (const Column<Row>& column : columns) column.add(out, row);
+  for (const TableColumn<Row>& column : columns) column.add(out, row);
   out += tail;
 }
 
@@ -63,7 +63,7 @@ struct PairRow {
   const c2d_zone* zone;
 };
 template <int32_t Field> void add_value(std::string& out, const PairRow& row) { add(out, row.value[Field]); }
-constexpr Column<PairRow> kContactColumns[] = {
+constexpr TableColumn<PairRow> kContactColumns[] = {
     {"pair", [](std::string& out, const PairRow& row) { add(out, row.pair); }},
     {"x", add_value<C2D_X>},
     {"y", add_value<C2D_Y>},
@@ -88,7 +88,7 @@ struct BodyRow {
 };
 template <int32_t Component> void add_contact(std::string& out, const BodyRow& row) { add(out, row.state->contact[Component]); }
 template <int32_t Component> void add_motion(std::string& out, const BodyRow& row) { add(out, row.state->motion[Component]); }
-constexpr Column<BodyRow> kBodyColumns[] = {
+constexpr TableColumn<BodyRow> kBodyColumns[] = {
     {"body", [](std::string& out, const BodyRow& row) { add(out, row.body); }},
     {"fx", add_contact<0>},
     {"fy", add_contact<1>},
