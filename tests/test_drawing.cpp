@@ -646,7 +646,7 @@ TEST_CASE("drawing: the examples in a sketch make a problem when they are taken 
     bool examples = false;
     for (const std::string& one : test::lines_of(text)) {
       taken += (examples ? one.substr(2) : one) + "\n";
-      examples = examples || contains(one, "For example");
+      examples = examples || contains(one, "Examples; remove");
     }
     const sketch::Reading reading = read_sketch(taken);
     INFO(taken);

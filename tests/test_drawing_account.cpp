@@ -100,7 +100,7 @@ std::string with_examples(const std::string& text) {
   bool examples = false;
   for (const std::string& line : test::lines_of(text)) {
     out += (examples ? line.substr(2) : line) + "\n";
-    examples = examples || test::contains(line, "For example");
+    examples = examples || test::contains(line, "Examples; remove");
   }
   return out;
 }
@@ -118,7 +118,7 @@ std::string as_press_fit(const std::string& text) {
       const bool stands = outline || line == "! interference" || line.compare(0, 9, "! contact") == 0;
       out.push_back(stands ? line.substr(2) : line);
     }
-    if (test::contains(line, "For example")) break;
+    if (test::contains(line, "Examples; remove")) break;
   }
   std::string all;
   for (const std::string& line : out) all += line + "\n";
@@ -134,7 +134,7 @@ TEST_CASE("drawing: what is not to be seen is left out, and said") {
   CHECK(test::contains(d.text, "line plate to 40 0"));                // the layer of the table, not as the entity spells it
   for (const char* note : {"read: 2 CIRCLE, 1 INSERT, 1 LWPOLYLINE", ": layer 'off' is off", ": layer 'frozen' is frozen",
                            "left out: 1 LINE (line", ": layer 'helper' is not plotted", "left out: 1 XLINE (line",
-                           "left out: 1 RAY (line", ": a construction line", "left out: 1 INSERT (line", ": on paper"})
+                           "left out: 1 RAY (line", ": a construction line", "left out: 1 INSERT (line", ": in paper space"})
     check_note(d, note);
   CHECK(test::contains(d.text, "! left out: 1 RAY (line"));
 }
@@ -158,7 +158,7 @@ TEST_CASE("drawing: layers of construction, and entities of blocks on layers of 
   const Sketched half = with("0 INSERT 8 lines 2 b 10 0 20 0");
   CHECK(half.areas[0] == doctest::Approx(60 - kPi));
   check_note(with("0 INSERT 8 plate 2 far 10 0 20 0"), ": block 'far': it is in another file");
-  check_note(with("0 INSERT 8 plate 2 odd 10 0 20 0"), ": block 'odd': its base is 'x', expected a number");
+  check_note(with("0 INSERT 8 plate 2 odd 10 0 20 0"), ": block 'odd': its base point is 'x', expected a number");
   const Sketched dim = with("0 INSERT 8 plate 60 1 2 b 10 0 20 0 0 CIRCLE 8 plate 60 1 10 5 20 3 40 1");
   CHECK(dim.areas[0] == doctest::Approx(60));
   check_note(dim, "left out: 1 INSERT (line");

@@ -273,8 +273,8 @@ TEST_CASE("facing parts: curves that contact may reach are named, and none where
   CHECK(app::in_words_of_drawing(
             "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone carries pressure: the "
             "contact may extend beyond the zone; lengthen it",
-            toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the parts that face each other, and may "
-                    "reach further: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
+            toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the facing parts and may extend beyond "
+                    "it: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
 }
 
 TEST_CASE("facing parts: a sharp corner on a flat is refused as one") {

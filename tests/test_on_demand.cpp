@@ -404,7 +404,7 @@ TEST_CASE("on demand: by size, and from the beginning with the whole contact whe
   for (const std::string name : {"held", "free"}) {
     const test::Result there = run("run " + name + ".dat --json " + name);
     CHECK_MESSAGE(there.status == 0, there.err);
-    CHECK_MESSAGE(there.err.find("begins anew") == std::string::npos, there.err);
+    CHECK_MESSAGE(there.err.find("restarts from the beginning") == std::string::npos, there.err);
     CHECK(test::read_file(folder / name).find("\"elimination\": \"compressed") != std::string::npos);
   }
   const test::Result hinge = run("run hinged.dat --json hinged");

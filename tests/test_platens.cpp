@@ -690,7 +690,7 @@ TEST_CASE("platens: in every output of the program, carried by convert, and with
     CHECK_MESSAGE(test::contains(test::read_file(folder / file), part), file << ": " << part);
   };
   has("a.txt", "\nBody 3 (pad)\n");
-  has("a.txt", "  a platen that moves ..................... elements 8 to 11 of body 2\n");
+  has("a.txt", "  a platen that moves ...................... elements 8 to 11 of body 2\n");
   has("a.txt", "body 3 (pad): loads and supports");
   has("a.html", "body 3 (pad) moves elements 8 to 11 of body 2 as if rigid");
   has("figures/model.svg", ">body 3 (pad): ends that it moves</text>");

@@ -216,7 +216,7 @@ TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
     const Result result = run.go(false, n, FAULT_STOPPED);
     CHECK(result.status == 143);
     CHECK(run.outputs().empty());
-    CHECK(contains(result.err, "note: ended; "));
+    CHECK(contains(result.err, "note: stopped; "));
     CHECK(contains(result.err, "contact2d resume . continues"));
     const Result resumed = run.go(true);
     CHECK_MESSAGE(resumed.status == 0, resumed.err);
