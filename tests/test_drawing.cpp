@@ -458,7 +458,7 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
 TEST_CASE("drawing: a file of pstoedit, of six digits") {
   std::vector<std::string> notes;
   const std::string file = test::read_file(kDrawings + "six-digits.dxf");
-  CHECK(contains(fault(file), "no outline is closed"));
+  CHECK(contains(fault(file), "no closed outline"));
   const Drawn d = drawn(file, 1e-4);
   REQUIRE(d.sketch.bodies.size() == 1);
   CHECK(d.sketch.units[0] == "mm");
@@ -473,7 +473,7 @@ TEST_CASE("drawing: ends that nearly meet are joined") {
       drawn(dxf(dxf_line({0, 0}, {10, 0}) + dxf_line({10, gap}, {10, 10}) + dxf_line({10, 10}, {0, 0}))).sketch.bodies.size() ==
       1);
   CHECK(contains(fault(dxf(dxf_line({0, 0}, {10, 0}) + dxf_line({10, 4 * gap}, {10, 10}) + dxf_line({10, 10}, {0, 0}))),
-                 "no outline is closed"));
+                 "no closed outline"));
   // A file of six digits: what --join takes for one. An arc and an ellipse go through the joints.
   const double far = 1e-3;
   const std::string loose = dxf_line({0, 0}, {10, 0}) + dxf_arc({10, 2 + far}, 2, 270, 90) + dxf_line({10, 4}, {0, 4}) +
@@ -545,12 +545,12 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
   const Case cases[] = {
       {"", "0 the drawing is empty"},
       {" \n\n", "0 the drawing is empty"},
-      {"body b E 1 nu 0\n", "1 expected a drawing"},
+      {"body b E 1 nu 0\n", "1 not a drawing, expected DXF"},
       {"AutoCAD Binary DXF\r\n\x1a", "1 this DXF file is binary"},
       {good.substr(0, good.size() / 2), "the file ends"},
       {good.substr(0, good.find("  0\nEOF")), "the file ends without EOF: it is truncated"},
       {dxf(""), "0 the drawing has no curves"},
-      {dxf(dxf_line({0, 0}, {1, 0})), "0 no outline is closed"},
+      {dxf(dxf_line({0, 0}, {1, 0})), "0 no closed outline"},
       {dxf("0\nLINE\n10\nx\n"),
        "left out: 1 LINE (line 14): the first end is 'x', expected a number; 0 the drawing has no curves"},
       {dxf("0\nLINE\n10\n1\n"), "left out: 1 LINE (line 12): the first end is missing, expected group 20; 0 the drawing"},
@@ -570,7 +570,7 @@ TEST_CASE("drawing: what is wrong with a file is told with its line") {
       {dxf("0\nSPLINE\n71\n0\n10\n0\n20\n0\n"), "degree 0, expected 1 to 15"},
       {dxf("0\nSPLINE\n71\n2\n10\n0\n20\n0\n"), "1 control points, expected more than its degree 2"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n1\n40\n0\n40\n1\n10\n0\n20\n0\n10\n1\n20\n0\n"), "decreasing knots"},
-      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n0\n40\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "knots without a range"},
+      {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n0\n40\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"), "knots that span no interval"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n41\n1\n41\n0\n10\n0\n20\n0\n10\n1\n20\n0\n"),
        "weight 0, expected a value above 0"},
       {dxf("0\nSPLINE\n71\n1\n40\n0\n40\n0\n40\n1\n40\n1\n41\n1\n10\n0\n20\n0\n10\n1\n20\n0\n"), "1 weights, expected one per"},
@@ -687,7 +687,7 @@ TEST_CASE("drawing: the command's own errors") {
   const test::Result open = run("open.dxf -o open.c2s");
   CHECK(open.status == 2);
   CHECK(contains(open.err, "open.dxf: note: line in line 12 has an open end at (0, 0)"));
-  CHECK(contains(open.err, "open.dxf: error: no outline is closed"));
+  CHECK(contains(open.err, "open.dxf: error: no closed outline"));
   CHECK(test::read_file(folder / "open.c2s").empty());
   test::write_file(folder / "binary.dxf", std::string("AutoCAD Binary DXF\r\n\x1a\0abc", 25));
   CHECK(contains(run("binary.dxf").err, "binary.dxf:1:1: error: this DXF file is binary"));

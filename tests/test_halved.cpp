@@ -495,7 +495,7 @@ TEST_CASE("halved: a crack's tip stays tied, elements of no length stay, an erro
   const host::Limits limits = before.limits;
   runs::Machine empty(limits, 1 << 22, nullptr);
   CHECK(estimate::halved_deck(empty.solver, deck, error).empty());
-  CHECK(error == "the deck cannot be halved: the solver holds no model");
+  CHECK(error == "the deck cannot be halved: the solver has no model");
   CHECK(estimate::halved_deck(Model(deck).solver(), crack, error).empty()); // the model of another deck
   CHECK(error == std::string("the deck cannot be halved: ") + c2d_message(C2D_ERR_ARGUMENT));
   CHECK(estimate::halved_deck(Model(deck).solver(), "no deck\n", error).empty());

@@ -87,7 +87,7 @@ TEST_CASE("hostile input: no control character of an input comes out on a termin
   }
   CHECK(contains(in_folder(folder, "check word.c2s").err,
                  std::string("'a?[2Jb") + std::string(6, '?') + "': expected a statement"));
-  CHECK(contains(in_folder(folder, "sketch square.dxf --with with").err, "with:1:2: error: column 2 holds the byte 27"));
+  CHECK(contains(in_folder(folder, "sketch square.dxf --with with").err, "with:1:2: error: column 2 has the byte 27"));
   // outputs of a run under such a name
   write_file(folder / "deck.dat", read_file(kSample));
   const Result run = in_folder(folder, "run " + evil + " --out out --vtk out/v.vtk");

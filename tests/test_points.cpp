@@ -381,7 +381,7 @@ TEST_CASE("points: bad usage") {
     CHECK_MESSAGE(result.err.compare(0, 11, "contact2d: ") == 0, result.err);
     CHECK_MESSAGE(result.out.empty(), arguments);
   }
-  CHECK(contains(contact2d(ring + "--interior -").err, "there are no points, expected --points FILE or *POINTS"));
+  CHECK(contains(contact2d(ring + "--interior -").err, "no points are given, expected --points FILE or *POINTS"));
   CHECK(read_file(folder / "p") == "1,1.5,0.1\n");
   // A listing shows them.
   CHECK(contains(contact2d(ring + points).out, "\nInterior points\n"));

@@ -182,7 +182,7 @@ TEST_CASE("sweep: numbers that are asked for are those of the CSV, the summary a
     std::vector<app::Response> responses;
     std::string error;
     CHECK_MESSAGE(!app::read_responses(wrong, responses, error), wrong);
-    CHECK(contains(error, "expected max or min tn"));
+    CHECK(contains(error, "expected max or min of tn"));
   }
 }
 

@@ -140,7 +140,7 @@ TEST_CASE("words: a terminal that asked for no listing sees what answers the que
   const Result end = on_terminal("TERM=xterm", "run " + kDeck);
   CHECK(end.status == 0);
   CHECK(lines_of(end.out).size() < 60);
-  for (const char* part : {"peak pressure", "Outcome", "--listing FILE writes the whole"})
+  for (const char* part : {"peak pressure", "Outcome", "--listing FILE writes the complete listing"})
     CHECK_MESSAGE(contains(end.out, part), part);
   CHECK_FALSE(contains(end.out, "Balance of forces"));
   CHECK(contains(end.out, "\033[1;35mwarning:"));
