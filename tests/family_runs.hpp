@@ -71,7 +71,7 @@ inline void keep_ends(c2d_solver* s, Solution& out) {
     out.elements += body.elements;
     const int32_t count = body.elements * summary.function_nodes;
     std::vector<double> table(static_cast<size_t>(count) * 7);
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 7 && count > 0; ++i) // (a body without a mesh has none)
       if (c2d_get(s, fields[i], b, 1, count, table.data() + i, 7) != C2D_OK) out.error = "no results of a body";
     out.bodies.emplace_back();
     for (size_t i = 0; i < table.size(); i += 7)
