@@ -25,8 +25,8 @@ public:
     deck_ = output_of({kMake, "", 0, false});
     other_ = output_of({{"make", "hertz", "n=3", "L=5", "ratio=1.6"}, "", 0, false});
     path_ = deck_;
-    replace(path_, "\n1 0\n", "\n2 0 0.3\n");               // coefficients of friction
-    replace(path_, "\n1 1\n*SYMMETRY", "\n2 1\n*SYMMETRY"); // increments
+    replace(path_, "\n1 0\n", "\n2 0 0.3\n");       // coefficients of friction
+    replace(path_, "\n*PATH\n1 1", "\n*PATH\n2 1"); // increments
   }
 
   Tree inputs() const {
@@ -98,7 +98,7 @@ private:
   }
   void replace(std::string& text, const std::string& from, const std::string& to) {
     const size_t at = text.find(from);
-    if (at == std::string::npos) return fail("the deck has no" + from);
+    if (at == std::string::npos) return fail("the deck has no " + from);
     text.replace(at, from.size(), to);
   }
   const Place& place_;
