@@ -73,8 +73,8 @@ TEST_CASE("cycle: what is wrong with it is told") {
   tells(history + "want cycle range hoop b.top\n", "'top', expected 's', 'e', 'n' or 'w'");
   tells(history + "want cycle range stress b 2 0.5\n", "is not inside body 'b'");
   for (const char* none : {"history pull 1\n", "history pull 1, 0\n"})
-    tells(kPulled + none + "want cycle range hoop b.n\n", "12:1 the history has no cycle, expected one that ends with the load "
-                                                          "factors of the end of an earlier piece");
+    tells(kPulled + none + "want cycle range hoop b.n\n", "12:1 the load history has no cycle, expected a history that "
+                                                          "returns to the load factors of an earlier piece");
 }
 
 // Loads 1, 0.5, 2, 1: over the last cycle from 0.5 to 2, over everything from 0.1, the end of the first step.

@@ -91,14 +91,14 @@ TEST_CASE("facing parts: pairs are on the side that nothing holds, or end beside
       "close\nfix strip.root\npressure strip.top 1\nfix block.bottom\n";
   const sketch::Reading one = read_text(block(40, 10) + strip + "contact block.top strip.under mu 0.2\n");
   CHECK(only(one).side[1].body == 0);
-  CHECK_FALSE((only(one).is_held[0] || only(one).is_held[1]));
+  CHECK_FALSE((only(one).is_supported[0] || only(one).is_supported[1]));
   const Solution free = solve(one);
   REQUIRE_MESSAGE(free.error.empty(), free.error);
   // Held where its end lies in the corner of a wall that holds the strip, too: the pairs end an element before.
   const sketch::Reading both =
       read_text(block(16, 10) + strip + "contact block.top strip.under mu 0.2\nfix block.right\n", {{"w", 16}});
   CHECK(only(both).side[1].body == 1);
-  CHECK((only(both).is_held[0] || only(both).is_held[1]));
+  CHECK((only(both).is_supported[0] || only(both).is_supported[1]));
   const Solution held = solve(both);
   REQUIRE_MESSAGE(held.error.empty(), held.error);
   CHECK(std::fabs(held.zones[0].force[1] / 8 - 1) < 0.5);
@@ -108,12 +108,12 @@ TEST_CASE("facing parts: sides that cannot face are named by their curves") {
   const std::string lid = "body lid E 1000 nu 0.3\nfrom -2 1\nline under to 2 1\nline side to 2 3\nline top to -2 3\nline edge "
                           "close\nfix block.bottom\nfix lid.edge\n";
   const std::string text = block(10, 4) + lid;
-  CHECK(fault_of(text + "contact block.top lid.top\n") ==
-        "no part of block.top faces lid.top: their outer sides look the same way; nearest 3 apart at (1.875, 0)");
+  CHECK(fault_of(text + "contact block.top lid.top\n") == "no part of block.top faces lid.top: their outward normals point the "
+                                                          "same way; their smallest distance is 3 at (1.875, 0)");
   CHECK(fault_of(text + "contact block.top lid.side\n").find("inclined to each other by 90 degrees") != std::string::npos);
   CHECK(fault_of(block(1, 4) + "body lid E 1 nu 0\nfrom 9 1\nline under to 10 1\nline side to 10 3\nline top to 9 3\nline edge "
                                "close\nfix block.bottom\nfix lid.edge\ncontact block.top lid.under\n")
-            .find("they lie beside each other, or something lies between") != std::string::npos);
+            .find("they lie beside each other, or another curve lies between them") != std::string::npos);
 }
 
 TEST_CASE("facing parts: a load of zero, adhesion as a value, and what a drawing's digits overlap are no faults") {
@@ -274,13 +274,14 @@ TEST_CASE("facing parts: curves that contact may reach are named, and none where
             "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone carries pressure: the "
             "contact may extend beyond the zone; lengthen it",
             toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the facing parts and may extend beyond "
-                    "it: pad.flat ends at (5, 0), where pad.toe goes on smoothly: add it");
+                    "it: pad.flat ends at (5, 0), but pad.toe continues it smoothly: add this curve to the side");
 }
 
 TEST_CASE("facing parts: a sharp corner on a flat is refused as one") {
   const std::string text = block(10, 4) + "body wedge E 1000 nu 0.3\nfrom 0 0\nline skin to 1 2\nline lid to -1 2\nline skin "
                                           "close\ncontact block.top wedge.skin\nfix block.bottom\nfix wedge.lid\n";
-  CHECK(fault_of(text).find("nearest 0 apart at (0, 0), a corner: what is to touch there needs a fillet") != std::string::npos);
+  CHECK(fault_of(text).find("their smallest distance is 0 at (0, 0), a corner; add a fillet if contact is expected there") !=
+        std::string::npos);
 }
 
 TEST_CASE("facing parts: two parts that meet at a place of the other side are cut there once") {
@@ -313,5 +314,6 @@ tolerance 3 %
     for (const sketch::MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e)
         CHECK(sketch::length(curve.curve->shape->at(curve.ends[e + 1]) - curve.curve->shape->at(curve.ends[e])) > 1e-6);
-  CHECK(a.deck.find("coarser meshes did not touch") == std::string::npos); // where contact stays away from what was cut off
+  // Contact stays away from the ends that were cut off.
+  CHECK(a.deck.find("on coarser meshes the surfaces did not touch") == std::string::npos);
 }

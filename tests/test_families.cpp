@@ -30,7 +30,7 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
     const char *arguments, *said;
   };
   const Wrong wrong[] = {{"", "needs the name of a family"},
-                         {"herz", "'herz' is not a known family; known are bearing "},
+                         {"herz", "'herz' is not a known family, expected one of bearing "},
                          {"--list hertz", "not a known family"},
                          {"hertz m=20", "'m' is not a key of this family"},
                          {"hertz n", "'n': expected key=value"},
@@ -45,7 +45,7 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"hertz E1=12x", "E1=12x: expected a number"},
                          {"hertz nu1=0.6", "0.6"},
                          {"hertz edge=1.5", "edge is not from 0 to 1"},
-                         {"hertz order=4", "1 for linear functions, 2 for quadratic, 3 for cubic ones"},
+                         {"hertz order=4", "1 for linear, 2 for quadratic, 3 for cubic functions"},
                          {"hertz a=50", "a is above R/10"},
                          {"hertz L=1", "L is below 3"},
                          {"punch mu=-1", "expected a coefficient of friction, 0 or above"},

@@ -80,10 +80,10 @@ TEST_CASE("points: every other row is refused by its line") {
   }
   CHECK(rows_of(std::string("\xff\xfe"
                             "0\0,\0",
-                            6)) == "1: two bytes to a character, expected a text in UTF-8 or ASCII");
+                            6)) == "1: the file has two bytes per character, expected text in UTF-8 or ASCII");
   CHECK(rows_of(std::string("0\0,\0"
                             "0\0",
-                            6)) == "1: two bytes to a character, expected a text in UTF-8 or ASCII");
+                            6)) == "1: the file has two bytes per character, expected text in UTF-8 or ASCII");
 }
 
 TEST_CASE("points: a spline from a file, and the line of a point that stands there twice") {
@@ -115,6 +115,6 @@ TEST_CASE("points: a spline from a file, and the line of a point that stands the
   rows = "x,y\n2,0\n1,0.5\n1,0.5\n-2,0\n";
   const sketch::Reading twice = sketch::read_sketch(text, {}, file);
   REQUIRE(twice.faults.size() >= 1);
-  CHECK(twice.faults[0].text == "file 'p.csv', line 4: the point is where the one before is");
+  CHECK(twice.faults[0].text == "file 'p.csv', line 4: the point repeats the one before it, expected another place");
   CHECK(twice.faults[0].at.line == 2);
 }

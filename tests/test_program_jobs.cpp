@@ -245,7 +245,7 @@ TEST_CASE("jobs: those of other versions, that are damaged within, or that anoth
   };
   const Ran sketch = kept(app::JobForm::kSketch, "body b E 1 nu 0\n", false);
   CHECK(sketch.exit == 2);
-  CHECK(sketch.reason == "body 'b' has no outline");
+  CHECK(sketch.reason == "body 'b' has no outline, expected curves after its statement");
   const Ran points = kept(app::JobForm::kDeck, read_file(sample()), true);
   CHECK(points.exit == 2);
   CHECK(contains(points.reason, "x is 'x', expected a number"));
@@ -308,7 +308,7 @@ TEST_CASE("jobs: a sketch is kept before its mesh is looked for, or the run says
                      "platen d.s+n about 5 0 fx 1\n");
   const Ran wrong = run({broken.sketch, "--store", "file:" + (broken.folder / "t"), "--csv", broken.folder / "c"});
   CHECK(wrong.exit == 2);
-  CHECK(contains(wrong.reason, "the curves of a platen do not follow each other"));
+  CHECK(contains(wrong.reason, "the curves of a platen are not consecutive"));
   CHECK_FALSE(fs::exists(broken.folder / "t/contact2d.store/job"));
   clear();
   REQUIRE(run(words).exit == 0);

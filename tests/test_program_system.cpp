@@ -427,7 +427,7 @@ TEST_CASE("system: the program's smaller words, each by its exit status and what
   write_file(folder / "named", deck + (deck.back() == '\n' ? "" : "\n") + "*NAME ZONE 1 face\n");
   CHECK(contains(told("check named").out, "zone 1 (face)"));
   CHECK(told("mesh deck").status == 2);
-  CHECK(contains(told("mesh deck").err, "a deck has its mesh, expected a sketch"));
+  CHECK(contains(told("mesh deck").err, "the file is a deck and has a mesh, expected a sketch"));
   CHECK(contains(told("mesh none").err, "No such file or directory"));
   write_file(folder / "s.c2s", "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\nfix "
                                "b.s\ntraction b.n y 1\ntolerance off\n");

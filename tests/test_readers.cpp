@@ -263,7 +263,7 @@ TEST_CASE("readers: a sketch says what its deck could not hold") {
     REQUIRE(faults.size() == 1);
     CHECK(contains(faults[0], expected));
   };
-  only("title caf\xc3\xa9\n" + kSquare, "1: the title has a character that a deck cannot hold");
+  only("title caf\xc3\xa9\n" + kSquare, "1: the title has a character that is not printable ASCII");
   only(std::string("title a\x01") + "b\n" + kSquare, "1: the title has a character");
   for (const char* unit : {"\"\"", "\"m m\"", "\"m,\"", "\xc2\xb5m", "\"!\""})
     only("units " + std::string(unit) + " N\n" + kSquare, "1: the name of a unit is not one word");
@@ -273,8 +273,8 @@ TEST_CASE("readers: a sketch says what its deck could not hold") {
   only(kSquare + kOther + tie + "a\xed\xa0\x80\n", "15: the name of the interface is not text in UTF-8");
   only(kSquare + kOther + tie + "a\x7f\n", "15: the name of the interface is not text in UTF-8");
   for (const char* name : {"\"\"", "\" a\"", "\",a\""})
-    only(kSquare + kOther + tie + name + "\n", "begins with neither a blank nor a comma");
-  only("parameter much 1e100\n" + kSquare, "1: '1e100' is not less than 1e100 in size");
+    only(kSquare + kOther + tie + name + "\n", "without a blank or a comma at its start");
+  only("parameter much 1e100\n" + kSquare, "1: '1e100' is too large, expected a magnitude below 1e100");
   CHECK(contains(faults_of_sketch("parameter least 1e-310\nbody a E least nu 0.3\n").at(0), "2:")); // none, on a card
-  only("parameter much -10^200\n" + kSquare, "1: '-10^200' is not less than 1e100 in size");
+  only("parameter much -10^200\n" + kSquare, "1: '-10^200' is too large, expected a magnitude below 1e100");
 }

@@ -200,7 +200,7 @@ TEST_CASE("resume: a sketch's run tells again what errors were stated") {
                               " --summary '" + (outputs.folder / "summary") + "' --report '" + (tapes / "page") + "'";
   const Result first = run_shell(command + " --memory 600000 --set q=10");
   REQUIRE_MESSAGE(first.status == 5, first.err);
-  CHECK(contains(first.err, "asked for was 1 %, workspace of 600000 bytes is too small"));
+  CHECK(contains(first.err, "the tolerance is 1 %, workspace of 600000 bytes is too small"));
   const auto expected = outputs.files(); // seconds of the meshes, too
   CHECK(contains(expected.at("/listing"), "cycle range of stress along top"));
   CHECK(contains(expected.at("/json"), "\"relative_error\""));

@@ -120,7 +120,8 @@ TEST_CASE("sketch: lengths along curves") {
 TEST_CASE("sketch: sides that do not face each other are told") {
   const Reading r = read(std::string(kSquare) + "copy c of b shift 5 0\ncontact b.e c.e\nfix b.w\nfix c.w\n");
   REQUIRE(r.faults.size() == 1);
-  CHECK(r.faults[0].text == "no part of b.e faces c.e: their outer sides look the same way; nearest 5 apart at (1, 0)");
+  CHECK(r.faults[0].text ==
+        "no part of b.e faces c.e: their outward normals point the same way; their smallest distance is 5 at (1, 0)");
 }
 
 namespace {

@@ -26,34 +26,35 @@ void tell_all(const std::string& before, std::initializer_list<Case> cases) {
 } // namespace
 
 TEST_CASE("sketch: curves whose words are missing, or that cannot be") {
-  tell_all(kBegun, {{"arc centre 0 1 90\n", "expected turn and an angle in degrees"},
-                    {"arc centre 0 1 turn 0\n", "this arc has no length"},
-                    {"arc to 1 0 centre 0.7 0\n",
-                     "the centre is 0.7 from the arc's begin and 0.3 from its end, expected equal distances"},
-                    {"arc to 1 0 2\n", "expected radius, through or centre"},
-                    {"circle radius 1\n", "expected centre x y radius r"},
-                    {"circle centre 0 0 1\n", "expected radius r"},
-                    {"ellipse axes 1 2\n", "expected centre x y axes a b"},
-                    {"ellipse centre 0 0 1 2\n", "expected axes a b"},
-                    {"ellipse centre 0 0 axes 1 2 from 0 90\n", "expected turn and an angle in degrees"},
-                    {"curve t 0 1 y t\n", "expected x and its formula"},
-                    {"curve t 0 1 x t t\n", "expected y and its formula"},
-                    {"curve t 0 1 x t y 1/(t-0.5)\n", "the formulas have no value at t = 0.5"},
-                    {"curve t 0 1 x 1/(t-1) y t\n", "the formulas have no value at t = 1"},
-                    {"spline a\n", "expected through x y x y ..., or file NAME"},
-                    {"spline through 0 0 1 1\n", "point 2 of the spline is where the one before is"},
-                    {"spline through 1 0 2 0 closed\n", "expected three points at least"},
-                    {"fillet radius 1\n", "'fillet' stands between two curves"},
-                    {"line to 1 0\nfillet\n", "expected radius and a value"},
-                    {"line to 1 0\nchamfer\n", "expected cut and a value"},
-                    {"line to 1 0\nchamfer cut 0.1\nfillet radius 0.1\n", "'fillet' stands between two curves"},
-                    {"line to 1 0\nfillet radius 0.1\nline to 2 0\n", "the curves beside the fillet have no corner"},
-                    {"line to 1 0\nchamfer cut 3\nline to 1 1\n", "does not fit"},
-                    {"line to 1 0\nchamfer cut 0.5\nline to 1 0.4\n", "does not fit"},
-                    {"mirror x 1\n", "expected curves before it"}});
-  tell_all("body b E 1 nu 0\n", {{"spline through 1 0\n", "expected two points at least"},
-                                 {"arc centre 0 1 turn 90\n", "this arc has nowhere to begin"},
-                                 {"arc to 1 0 radius 2\n", "this curve has nowhere to begin"}});
+  tell_all(kBegun,
+           {{"arc centre 0 1 90\n", "expected turn and an angle in degrees"},
+            {"arc centre 0 1 turn 0\n", "this arc has length zero"},
+            {"arc to 1 0 centre 0.7 0\n",
+             "the centre has the distance 0.7 from the start of the arc and 0.3 from its end, expected equal distances"},
+            {"arc to 1 0 2\n", "expected radius, through or centre"},
+            {"circle radius 1\n", "expected centre x y radius r"},
+            {"circle centre 0 0 1\n", "expected radius r"},
+            {"ellipse axes 1 2\n", "expected centre x y axes a b"},
+            {"ellipse centre 0 0 1 2\n", "expected axes a b"},
+            {"ellipse centre 0 0 axes 1 2 from 0 90\n", "expected turn and an angle in degrees"},
+            {"curve t 0 1 y t\n", "expected x and its formula"},
+            {"curve t 0 1 x t t\n", "expected y and its formula"},
+            {"curve t 0 1 x t y 1/(t-0.5)\n", "the formulas have no finite value at t = 0.5"},
+            {"curve t 0 1 x 1/(t-1) y t\n", "the formulas have no finite value at t = 1"},
+            {"spline a\n", "expected through x y x y ..., or file NAME"},
+            {"spline through 0 0 1 1\n", "point 2 of the spline repeats the one before it"},
+            {"spline through 1 0 2 0 closed\n", "expected at least three"},
+            {"fillet radius 1\n", "'fillet' has no curve directly before it"},
+            {"line to 1 0\nfillet\n", "expected radius and a value"},
+            {"line to 1 0\nchamfer\n", "expected cut and a value"},
+            {"line to 1 0\nchamfer cut 0.1\nfillet radius 0.1\n", "'fillet' has no curve directly before it"},
+            {"line to 1 0\nfillet radius 0.1\nline to 2 0\n", "the two curves join smoothly, expected a corner"},
+            {"line to 1 0\nchamfer cut 3\nline to 1 1\n", "does not fit"},
+            {"line to 1 0\nchamfer cut 0.5\nline to 1 0.4\n", "does not fit"},
+            {"mirror x 1\n", "expected curves before 'mirror'"}});
+  tell_all("body b E 1 nu 0\n", {{"spline through 1 0\n", "expected at least two"},
+                                 {"arc centre 0 1 turn 90\n", "this arc has no start point"},
+                                 {"arc to 1 0 radius 2\n", "this curve has no start point"}});
   tell_all(kHeld, {{"copy c b\n", "expected of and the name of a body"}});
 }
 
@@ -63,36 +64,37 @@ TEST_CASE("sketch: parts of curves whose words are missing, or that cannot be") 
             {"part p of e start to end\n", "expected from and where the part begins"},
             {"part p of e from start end\n", "expected to and where the part ends"},
             {"part p of s from start to end\n", "several curves are called 's', expected one"},
-            {"part p of e from -0.5 to end\n", "-0.5 from its start: the curve is 1 long"},
-            {"part p of e from start to 1.5\n", "1.5 from its start: the curve is 1 long"},
-            {"part p of e from end to start\n", "the part ends where it begins or before"},
-            {"part p of e from start to start\n", "the part ends where it begins or before"},
+            {"part p of e from -0.5 to end\n", "the length -0.5 is not on the curve, expected a length from 0 to 1"},
+            {"part p of e from start to 1.5\n", "the length 1.5 is not on the curve, expected a length from 0 to 1"},
+            {"part p of e from end to start\n", "the end of the part is not after its start"},
+            {"part p of e from start to start\n", "the end of the part is not after its start"},
             {"part p of e from y 2 to end\n", "y = 2"}});
   tells("body b E 1 nu 0\ncircle c centre 0 0 radius 1\npart p of c from end to end\n",
-        "the part ends where it begins or before");
+        "the end of the part is not after its start");
 }
 
 TEST_CASE("sketch: conditions and loads that are given twice, or not at all") {
   tell_all(kHeld, {{"contact b.e b.w mu -1\n", "-1: expected a coefficient of friction, 0 or above"},
-                   {"fix \"b.e\"\n", "expected a body, a point and its curves"},
+                   {"fix \"b.e\"\n", "expected a body, a dot and curves of the body"},
                    {"fix b.none\n", "expected 's', 'e', 'n' or 'w'"},
                    {"move b.n x 1 x 2\n", "x is given twice"},
                    {"move b.n y 1 y 2\n", "y is given twice"},
                    {"traction b.n x 1 x 2\n", "x is given twice"},
                    {"traction b.n y 1 y 2\n", "y is given twice"},
-                   {"force b 0 1 x 1\n", "expected at x y, and fx and fy"},
-                   {"weight b y -1\nweight b y -1\n", "the body has a weight in this load case already"},
-                   {"weight b x -1\nweight b x -1\n", "the body has a weight in this load case already"},
-                   {"symmetry x 0\n", "a line of symmetry stands before the first body"}});
-  tells("symmetry x 0\nsymmetry x 1\n" + kHeld, "a line of symmetry across x is there already");
-  tells("symmetry y 0\nsymmetry y 1\n" + kHeld, "a line of symmetry across y is there already");
+                   {"force b 0 1 x 1\n", "expected at x y, then fx and fy"},
+                   {"weight b y -1\nweight b y -1\n", "the weight of the body in this load case is given twice"},
+                   {"weight b x -1\nweight b x -1\n", "the weight of the body in this load case is given twice"},
+                   {"symmetry x 0\n", "the line of symmetry stands after a body, expected it before the first body"}});
+  tells("symmetry x 0\nsymmetry x 1\n" + kHeld, "the line of symmetry x is given twice");
+  tells("symmetry y 0\nsymmetry y 1\n" + kHeld, "the line of symmetry y is given twice");
   tells("units sixteenlettersss N\n" + kHeld, "expected at most 15 characters");
-  tells("parameter deg 2\n" + kHeld, "'deg' has a value already");
+  tells("parameter deg 2\n" + kHeld, "'deg' is reserved");
   std::string many = kBegun;
   for (int i = 1; i <= 9; ++i) many += "line c" + std::to_string(i) + " to " + std::to_string(i) + " 0\n";
   tells(many + "line up to 9 1\nline close\nfix b.none\n", "'c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'c7', 'c8', ...");
   // A part of the boundary alone, of a curve whose name two have.
-  tells(kBegun + "line s to 1 0\nline s to 1 1\nline close\nfix b.s.start\n", "there are several of these curves");
+  tells(kBegun + "line s to 1 0\nline s to 1 1\nline close\nfix b.s.start\n",
+        "several curves are named, expected a single one");
 }
 
 TEST_CASE("sketch: friction without end, load cases that are named later, weights of two cases") {
@@ -147,16 +149,16 @@ TEST_CASE("sketch: words in tabs, quotes, brackets and carriage returns") {
   CHECK(read("body\tb\tE 1, nu=0\r\nfrom 0 0\r\nline s to (1 + 0) 0 ! to the right\r\nline to 1 1\nline to 0 1\nline "
              "close\nfix b.s\n")
             .faults.empty());
-  tells("body b E (1 nu 0\n", "a '(' that is not closed");
-  tells("body b E 1) nu 0\n", "a ')' that closes nothing");
-  tells("body b E (1} nu 0\n", "a '}' that closes nothing");
-  tells("body b\"c E 1 nu 0\n", "a quote that is not closed");
+  tells("body b E (1 nu 0\n", "the bracket '(' is not closed");
+  tells("body b E 1) nu 0\n", "the bracket ')' has no matching opening bracket");
+  tells("body b E (1} nu 0\n", "the bracket '}' has no matching opening bracket");
+  tells("body b\"c E 1 nu 0\n", "the quote is not closed");
   tells("body b E 1 nu \"0\"\n", "expected");
-  tells("body b E .5 nu (0\n", "a '(' that is not closed");
+  tells("body b E .5 nu (0\n", "the bracket '(' is not closed");
   CHECK(read("parameter a_1 2\nbody b E .5 nu 0\nfrom 0 0\nline s to +1 0\nline to a_1-1 sqrt(1)\nline to 0 1\nline close\nfix "
              "b.s\n")
             .faults.empty());
-  tells("body b E 1 nu 0\nfrom 0 0\nline s to 1 sqrt(1\nline close\n", "that is not closed");
-  tells("parameter a 1e999\n" + kHeld, "expected a number that can be kept");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s to 1 sqrt(1\nline close\n", "is not closed");
+  tells("parameter a 1e999\n" + kHeld, "expected a number in the range of double precision");
   tells("\"body\" b E 1 nu 0\n", "expected a statement");
 }

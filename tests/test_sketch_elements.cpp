@@ -116,11 +116,11 @@ TEST_CASE("sketch: statements that count under a condition, and values that are 
   const std::string choice = "parameter p 1\nwhen p title First\nwhen {1 - p} title Second\nwhen {1 - p} nonsense 1 2\n";
   CHECK(sound(choice + kPlate).title == "First");
   CHECK(sound("parameter p 1\nwhen p when 0 title None\nwhen p when p title Both\n" + kPlate).title == "Both");
-  tells("when\n" + kPlate, "a value, 0 where the statement behind it is not to be");
+  tells("when\n" + kPlate, "a value: 0 to ignore the statement after it");
   tells("when 1\n" + kPlate, "a statement");
   tells("parameter p 1\nrequire {p - 2} \"p, or q, is below 2\"\n" + kPlate, "p, or q, is below 2");
   sound("parameter p 1\nrequire {p - 1} \"p is below 1\"\n" + kPlate);
-  tells("require 1\n" + kPlate, "what is wrong otherwise");
+  tells("require 1\n" + kPlate, "the error message");
   CHECK(sound("plane 1\n" + kPlate).plane_stress);
   CHECK_FALSE(sound("plane 0\n" + kPlate).plane_stress);
   tells("plane 2\n" + kPlate, "0 for plane strain, 1 for plane stress");

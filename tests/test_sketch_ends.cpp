@@ -102,13 +102,13 @@ TEST_CASE("sketch: fillets that do not fit by a hair, or whose neighbours have n
 TEST_CASE("sketch: outlines that cross themselves, open amid, or have holes the wrong way round") {
   tells(kBegun + "line s to 2 0\nline e to 2 2\nline n to 0 2\nline w close\nhole\nfrom 0.5 0.5\nline to 1 0.5\nline to 1 1\n"
                  "line close\nfix b.s\n",
-        "the hole runs counter-clockwise, expected clockwise");
-  tells(kBegun + "line s to 1 0\ncurve t 0 1 x 1+0*t y 0*t\nline e to 1 1\nline close\nfix b.s\n", "has no length");
+        "the hole is drawn counter-clockwise, expected clockwise");
+  tells(kBegun + "line s to 1 0\ncurve t 0 1 x 1+0*t y 0*t\nline e to 1 1\nline close\nfix b.s\n", "has length zero");
   tells(kBegun + "line s to 1 0\ncurve t 0 1 x 1 y 0.5+t/2\nline n to 0 1\nline close\nfix b.s\n",
-        "the outline is open: curve 's' ends at (1, 0), a curve begins at (1, 0.5), 0.5 from there");
+        "the outline is open: curve 's' ends at (1, 0), a curve begins at (1, 0.5); the gap is 0.5");
   tells("body b E 1 nu 0\nspline a through 0 0 2 2 2 0 0 2 closed\nfix b.a\n", "curve 'a' crosses itself near");
   tells("body r rigid\nfrom 0 0\nline a to 1 0\nline c to 1 1\nline close\ncopy q of r shift 0 -1\ncontact r.a q.c\n",
-        "both bodies are rigid, expected one that is not");
+        "both bodies are rigid, expected at least one elastic body");
   // A tie closes what overlaps a little, whichever of the bodies is told first.
   for (const char* tie : {"tie b.n c.s\n", "tie c.s b.n\n"})
     CHECK(read(kHeld + "copy c of b shift 0 0.995\n" + tie).faults.empty());
@@ -166,10 +166,10 @@ TEST_CASE("sketch: words at the ends of what they may be") {
         "100001: expected the number of steps of each piece of the history, a whole number from 1 to 100000");
   tells(kHeld + "steps 2.5\n", "2.5: expected the number of steps");
   tells("body \"b\" E 1 nu 0\n", "'b': expected the name of a body");
-  tells("parameter a .\n" + kHeld, "expected a number that can be kept");
+  tells("parameter a .\n" + kHeld, "expected a number in the range of double precision");
   tells("parameter a (sqrt(1 2))\n" + kHeld, "expected a closing bracket");
   tells("parameter a (1 2)\n" + kHeld, "expected a closing bracket");
-  tells("title a\x7f b\n" + kHeld, "the title has a character that a deck cannot hold");
+  tells("title a\x7f b\n" + kHeld, "the title has a character that is not printable ASCII");
   CHECK(sound("title \"a\" b c\n" + kHeld).title == "a b c");
   CHECK(sound("parameter a (1\t+\t0)! tabs\n" + kHeld).bodies.size() == 1);
   const Sketch points = sound(kHeld + "stress b 0.2 0.2 0.3 0.4\n");
@@ -231,7 +231,7 @@ TEST_CASE("sketch: decks of rigid bodies and platens whose statements are alike 
     deck_of(large, first_mesh(large, 1));
     FAIL("nothing told");
   } catch (const Fault& f) {
-    CHECK(f.text == "the deck would have the number 1.8E+100, expected less than 1e100 in size");
+    CHECK(f.text == "the deck would contain the number 1.8E+100, expected a magnitude below 1e100");
   }
 }
 

@@ -242,8 +242,8 @@ TEST_CASE("sketch: a load may be a formula of the place") {
   // The same as a number where it does not vary; a parameter called y is that number.
   CHECK(deck(held + "pressure b.n {3 + 0*x}\n") == deck(held + "pressure b.n 3\n"));
   CHECK(deck("parameter y 4\n" + held + "traction b.e x {2*y}\n") == deck(held + "traction b.e x 8\n"));
-  tells(held + "pressure b.n {1/x}\n", "8:1 the formula has no value at (0, 1) of b.n");
-  tells(held + "traction b.e x {sqrt(0.5 - y)} y 1\n", "the formula has no value at (1, 0.5");
+  tells(held + "pressure b.n {1/x}\n", "8:1 the formula has no finite value at (0, 1) of b.n");
+  tells(held + "traction b.e x {sqrt(0.5 - y)} y 1\n", "the formula has no finite value at (1, 0.5");
   tells(held + "traction b.e x {z}\n", "no parameter is called 'z'");
   tells(held + "traction b.e x y 1\n", "'y': expected its value");
   tells(held + "traction b.e x {1/0}\n", "is not a finite number");

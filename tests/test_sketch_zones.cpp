@@ -109,7 +109,7 @@ TEST_CASE("sketch zones: a press fit and a load behind it") {
   // Told twice, and not at all.
   const sketch::Reading twice = sketch::read_sketch(fit + "interference\n", {}, nullptr);
   REQUIRE(twice.faults.size() == 1);
-  CHECK(twice.faults[0].text == "interference is there already");
+  CHECK(twice.faults[0].text == "the statement 'interference' is given twice, expected once");
   const sketch::Reading none = read_text(fit.substr(0, fit.find("interference\n")) + load);
   REQUIRE(none.faults.size() == 1);
   CHECK(none.faults[0].text.find("overlap") != std::string::npos);
@@ -165,7 +165,7 @@ TEST_CASE("sketch zones: elements longer than what they face make way for shorte
   REQUIRE(apart.faults.size() == 1);
   CHECK(apart.faults[0].text ==
         "no part of c.s faces b.e: they are inclined to each other by 90 degrees or more, expected less "
-        "than 50 somewhere; nearest 0 apart at (1, 0.35)");
+        "than 50 degrees at some place; their smallest distance is 0 at (1, 0.35)");
 }
 
 TEST_CASE("sketch zones: what is far is left out, but not all of an interface") {

@@ -41,7 +41,7 @@ STACK_LEAST ?= 4096
 ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-inline-small-functions -ffreestanding \
   -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -fno-threadsafe-statics \
   -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS)
-# Sources are compiled to code, whose stack the compiler tells and whose bill is made (obj). Where the deck reader and the parts do
+# Sources are compiled to code whose stack the compiler reports and whose bill is made (obj). Where the deck reader and the parts do
 # not fit the 256 KiB of a board like that, run_deck is made of sources compiled once more for link-time optimisation (lto), some
 # 4 % smaller: functions are not put into each other where that makes the stack longer.
 flags_obj := -fstack-usage -fcallgraph-info=su
@@ -50,7 +50,7 @@ link_lto  := $(ARM_FLAGS) $(flags_lto) -flto=1 -flto-partition=one
 form_m3   := lto
 form_m4f  := lto
 form = $(or $(form_$(1)),obj)
-told = $(if $(form_$(1)),plain,run_deck)
+graphed = $(if $(form_$(1)),plain,run_deck)
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 # Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them as far as 256 KiB of ROM have room for
 # them beside the rest: decks that need another are refused, with the name of its call.
@@ -100,9 +100,9 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 
 EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
-# $(1) which run, $(2) its results, $(3) what they may differ: told in one piece, as other runs end at the same time.
-agree = @told=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=$$?; \
-  printf 'embedded: %s\n%s\n' '$(1)' "$$told"; exit $$status
+# $(1) which run, $(2) its results, $(3) the allowed differences. Printed in one piece, because other runs end at the same time.
+agree = @text=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=$$?; \
+  printf 'embedded: %s\n%s\n' '$(1)' "$$text"; exit $$status
 # The sample deck on every board, compared with this machine's run.
 .PHONY: embedded embedded-float $(BOARDS:%=embedded-%)
 ifdef BOARD
@@ -155,13 +155,13 @@ $(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
 endef
 define arm_bill
 $(foreach c,$(CONFIGURATIONS),$(eval $(call arm_size,$(1),$(c))))
-# run_deck of the code that the call graph tells of: for a board whose own is another, one that need not fit.
+# run_deck of the code of the call graph. For a board that runs other code (lto) it need not fit.
 $(EMBEDDED)/$(1)/plain.elf: $(EMBEDDED)/$(1)/obj/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT),obj) $(wildcard port/cortex-m/*.ld)
 	@sed 's/LENGTH = [0-9]*K/LENGTH = 1M/' port/cortex-m/$(board_$(1)).ld > $$(@:.elf=.ld)
 	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Lport/cortex-m -Wl,--defsym=stack_least=$(STACK_LEAST)+1 \
 	  -T $$(@:.elf=.ld) $(call arm_objects,$(1),$(ARM_PORT),obj) $(EMBEDDED)/$(1)/obj/libcontact2d.a -lm -lc_nano -lgcc -o $$@
-$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/$(call told,$(1)).elf
-	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/$(call told,$(1)).elf $$< > $$@
+$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/$(call graphed,$(1)).elf
+	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/$(call graphed,$(1)).elf $$< > $$@
 	$(ARM_PREFIX)nm $(EMBEDDED)/$(1)/whole.elf > $$(@:.dis=.nm)
 	@echo $(ALL_CALLS) > $$(@D)/calls
 $(EMBEDDED)/$(1)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(EMBEDDED)/$(1)/%.size) $(EMBEDDED)/$(1)/whole.dis \

@@ -133,7 +133,7 @@ void Call::keep_failure() {
   if (solver) c2d_last_error(solver, &error);
   if (solver && (error.status == status || c2d_get_state(solver) == C2D_STATE_BROKEN)) {
     host->error = entry_of(error);
-  } else if (!told) {
+  } else if (!reported) {
     error = blank_error();
     error.status = status;
     error.severity = C2D_FAULT;
@@ -146,7 +146,7 @@ void Call::keep_failure() {
 
 void Call::tell(const c2d_error& error) {
   host->error = entry_of(error);
-  told = true;
+  reported = true;
 }
 
 void Call::leave(Out ierr) {

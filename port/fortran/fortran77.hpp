@@ -93,7 +93,7 @@ public:
 
 private:
   void keep_failure();
-  bool told = false;
+  bool reported = false;
 };
 
 Host* host_of(Work work); // null: not open

@@ -28,7 +28,7 @@ HARDENED_PIE := $(if $(findstring -static,$(LDFLAGS)),,-pie)
 endif
 
 # The same bits from any folder: debugging information and __FILE__ name files of the project as it sees them itself, and
-# archives hold no times and no owners.
+# archives contain no times and no owners.
 SAME_FOLDER := $(call has_flag,-ffile-prefix-map='$(CURDIR)'=.)
 ifneq ($(SAME_FOLDER),)
 SAME_FOLDER += -ffile-prefix-map='$(BUILD)'=build

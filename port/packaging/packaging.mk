@@ -50,7 +50,7 @@ deb:
 	@ls $(DEB)/*.deb
 
 # ---------------------------------------------------------------- make reproducible
-# One file and packages (which hold library and program) once more, from a copy of the sources in a folder of another name, with
+# One file and packages (with library and program) once more, from a copy of the sources in a folder of another name, with
 # other rights, locale and time zone, by one job: the same bytes.
 AGAIN := $(BUILD)/reproducible/in_a_folder_with_a_longer_name
 reproducible: amalgamation deb

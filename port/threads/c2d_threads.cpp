@@ -28,7 +28,7 @@ struct Pool {
   void (*task)(void*, int32_t);
   void* argument;
   fenv_t environment;
-  int32_t asleep, waits, ended; // atomic: sleeping threads; the caller waits; the threads must end
+  int32_t sleeping, waits, ended; // atomic: number of sleeping threads; the caller waits; the threads must end
   pthread_mutex_t mutex;
   pthread_cond_t work, done;
   c2d_port inner;
@@ -66,9 +66,9 @@ bool take_task(Pool& pool, bool caller) {
 
 void sleep_until_work(Pool& pool) {
   pthread_mutex_lock(&pool.mutex);
-  __atomic_add_fetch(&pool.asleep, 1, __ATOMIC_SEQ_CST);
+  __atomic_add_fetch(&pool.sleeping, 1, __ATOMIC_SEQ_CST);
   while (!has_task(look(pool.ticket)) && look(pool.ended) == 0) pthread_cond_wait(&pool.work, &pool.mutex);
-  __atomic_sub_fetch(&pool.asleep, 1, __ATOMIC_SEQ_CST);
+  __atomic_sub_fetch(&pool.sleeping, 1, __ATOMIC_SEQ_CST);
   pthread_mutex_unlock(&pool.mutex);
 }
 
@@ -111,7 +111,7 @@ void run(Pool& pool, int32_t first, int32_t n, void (*task)(void*, int32_t), voi
   pool.argument = argument;
   put(pool.left, n);
   put(pool.ticket, ticket_of(++pool.call, static_cast<uint64_t>(n)));
-  if (look(pool.asleep) != 0) wake(pool);
+  if (look(pool.sleeping) != 0) wake(pool);
   while (take_task(pool, true)) {
   }
   wait_for_tasks(pool);

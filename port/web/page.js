@@ -23,8 +23,8 @@ function startWorker() {
       const {id, words, files, loaded} = message.data;
       if (loaded !== undefined) { module = loaded; return; }
       const begin = performance.now();
-      let told = "";
-      const tell = (text) => { if (text.includes("%")) postMessage({id, progress: text}); else told += text; };
+      let printed = "";
+      const tell = (text) => { if (text.includes("%")) postMessage({id, progress: text}); else printed += text; };
       try {
         const result = runContact2d(module, words, files, tell);
         postMessage({id, result, seconds: (performance.now() - begin) / 1000});
@@ -187,11 +187,11 @@ async function problemText() {
     $("editor").value = made.out;
     return made.out;
   }
-  told(made.err.split("\n").slice(0, 1).join("").replace(/^contact2d: /, ""));
+  showError(made.err.split("\n").slice(0, 1).join("").replace(/^contact2d: /, ""));
   return null;
 }
 
-function told(text) {
+function showError(text) {
   showMessages([{severity: "error", text, line: 0, column: 0}]);
   state("Not solved: " + text, true);
 }

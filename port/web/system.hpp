@@ -53,9 +53,9 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   if (end == nullptr) return {first, errc::invalid_argument};
   const string text(first, end);
   const double read = strtod(text.c_str(), nullptr); // strtod is correctly rounded and has no locales here
-  const bool told = text.find_first_of("iInN") != string::npos;
+  const bool is_special = text.find_first_of("iInN") != string::npos;
   const bool zero = text.find_first_of("123456789") >= text.find_first_of("eE");
-  if (!told && (std::isinf(read) || (read == 0 && !zero))) return {end, errc::result_out_of_range};
+  if (!is_special && (std::isinf(read) || (read == 0 && !zero))) return {end, errc::result_out_of_range};
   value = read;
   return {end, errc()};
 }

@@ -58,16 +58,16 @@ def run_program(*words, text=None, legal=(0,)):
     arguments = [library.program()] + [os.fspath(word) for word in words]
     process = subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
-        out, told = process.communicate(None if text is None else text.encode("utf-8"))
+        out, stderr = process.communicate(None if text is None else text.encode("utf-8"))
     except BaseException:
         end(process)
         raise
-    out, told = out.decode("utf-8", "replace"), told.decode("utf-8", "replace")
+    out, stderr = out.decode("utf-8", "replace"), stderr.decode("utf-8", "replace")
     if process.returncode in legal:
-        return out, told, process.returncode
-    faults = [message for message in messages_of(told) if message.severity == "error"]
+        return out, stderr, process.returncode
+    faults = [message for message in messages_of(stderr) if message.severity == "error"]
     if not faults:
-        said = " / ".join(line.replace("contact2d: ", "", 1) for line in told.splitlines()[:1])
+        said = " / ".join(line.replace("contact2d: ", "", 1) for line in stderr.splitlines()[:1])
         faults = [Message("error", said or "the program ended with status %d" % process.returncode)]
     raise FAILURES.get(process.returncode, Error)(faults, process.returncode)
 
@@ -108,7 +108,7 @@ class Result:
     texts; `pictures`: by name; `warnings`, `notes`: messages; `complete`, `outcome`, `why`: did the path reach its end?
     """
 
-    def __init__(self, folder, told, status):
+    def __init__(self, folder, stderr, status):
         self.files = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir() if path.is_file()}
         self.tables = {name: Table.of_csv(self.files[name + ".csv"]) for name in TABLES if name + ".csv" in self.files}
         self.summary = json.loads(self.files["summary.json"])
@@ -116,7 +116,7 @@ class Result:
         self.report = self.files.get("report.html")
         figures = sorted((folder / "figures").glob("*.svg"))
         self.pictures = {path.stem: Picture(path.stem, path.read_text(encoding="utf-8")) for path in figures}
-        messages = messages_of(told)
+        messages = messages_of(stderr)
         self.warnings = [message for message in messages if message.severity == "warning"]
         self.notes = [message for message in messages if message.severity == "note"]
         self.complete, self.outcome = status == 0, self.summary["outcome"]
@@ -192,10 +192,10 @@ def solve(source, points=None, pictures=True, stresses=False, options=None, set=
         for name, value in (options or {}).items():
             words += ["--" + name.replace("_", "-") + ("" if value is True else "=%s" % value)]
         words += ["--", word] + settings(dict(parameters, **(set or {})))
-        _, told, status = run_program(*words, text=text, legal=(0, 1, 5))
+        _, stderr, status = run_program(*words, text=text, legal=(0, 1, 5))
         if status == 1 and not (folder / "summary.json").exists():
-            raise Error(messages_of(told) or [Message("error", "the program ended with status 1")], 1)
-        result = Result(folder, told, status)
+            raise Error(messages_of(stderr) or [Message("error", "the program ended with status 1")], 1)
+        result = Result(folder, stderr, status)
     if not result.complete:
         warnings.warn(result.why, IncompleteWarning, stacklevel=2)
     return result

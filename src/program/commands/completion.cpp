@@ -37,7 +37,7 @@ std::string bash_values(const OptionRow& option) {
 }
 
 std::string bash() {
-  std::string out = "# contact2d, for bash: source this file, or put it among bash's completions.\n_contact2d() {\n"
+  std::string out = "# contact2d, for bash: source this file, or copy it to the folder of bash completions.\n_contact2d() {\n"
                     "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}\n"
                     "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W '" +
                     command_names() + " --version --help' -- \"$word\"))\n    return\n  fi\n  case $before in\n";
@@ -88,7 +88,7 @@ std::string zsh_option(const OptionRow& option) {
 }
 
 std::string zsh() {
-  std::string out = "#compdef contact2d\n# contact2d, for zsh: put it as _contact2d into a folder of $fpath.\n_contact2d() {\n"
+  std::string out = "#compdef contact2d\n# contact2d, for zsh: copy it as _contact2d to a folder of $fpath.\n_contact2d() {\n"
                     "  local -a commands\n  commands=(\n";
   for (const CommandRow& command : all_commands())
     out += "    " + quoted(std::string(command.name) + ":" + command.help) + "\n";
@@ -108,7 +108,7 @@ std::string zsh() {
 }
 
 std::string fish() {
-  std::string out = "# contact2d, for fish: put it as contact2d.fish into a folder of its completions.\n";
+  std::string out = "# contact2d, for fish: copy it as contact2d.fish to the folder of fish completions.\n";
   const std::string begin = "complete -c contact2d ";
   for (const CommandRow& command : all_commands())
     out += begin + "-n __fish_use_subcommand -f -a " + command.name + " -d " + quoted(command.help) + "\n";

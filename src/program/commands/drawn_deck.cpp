@@ -38,7 +38,7 @@ bool read_number(const std::string& word, sketch::Parameters& given) {
   return result.ec == std::errc() && result.ptr == end && !std::isnan(value);
 }
 
-// Names of files in a sketch are seen from where the sketch is.
+// File names in a sketch are relative to the folder of the sketch.
 std::string beside(const std::string& sketch, const std::string& name) {
   return name.empty() || is_absolute(name) ? name : sketch.substr(0, begin_of_name(sketch)) + name;
 }
@@ -49,8 +49,8 @@ bool find_text(const std::vector<NamedText>& files, const std::string& name, std
   return false;
 }
 
-// The numbers whose tolerances were not met.
-void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
+// Prints the results whose tolerances were not met.
+void print_misses(const DeckFile& deck, const MeshLoop& loop) {
   if (loop.stopped.empty()) return;
   const Messages messages(deck);
   if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
@@ -58,11 +58,11 @@ void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
     if (s.is_met()) continue;
     std::string text = s.name;
     if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
-    char numbers[120] = ": its error cannot be told";
+    char numbers[120] = ": its error is unknown";
     if (!std::isnan(s.relative_error()))
       std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%", 100 * s.relative_error());
     text += numbers;
-    std::snprintf(numbers, sizeof numbers, ", asked for was %.2g %%", 100 * s.tolerance);
+    std::snprintf(numbers, sizeof numbers, ", the tolerance is %.2g %%", 100 * s.tolerance);
     messages.note(text + numbers + ", " + loop.stopped);
   }
 }
@@ -74,7 +74,7 @@ void show(const MeshRound& round, size_t number) {
   std::fputc('\n', stderr);
 }
 
-// The deck of a sound sketch. Throws a sketch::Fault.
+// Replaces a valid sketch by its deck. Throws a sketch::Fault.
 int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
                 MeshLoop& loop) {
   if (!drawing.adapts || !sketch.adapts) {
@@ -88,10 +88,10 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
   demand.store = drawing.store;
   estimate::ask(sketch, demand);
   size_t meshes = 0;
-  const auto told = [&](const MeshRound& round) {
+  const auto on_round = [&](const MeshRound& round) {
     if (drawing.shows) show(round, ++meshes);
   };
-  estimate::Adapted adapted = estimate::adapt(sketch, demand, told, drawing.keeper);
+  estimate::Adapted adapted = estimate::adapt(sketch, demand, on_round, drawing.keeper);
   if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;
   if (interrupted()) put_off_interrupt();
   if (drawing.keeper != nullptr && !drawing.keeper->error().empty()) {
@@ -99,7 +99,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
     return kExitFiles;
   }
   deck.replace_by_deck(adapted.deck);
-  tell_misses(deck, adapted.loop);
+  print_misses(deck, adapted.loop);
   loop = std::move(adapted.loop);
   return 0;
 }
@@ -108,7 +108,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
 
 namespace {
 
-// A deck's own parameters.
+// Replaces the parameters of a deck by their values.
 int fill_deck(DeckFile& deck, const Drawing& drawing) {
   std::vector<Setting> settings;
   for (const std::string& word : drawing.settings) {
@@ -155,7 +155,7 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
     return true;
   };
   const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
-  if (interrupted()) return kExitCancelled; // a file that was waited for is none that cannot be read
+  if (interrupted()) return kExitCancelled; // an interrupted read is not a file error
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
   int exit = 0;
@@ -187,7 +187,7 @@ int write_mesh(const Options& options) {
     return kExitInput;
   }
   if (!sketch::is_sketch(deck.text(), deck.name())) {
-    messages.fail("a deck has its mesh, expected a sketch");
+    messages.fail("the file is a deck and has a mesh, expected a sketch");
     return kExitInput;
   }
   if (const int status =

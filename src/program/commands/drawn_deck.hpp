@@ -1,4 +1,4 @@
-// A sketch where a deck may stand: its faults told at their places, its deck put in its place.
+// Sketches given in place of decks: reports their errors with line and column, and replaces the sketch by its deck.
 #pragma once
 
 #include "post/stated.hpp"
@@ -17,27 +17,27 @@ namespace app {
 
 // How a sketch becomes a deck.
 struct Drawing {
-  const std::vector<std::string>& settings; // "mu=0.3", for its parameters
-  bool adapts = true;                       // no: the first mesh will do
-  uint64_t memory = 0;                      // workspace of the runs that find the mesh; 0: chosen by size
-  bool shows = false;                       // a line on standard error for every mesh
-  bool ends_in_results = false; // a signal ends the search for a mesh: the best one so far is taken, if there is one
-  // Told the files that the sketch names before any work: says what is wrong with them; empty: nothing.
+  const std::vector<std::string>& settings; // parameters, such as "mu=0.3"
+  bool adapts = true;                       // false: use the first mesh
+  uint64_t memory = 0;                      // workspace of the runs of mesh refinement; 0: chosen by size
+  bool shows = false;                       // print a line on standard error for every mesh
+  bool ends_in_results = false;             // after a signal, use the best mesh so far, if any
+  // Called with the files named by the sketch, before any work: returns an error message, or an empty string.
   std::function<std::string(const std::vector<std::string>& read)> find_clash = {};
-  // Files that it names, in place of those that are there now; null: these.
+  // Contents of the files named by the sketch, in place of those on disk; null: read from disk.
   const std::vector<NamedText>* files = nullptr;
-  // Before the search for a mesh, with the sketch's files: an exit status, 0 to go on. And where meshes that are solved are
-  // kept; null: nowhere.
+  // Called before mesh refinement with the files of the sketch: returns an exit status, 0 to continue. `keeper` stores solved
+  // meshes; null: none are stored.
   std::function<int(const std::vector<NamedText>& files)> before_search = {};
   estimate::TrialKeeper* keeper = nullptr;
   StoreChoice* store = nullptr; // for the tapes of the meshes (estimate::Demand)
 };
 
-// If the text of `deck` is a sketch it is replaced by the sketch's own deck, and `loop` tells how its mesh was found. Prints
-// what is wrong and returns the program's exit status, 0 to go on.
+// If the text of `deck` is a sketch, replaces it by the deck of the sketch and records the mesh refinement in `loop`. Prints
+// errors. Returns the exit status of the program, 0 to continue.
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop);
 
-// What --set may name: parameters of a deck or a sketch.
+// The parameters of a deck or a sketch that --set may name.
 std::set<std::string> parameters_of(const DeckFile& deck);
 
 // The command mesh: writes the deck of a sketch. Returns the exit status.

@@ -1,4 +1,4 @@
-// contact2d sketch: a drawing becomes a sketch.
+// contact2d sketch: converts a drawing to a sketch.
 #pragma once
 
 #include "program/options.hpp"

@@ -107,7 +107,7 @@ std::vector<DrawnCurve> curves_of(const std::string& deck) {
   return out;
 }
 
-// `element 3 of body 1 (block)` or `node 7 of body 2`: the curve.
+// Reads `element 3 of body 1 (block)` or `node 7 of body 2` and returns the name of the curve.
 bool accept_place(const std::string& text, size_t& at, const std::vector<DrawnCurve>& curves, std::string& name) {
   size_t p = at;
   const int kind = accept(text, p, "element ") ? 0 : accept(text, p, "node ") ? 1 : -1;
@@ -124,7 +124,7 @@ bool accept_place(const std::string& text, size_t& at, const std::vector<DrawnCu
   return false;
 }
 
-// `pair 5 (on element 3 of body 1 (block), node 7 of body 2 (pad))`: both curves; `pair 5, ` nothing.
+// Reads `pair 5 (on element 3 of body 1 (block), node 7 of body 2 (pad))` and returns both curves; `pair 5, ` is removed.
 bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCurve>& curves, std::string& words) {
   size_t p = at;
   int number = 0;
@@ -139,9 +139,9 @@ bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCur
   return at = p, words = one + " and " + two, true;
 }
 
-// Where the contact of a zone may continue: `! zone 1 might go on: pad.flat ends at (5, 0), ...`, of each end.
+// Where the contact of a zone may continue: `! zone 1 may extend farther: pad.flat ends at ...`, for each end.
 std::string beyond_zone(int zone, const std::string& deck) {
-  const std::string begin = "\n! zone " + std::to_string(zone) + " might go on: ";
+  const std::string begin = "\n! zone " + std::to_string(zone) + " may extend farther: ";
   std::string out;
   for (size_t at = deck.find(begin); at != std::string::npos; at = deck.find(begin, at)) {
     at += begin.size();
@@ -169,7 +169,8 @@ bool is_at_natural_end(const c2d_error& warning, const std::string& deck) {
 }
 
 std::string without_cut_ends(std::string deck) {
-  for (size_t at = 0; (at = deck.find(" might go on: coarser meshes did not touch there", at)) != std::string::npos;) {
+  for (size_t at = 0;
+       (at = deck.find(" may extend farther: on coarser meshes the surfaces did not touch there", at)) != std::string::npos;) {
     at = deck.rfind('\n', at);
     deck.erase(at, deck.find('\n', at + 1) - at);
   }

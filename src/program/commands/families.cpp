@@ -28,14 +28,14 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return out;
 }
 
-// The words of a choice; none: it is a number.
+// The words of a choice; none: the parameter is a number.
 std::vector<std::string> words_of_choice(const Parameter& parameter) {
   const std::string list = parameter.meaning.substr(0, parameter.meaning.find(':'));
   if (list.find('|') == std::string::npos || list.find(' ') != std::string::npos) return {};
   return parts_of(list, '|');
 }
 
-// What a default or a value is in a sketch: a number, of a choice that of its word.
+// The number of a value in the sketch; for a choice, the index of its word.
 bool read_value(const Parameter& parameter, const std::string& text, double& value, std::string& expected) {
   const std::vector<std::string> words = words_of_choice(parameter);
   const auto found = std::find(words.begin(), words.end(), text);
@@ -61,8 +61,8 @@ bool set_one(const std::vector<Parameter>& known, const std::string& setting, sk
   return error.empty();
 }
 
-std::string told(const sketch::Fault& fault) {
-  return (fault.at.line > 0 ? "line " + std::to_string(fault.at.line) + " of its sketch: " : "") + fault.text;
+std::string text_of(const sketch::Fault& fault) {
+  return (fault.at.line > 0 ? "line " + std::to_string(fault.at.line) + " of the sketch: " : "") + fault.text;
 }
 
 bool make(const Family& family, const std::vector<std::string>& settings, std::string& deck, std::string& error) {
@@ -72,12 +72,12 @@ bool make(const Family& family, const std::vector<std::string>& settings, std::s
     if (!set_one(known, setting, given, error)) return false;
   const auto no_file = [](const std::string&, std::string&) { return false; };
   sketch::Reading reading = sketch::read_sketch(family.sketch, given, no_file);
-  reading.sketch.points.clear(); // where stresses are wanted of a mesh that is searched for
+  reading.sketch.points.clear(); // points belong to runs with mesh refinement
   try {
     if (!reading.faults.empty()) throw reading.faults.front();
     deck = sketch::deck_of(reading.sketch, sketch::given_mesh(reading.sketch));
   } catch (const sketch::Fault& fault) {
-    error = told(fault);
+    error = text_of(fault);
   }
   return error.empty();
 }
@@ -134,13 +134,13 @@ std::string list_families() {
   std::string out;
   for (const Family& family : all_families()) out += describe(family) + "\n";
   return out + "usage: contact2d make NAME key=value ... > DECK\n"
-               "keys that are not given have the values shown; they are in any consistent units\n";
+               "keys without a value have the defaults shown; any consistent units may be used\n";
 }
 
 bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck, std::string& error) {
   const Family* const family = find_family(name);
   if (family == nullptr) {
-    error = "make: '" + name + "' is not a known family; known are";
+    error = "make: '" + name + "' is not a known family, expected one of";
     for (const Family& known : all_families()) error += std::string(" ") + known.name;
     return false;
   }

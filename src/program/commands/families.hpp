@@ -1,4 +1,4 @@
-// The problems that `contact2d make` knows: the sketches of examples/families, whose text is part of the program.
+// The families of problems of `contact2d make`: the sketches of examples/families, compiled into the program.
 #pragma once
 
 #include <string>
@@ -13,21 +13,21 @@ struct Family {
 struct Parameter {
   std::string key;
   std::string value;   // the default
-  std::string meaning; // of a choice, begins with the words allowed, separated by |, and a colon; they count from 0
+  std::string meaning; // for a choice: begins with the allowed words, separated by | and followed by a colon; they count from 0
 };
 
 const std::vector<Family>& all_families();
 const Family* find_family(const std::string& name);
 
-// Those whose default is a number and of which the comment behind them says something.
+// The parameters with a numeric default and a comment that explains them.
 std::vector<Parameter> parameters_of(const Family& family);
 std::string summary_of(const Family& family); // its title
-// Names and summaries, a line each; with a name that family's parameters too.
+// All families with their parameters; describe: one family.
 std::string list_families();
 std::string describe(const Family& family);
 
-// Deck of a family, with the given divisions of its curves, from words such as "n=20"; false with `error` telling what is wrong
-// and what is known.
+// Writes the deck of a family, with the divisions of its statements `elements`, from settings such as "n=20". On failure
+// returns false, with the reason and the known keys in `error`.
 bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck, std::string& error);
 
 } // namespace families

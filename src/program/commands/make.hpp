@@ -1,4 +1,4 @@
-// contact2d make: writes the deck of a problem of a known family.
+// contact2d make: writes the deck of a family of problems.
 #pragma once
 
 #include "program/options.hpp"

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kRadian = 0.017453292519943295; // a degree
 constexpr double kConcave = -20 * kRadian;       // a corner that turns more to the right ends a chain
-constexpr double kFan = 1e-4;                    // of less than this a convex corner is smooth
+constexpr double kFan = 1e-4;                    // a convex corner that turns less is smooth
 constexpr int kLeastSamples = 64;                // of a curve
 constexpr int kFanSamples = 8;
-constexpr double kLast = 1 - 1e-13, kWhole = 1 - 1e-12; // of a piece: its last place, and from where on that is its end
+constexpr double kLast = 1 - 1e-13, kWhole = 1 - 1e-12; // of a piece: its last sample; a place beyond kWhole is its end
 
 Point outward(const Shape& shape, double u) { return -1.0 * turned_left(shape.tangent(u)); }
 
@@ -19,7 +19,7 @@ double turn_at_joint(const Curve& before, const Curve& next) {
   return angle_between(before.shape->tangent(1), next.shape->tangent(0));
 }
 
-// A degree from one sample to the next.
+// About one sample per degree of turn.
 int samples_of(const Shape& shape) {
   const int n = kLeastSamples + 8 * shape.pieces();
   double turn = 0;

@@ -1,3 +1,9 @@
+// Facing parts of two chains of curves. Phases:
+// 1. Sample both chains. For every sample of chain a, find the nearest facing point of chain b (nearest), and accept it if the
+//    search back from b finds no nearer point and no other curve lies between (look).
+// 2. Where a partner appears, disappears or jumps between neighbouring samples, bisect to locate the limit (fill).
+// 3. Join linked neighbours to runs (runs); trim fans of normals at their ends (run_of).
+// 4. Repeat with the weight m of METHOD 8.3 from the mean curvatures of each run (facing_runs), then snap ends to curve ends.
 #include "program/sketch/facing.hpp"
 
 #include <algorithm>
@@ -6,17 +12,17 @@
 namespace sketch {
 namespace {
 
-constexpr double kFaces = 0.6427876096865394; // the cosine of 50 degrees: surfaces more inclined to each other do not face
+constexpr double kFaces = 0.6427876096865394; // cosine of 50 degrees: surfaces with a larger inclination do not face
 constexpr double kLinked = 2e-3; // of the other chain: neighbouring points face neighbouring points up to this far apart
 constexpr int kJumpDepth = 30, kBorderDepth = 60; // bisections of a jump, of a border
 constexpr double kLeastRun = 1e-7;                // of the shorter chain
-constexpr double kMiddleOfWay = 0.02;             // of a way across: what lies on its ends is the surface itself
-constexpr double kSnap = 1e-6;                    // of a run: ends nearer to a chain's end are there
+constexpr double kMiddleOfWay = 0.02;             // of the line between two points: its ends lie on the surfaces themselves
+constexpr double kSnap = 1e-6;                    // of a run: an end nearer than this to the end of a chain moves there
 
-constexpr int kMostRounds = 3;       // of searches with a better m
-constexpr double kSameNormal = 1e-3; // a change of m of less is none
+constexpr int kMostRounds = 3;       // of searches with an updated m
+constexpr double kSameNormal = 1e-3; // smaller changes of m are ignored
 
-// The mixture of normals along which points face each other.
+// The weighted normal along which points face each other.
 Point across(Point na, Point nb, double m) { return m * na - (1 - m) * nb; }
 
 struct Partner {
@@ -25,7 +31,7 @@ struct Partner {
   double gap = HUGE_VAL;
 };
 
-// The zero of a function between places where it has unlike signs (Illinois).
+// The zero of a function between two arguments where its signs differ (Illinois method).
 template <class Function> double zero_between(double a, double b, double fa, double fb, double nothing, const Function& f) {
   for (int step = 0; step < 60 && std::fabs(fb) > nothing && std::fabs(b - a) > 1e-15 * std::max(1.0, std::fabs(b)); ++step) {
     double x = b - fb * (b - a) / (fb - fa);
@@ -49,7 +55,7 @@ public:
   std::vector<FacingRun> runs();
 
 private:
-  struct Look { // at a place of a
+  struct Look { // the result at one place of chain a
     ChainPlace place = 0;
     Partner partner;
     double length[2] = {0, 0};
@@ -68,7 +74,7 @@ private:
   std::vector<Look> looks_;
 };
 
-// Of all places of a chain that face a point the nearest.
+// The nearest of all places of a chain that face a point.
 Partner Search::nearest(const Chain& of, const SurfacePoint& from, double m) const {
   const double tiny = 2e-12 * size_;
   const auto off = [&](const SurfacePoint& to) { return cross(to.at - from.at, across(from.normal, to.normal, m)); };
@@ -131,7 +137,7 @@ bool Search::is_linked(const Look& p, const Look& q) const {
   return other <= 4 * way + kLinked * b_.length() || a_.is_fan(p.place) || a_.is_fan(q.place);
 }
 
-// What lies between two looks, as far as it has a border of what faces, or a jump.
+// Bisects between two neighbouring results, if a facing part ends between them or the partner jumps.
 void Search::fill(const Look& low, const Look& high, int depth) {
   const bool border = low.partner.found != high.partner.found;
   const double way = std::fabs(a_.way(low.length[0], high.length[0]));
@@ -146,7 +152,7 @@ void Search::fill(const Look& low, const Look& high, int depth) {
   fill(at, high, depth + 1);
 }
 
-// Lengths without steps where a closed chain is passed; fans at the ends left out.
+// A run with continuous lengths where a closed chain passes its start, and without fans at its ends.
 FacingRun Search::run_of(const std::vector<Look>& looks, bool ring) const {
   FacingRun out{{&a_, &b_}, {}, ring};
   size_t first = 0, last = looks.size();
@@ -210,7 +216,7 @@ std::vector<FacingRun> Search::runs() {
   return out;
 }
 
-// METHOD 8.3, of a run. Its second side is run through backwards.
+// The weight m of METHOD 8.3 for a run. Lengths on the second side decrease along the run.
 double part_of_normal(const FacingRun& run) {
   double curvature[2];
   for (size_t side = 0; side < 2; ++side) {
@@ -222,7 +228,7 @@ double part_of_normal(const FacingRun& run) {
   return curvature[1] / (curvature[0] + curvature[1]);
 }
 
-// How far a run is from a length on its first side.
+// The distance of a run from a length on its first side.
 double distance_to(const FacingRun& run, double length) {
   double least = HUGE_VAL;
   for (const FacingPoints& p : run.points) least = std::min(least, std::fabs(run.chain[0]->way(p.length[0], length)));

@@ -11,8 +11,8 @@ struct Meeting {
   bool found;
 };
 
-// Where `before` and `next`, both moved by `offset` to their left, meet nearest to their common corner: a search on a grid,
-// then Newton's method.
+// The intersection, nearest to the common corner, of `before` and `next` after both are offset to the left: a grid search, then
+// Newton's method.
 Meeting meet(const Shape& before, const Shape& next, double offset) {
   const auto place = [offset](const Shape& s, double u) { return s.at(u) + offset * turned_left(s.tangent(u)); };
   constexpr int n = 200;
@@ -48,10 +48,10 @@ Meeting meet(const Shape& before, const Shape& next, double offset) {
 
 Curve fillet(Curve& before, Curve& next, const std::string& name, double radius, Place at) {
   const double turn = cross(before.shape->tangent(1), next.shape->tangent(0));
-  if (std::fabs(turn) < 1e-6) throw Fault{at, "the curves beside the fillet have no corner"};
+  if (std::fabs(turn) < 1e-6) throw Fault{at, "the two curves join smoothly, expected a corner for the fillet"};
   const double offset = turn > 0 ? radius : -radius;
   const Meeting m = meet(*before.shape, *next.shape, offset);
-  if (!m.found) throw Fault{at, "a fillet of radius " + show(radius) + " does not fit between the curves beside it"};
+  if (!m.found) throw Fault{at, "a fillet of radius " + show(radius) + " does not fit between the two curves"};
   const Point first = before.shape->at(m.u), centre = first + offset * turned_left(before.shape->tangent(m.u));
   const Point last = next.shape->at(m.v);
   const Point p = first - centre, q = last - centre;
@@ -65,8 +65,8 @@ Curve fillet(Curve& before, Curve& next, const std::string& name, double radius,
 Curve chamfer(Curve& before, Curve& next, const std::string& name, double cut, Place at) {
   const Measure a(before.shape), b(next.shape);
   if (cut >= a.length() || cut >= b.length())
-    throw Fault{at, "a chamfer of " + show(cut) + " does not fit: the curves beside it are " + rounded(a.length()) + " and " +
-                        rounded(b.length()) + " long"};
+    throw Fault{at, "a chamfer of " + show(cut) + " does not fit: the two curves have the lengths " + rounded(a.length()) +
+                        " and " + rounded(b.length())};
   before.shape = part(before.shape, 0, a.u_at(a.length() - cut));
   next.shape = part(next.shape, b.u_at(cut), 1);
   return {name, line(before.shape->at(1), next.shape->at(0)), at};

@@ -1,3 +1,8 @@
+// The first mesh of a sketch (Mesher::run). Phases:
+// 1. Sample the wanted element size on every curve: curvature, outline size, corners (sample).
+// 2. Reduce it in thin walls, near forces at points and in gaps between facing parts (thin_walls, point_loads, gaps).
+// 3. Limit the growth of sizes along the outlines (spread).
+// 4. Divide the curves, by sizes (divide) or by statements (give), and align facing sides (align).
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/elements.hpp"
@@ -17,18 +22,18 @@ size_t MeshedOutline::elements() const {
 
 namespace {
 
-constexpr double kGrowth = 0.35;     // how much larger elements may become per length
-constexpr double kTurn = 0.3;        // radians that an element may turn
-constexpr double kCorner = 0.05;     // the size at a corner, of the shorter curve there
-constexpr double kThinWall = 0.7;    // the size, of the distance to the other side
-constexpr double kLargest = 0.1;     // the size, of the outline's
-constexpr double kTouching = 2e-3;   // the least size by gaps, of the shorter side's length
-constexpr double kAlongSide = 0.025; // the same, of the length that lies on the other side already
-constexpr double kTied = 0.08;       // the size along a bond, of its length
-constexpr double kOfLoad = 0.2;      // the size beside a force at a point, of its distance
-constexpr int kSamplesOfSide = 160;  // of sizes, on a curve
+constexpr double kGrowth = 0.35;     // growth of the element size per length
+constexpr double kTurn = 0.3;        // radians: largest turn of an element
+constexpr double kCorner = 0.05;     // size at a corner, as a fraction of the shorter adjacent curve
+constexpr double kThinWall = 0.7;    // size as a fraction of the wall thickness
+constexpr double kLargest = 0.1;     // size as a fraction of the size of the outline
+constexpr double kTouching = 2e-3;   // smallest size by gaps, as a fraction of the length of the shorter side
+constexpr double kAlongSide = 0.025; // the same, as a fraction of the length already touching as drawn
+constexpr double kTied = 0.08;       // size along a tie, as a fraction of its length
+constexpr double kOfLoad = 0.2;      // size near a force at a point, as a fraction of its distance
+constexpr int kSamplesOfSide = 160;  // samples of the size on a curve
 
-// Sizes wanted along a curve, at equal steps of its length.
+// Element sizes wanted along a curve, sampled at equal steps of its length.
 struct Sizes {
   std::vector<Point> at;
   std::vector<double> h;
@@ -60,7 +65,7 @@ double turn_between(const Shape& a, const Shape& b) {
   return std::fabs(std::atan2(cross(p, q), dot(p, q)));
 }
 
-// By curvature, the size of the outline and corners.
+// Sizes from curvature, the size of the outline, and corners.
 void Mesher::sample(const MeshedOutline& outline) {
   Outline drawn;
   for (const MeshedCurve& curve : outline.curves) drawn.curves.push_back(*curve.curve);
@@ -90,7 +95,7 @@ void Mesher::sample(const MeshedOutline& outline) {
   }
 }
 
-// Sizes grow by kGrowth at most, on and around the outline.
+// Limits the growth of sizes along the outline to kGrowth, in both directions.
 void Mesher::spread(const MeshedOutline& outline, size_t first) {
   const size_t n = outline.curves.size();
   for (int round = 0; round < 2; ++round) {
@@ -109,7 +114,7 @@ void Mesher::spread(const MeshedOutline& outline, size_t first) {
   }
 }
 
-// The distance through the material to the other side of a body, along the inner normal.
+// Reduces sizes in thin walls: distance through the material along the inner normal.
 void Mesher::thin_walls(size_t body) {
   size_t first = 0;
   for (size_t b = 0; b < body; ++b)
@@ -136,7 +141,7 @@ void Mesher::thin_walls(size_t body) {
   }
 }
 
-// A force inside is followed by what the boundary bears of it.
+// Reduces sizes near forces at interior points.
 void Mesher::point_loads(size_t body) {
   size_t curve = 0;
   for (size_t b = 0; b < body; ++b)
@@ -148,7 +153,7 @@ void Mesher::point_loads(size_t body) {
           sizes_[curve].h[k] = std::min(sizes_[curve].h[k], kOfLoad * length(load.where - sizes_[curve].at[k]));
 }
 
-// Where surfaces that may touch are near, elements are small beside the way along which the gap opens.
+// Reduces sizes where facing surfaces are close, to resolve the opening of the gap.
 void Mesher::gaps(size_t contact) {
   const bool tied = s_.interfaces[s_.contacts[contact].interface].tied;
   std::vector<size_t> sides[2];
@@ -165,18 +170,18 @@ void Mesher::gaps(size_t contact) {
     for (const size_t c : side) length += sizes_[c].step * static_cast<double>(sizes_[c].h.size() - 1);
     whole = std::min(whole, length);
   }
-  const auto nearest = [&](int side, Point p, double& size) { // on the other side, and the size there
+  const auto nearest = [&](int side, Point p, double& size) { // the gap to the other side and the size there
     double gap = HUGE_VAL;
     for (const size_t o : sides[1 - side])
       for (size_t j = 0; j < sizes_[o].at.size(); ++j)
         if (const double d = length(sizes_[o].at[j] - p); d < gap) gap = d, size = sizes_[o].h[j];
     return gap;
   };
-  double unused = 0, touching = 0; // how much of side 2 lies on side 1 already
+  double unused = 0, touching = 0; // length of side 1 that touches side 0 as drawn
   for (const size_t c : sides[1])
     for (const Point& p : sizes_[c].at) touching += nearest(1, p, unused) < sizes_[c].step ? sizes_[c].step : 0;
   const double least = std::max(kTouching * whole, kAlongSide * touching);
-  for (int round = 0; round < 2; ++round) // first by gaps, then as small as the elements opposite
+  for (int round = 0; round < 2; ++round) // first by gaps, then by the elements opposite
     for (int side = 0; side < 2; ++side)
       for (const size_t c : sides[side])
         for (size_t k = 0; k < sizes_[c].at.size(); ++k) {
@@ -187,7 +192,7 @@ void Mesher::gaps(size_t contact) {
         }
 }
 
-// As many elements as the integral of 1 / h, each with its share of it.
+// The number of elements is the integral of 1 / h, rounded up; each element has an equal share of the integral.
 void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
   std::vector<double> sum(1, 0);
   for (size_t k = 1; k < sizes.h.size(); ++k)
@@ -202,7 +207,7 @@ void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
   curve.ends.push_back(curve.measure.length());
 }
 
-// Elements as statements divide drawn curves; of a curve that is cut each piece has its share of them.
+// Elements from statements. If a drawn curve has been cut, its element ends are distributed to the pieces.
 void Mesher::give(int body, MeshedOutline& outline) const {
   std::vector<MeshedCurve>& curves = outline.curves;
   for (size_t first = 0, next; first < curves.size(); first = next) {
@@ -231,7 +236,7 @@ bool are_on_one_side(const Sketch& s, int body, const Curve& a, const Curve& b) 
   return (a.contact >= 0 && a.contact == b.contact && a.side == b.side) || std::any_of(s.drives.begin(), s.drives.end(), on);
 }
 
-// The curves of an outline, a closed one from where no side goes on: the elements of a side then have numbers in a row.
+// The curves of an outline. A closed outline starts between two sides, so that the elements of a side have consecutive numbers.
 std::vector<const Curve*> curves_in_order(const Sketch& s, int body, const Outline& outline) {
   const size_t n = outline.curves.size();
   size_t first = 0;

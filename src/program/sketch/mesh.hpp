@@ -1,4 +1,4 @@
-// Elements on the curves of a sketch, and the deck made of them.
+// The mesh of a sketch and the deck generated from it.
 #pragma once
 
 #include "program/sketch/sketch.hpp"
@@ -10,9 +10,9 @@ namespace sketch {
 struct MeshedCurve {
   const Curve* curve;
   Measure measure;
-  std::vector<double> ends; // of the elements: lengths from the curve's begin, 0 and its whole length included
-  std::vector<std::pair<double, double>> far; // lengths between which nothing of a side 2 comes near the other side
-  bool given = false;                         // are the elements those of a statement, or of what faces them?
+  std::vector<double> ends; // of the elements: lengths from the start of the curve, including 0 and its total length
+  std::vector<std::pair<double, double>> far; // ranges of length that the other side never comes near
+  bool given = false;                         // are the elements given by a statement, or copied from the facing side?
   size_t elements() const { return ends.size() - 1; }
 };
 struct MeshedOutline {
@@ -20,23 +20,23 @@ struct MeshedOutline {
   std::vector<MeshedCurve> curves;
   size_t elements() const;
 };
-// Of every body its outlines, open ones first. It refers to the sketch.
+// The meshed outlines of every body, open ones first. The mesh refers to the sketch.
 struct Mesh {
   std::vector<std::vector<MeshedOutline>> bodies;
-  bool given = false; // by statements `elements`: the deck has its elements without the true curves
+  bool given = false; // by statements `elements`: the deck then has no exact curves for elastic bodies
 };
 
-// Do contact conditions hold at the nodes of a curve?
+// Are contact conditions imposed at the nodes of a curve?
 bool holds_pairs(const Sketch& sketch, const Curve& curve);
 
-// Elements that follow curvature, and become smaller towards corners, in thin walls and narrow gaps. `fineness`: 1; 2 has
-// elements of half the size.
-constexpr double kWithoutSearch = 2; // fineness of a mesh that no tolerance asks for
+// Element sizes follow curvature and decrease towards corners, in thin walls and in narrow gaps. Sizes are proportional to
+// 1 / `fineness`.
+constexpr double kWithoutSearch = 2; // fineness of a mesh without refinement
 Mesh first_mesh(const Sketch& sketch, double fineness);
-// The mesh that is taken without a search: as the statements `elements` divide the curves; others as the first mesh does.
+// The mesh without refinement: curves are divided by statements `elements`, all others as in the first mesh.
 Mesh given_mesh(const Sketch& sketch);
 
-// The deck, in the free form. Throws a Fault where the statements of a sketch do not go together.
+// The deck in free form. Throws a Fault if statements of the sketch contradict each other.
 std::string deck_of(const Sketch& sketch, const Mesh& mesh);
 
 } // namespace sketch

@@ -14,13 +14,15 @@ bool same_target(const Drive& a, const Drive& b) {
 
 namespace {
 
-constexpr double kOverlap = 1e-5, kTieOverlap = 0.01, kPressFit = 0.05; // of the smaller body's size
+constexpr double kOverlap = 1e-5, kTieOverlap = 0.01, kPressFit = 0.05; // of the size of the smaller body
 
 int corners_on(const Shape& shape) { return shape.form() == Form::kLine ? 1 : 48 + 2 * shape.pieces(); }
 
-std::string told(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
+std::string text_of(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
 
-std::string told(const Curve& curve) { return curve.name.empty() ? std::string("a curve") : "curve " + in_quotes(curve.name); }
+std::string text_of(const Curve& curve) {
+  return curve.name.empty() ? std::string("a curve") : "curve " + in_quotes(curve.name);
+}
 
 // A side of a polygon and the curve it belongs to.
 struct Chord {
@@ -42,7 +44,7 @@ std::vector<Chord> chords_of(const Body& body) {
   return out;
 }
 
-// Do two chords cross at a point inside both?
+// Do two chords cross at an interior point of both?
 bool cross_at(const Chord& p, const Chord& q, Point& at) {
   if (std::max(p.a.x, p.b.x) < std::min(q.a.x, q.b.x) || std::max(q.a.x, q.b.x) < std::min(p.a.x, p.b.x)) return false;
   if (std::max(p.a.y, p.b.y) < std::min(q.a.y, q.b.y) || std::max(q.a.y, q.b.y) < std::min(p.a.y, p.b.y)) return false;
@@ -101,25 +103,25 @@ void Check::check_outline(const Body& body, const Outline& outline) {
   const double size = size_of(polygon);
   for (const Curve& curve : outline.curves)
     if (!(Measure(curve.shape).length() > kJoint * size))
-      return fault(curve.at, "body " + in_quotes(body.name) + ": " + told(curve) + " has no length");
+      return fault(curve.at, "body " + in_quotes(body.name) + ": " + text_of(curve) + " has length zero");
   for (size_t i = 0; i < outline.curves.size(); ++i) {
     const bool last = i + 1 == outline.curves.size();
     if (last && outline.open) continue;
     const Curve &from = outline.curves[i], &to = outline.curves[last ? 0 : i + 1];
     const Point end = from.shape->at(1), begin = to.shape->at(0);
     if (length(end - begin) <= kJoint * size) continue;
-    return fault(last ? from.at : to.at, "body " + in_quotes(body.name) + ": the outline is open: " + told(from) + " ends at " +
-                                             told(end) + ", " + told(to) + " begins at " + told(begin) + ", " +
-                                             rounded(length(end - begin)) + " from there");
+    return fault(last ? from.at : to.at, "body " + in_quotes(body.name) + ": the outline is open: " + text_of(from) +
+                                             " ends at " + text_of(end) + ", " + text_of(to) + " begins at " + text_of(begin) +
+                                             "; the gap is " + rounded(length(end - begin)));
   }
 }
 
 void Check::check_direction(const Body& body, const Outline& outline) {
-  const double area = outline.open ? Region(s_, body).area() : area_of(polygon_of(outline)); // of several open ones the whole
+  const double area = outline.open ? Region(s_, body).area() : area_of(polygon_of(outline)); // of all outlines if they are open
   if ((area > 0) == (outline.hole && !outline.open))
     fault(outline.at, "body " + in_quotes(body.name) + ": " +
-                          (outline.hole ? "the hole runs counter-clockwise, expected clockwise"
-                                        : "the outline runs clockwise, expected counter-clockwise") +
+                          (outline.hole ? "the hole is drawn counter-clockwise, expected clockwise"
+                                        : "the outline is drawn clockwise, expected counter-clockwise") +
                           ", with the material on the left");
 }
 
@@ -129,9 +131,9 @@ void Check::check_crossings(const Body& body) {
     for (size_t j = i + 1; j < chords.size(); ++j) {
       Point at;
       if (!cross_at(chords[i], chords[j], at)) continue;
-      return fault(chords[j].curve->at, "body " + in_quotes(body.name) + ": " + told(*chords[j].curve) + " crosses " +
-                                            (chords[i].curve == chords[j].curve ? "itself" : told(*chords[i].curve)) +
-                                            " near " + told(at));
+      return fault(chords[j].curve->at, "body " + in_quotes(body.name) + ": " + text_of(*chords[j].curve) + " crosses " +
+                                            (chords[i].curve == chords[j].curve ? "itself" : text_of(*chords[i].curve)) +
+                                            " near " + text_of(at));
     }
 }
 
@@ -145,19 +147,19 @@ void Check::check_holes(const Body& body) {
     const bool inside = std::any_of(body.outlines.begin(), body.outlines.end(), [&](const Outline& outline) {
       return !outline.hole && (outline.open || holds(polygon_of(outline), p));
     });
-    if (!inside) fault(hole.at, "body " + in_quotes(body.name) + ": the hole lies outside its outline");
+    if (!inside) fault(hole.at, "body " + in_quotes(body.name) + ": the hole lies outside the outline of the body");
   }
 }
 
-// Material in material: a hole that is not called so.
+// An outline inside another outline must be declared as a hole.
 void Check::check_nesting(const Body& body, const Outline& inner) {
   for (const Outline& outer : body.outlines)
     if (&outer != &inner && !outer.open && !outer.hole && holds(polygon_of(outer), inner.curves.front().shape->at(0.5)))
-      return fault(inner.at, "body " + in_quotes(body.name) + ": the outline lies inside that of line " +
+      return fault(inner.at, "body " + in_quotes(body.name) + ": the outline lies inside the outline of line " +
                                  std::to_string(outer.at.line) + ", expected a statement 'hole' before it");
 }
 
-// Only one side of a line of symmetry is drawn, without the line.
+// The outline must lie on one side of a line of symmetry and must not run along it.
 void Check::check_symmetry(const Body& body, const Outline& outline) {
   const std::vector<Point> polygon = polygon_of(outline);
   const double near = kJoint * size_of(polygon);
@@ -172,17 +174,17 @@ void Check::check_symmetry(const Body& body, const Outline& outline) {
     }
     if (below && above)
       return fault(outline.at, "body " + in_quotes(body.name) + ": the outline crosses the line of symmetry " + line +
-                                   ", expected what lies on one side of it");
+                                   ", expected only the part on one side of it");
     for (const Curve& curve : outline.curves) {
       const auto is_on = [&](double u) { return std::fabs(across(curve.shape->at(u), axis) - *s_.symmetry[axis]) <= near; };
       if (is_on(0) && is_on(0.5) && is_on(1))
-        return fault(curve.at, "body " + in_quotes(body.name) + ": " + told(curve) + " lies on the line of symmetry " + line +
-                                   ", which is not drawn: the outline begins and ends on it");
+        return fault(curve.at, "body " + in_quotes(body.name) + ": " + text_of(curve) + " lies on the line of symmetry " +
+                                   line + "; do not draw this curve: the outline must begin and end on the line");
     }
   }
 }
 
-// How deep points of one body's boundary lie in the other. What is tied may differ a little: the bond closes it.
+// The largest depth of boundary points of one body inside the other. Tied surfaces may overlap slightly: the tie closes this.
 void Check::check_overlap(const Body& a, const Region& first, const Body& b, const Region& second) {
   const bool is_tied = std::any_of(s_.interfaces.begin(), s_.interfaces.end(), [&](const Interface& i) {
     const Body &p = s_.bodies[static_cast<size_t>(i.side[0].body)], &q = s_.bodies[static_cast<size_t>(i.side[1].body)];
@@ -193,12 +195,12 @@ void Check::check_overlap(const Body& a, const Region& first, const Body& b, con
   Point where;
   for (const auto& [in, of] : {std::pair(&first, &second), std::pair(&second, &first)})
     for (const Point& p : of->points()) {
-      const double depth = in->may_hold(p) ? in->depth(p) : 0;
+      const double depth = in->may_contain(p) ? in->depth(p) : 0;
       if (depth > deepest) deepest = depth, where = p;
     }
   if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)
     fault(b.at, "bodies " + in_quotes(a.name) + " and " + in_quotes(b.name) + " overlap by " + rounded(deepest) + " at " +
-                    told(where));
+                    text_of(where));
 }
 
 } // namespace

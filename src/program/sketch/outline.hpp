@@ -1,25 +1,25 @@
-// From curves one after the other to a closed outline: joints, fillets, chamfers.
+// Outlines from consecutive curves: joints, fillets, chamfers, checks.
 #pragma once
 
 #include "program/sketch/sketch.hpp"
 
 namespace sketch {
 
-// Lengths below this share of an outline's size are nothing.
+// Lengths below this fraction of the size of an outline count as zero.
 constexpr double kJoint = 1e-6;
 
-// Puts an arc between the last curve of `curves` and `next`, both of which become shorter. Throws a Fault at `at`.
+// Inserts an arc between two curves and shortens both. Throws a Fault at `at` if it does not fit.
 Curve fillet(Curve& before, Curve& next, const std::string& name, double radius, Place at);
-// The same with a line that cuts `cut` off both.
+// Inserts a line and shortens both curves by `cut`.
 Curve chamfer(Curve& before, Curve& next, const std::string& name, double cut, Place at);
 
-// The corners of a polygon that follows an outline, a few on every curve.
+// The corners of a polygon that approximates an outline.
 std::vector<Point> polygon_of(const Outline& outline);
-double area_of(const std::vector<Point>& polygon); // above 0: counter-clockwise
-bool holds(const std::vector<Point>& polygon, Point p);
-double size_of(const std::vector<Point>& polygon); // the larger side of the box around it
+double area_of(const std::vector<Point>& polygon);      // above 0: counter-clockwise
+bool holds(const std::vector<Point>& polygon, Point p); // is the point inside?
+double size_of(const std::vector<Point>& polygon);      // the larger side of the bounding box
 
-// What is wrong with the shapes of a sketch: outlines that are open, clockwise or cross, bodies that overlap.
+// Errors of the shapes of a sketch: open, clockwise or crossing outlines, and bodies that overlap.
 std::vector<Fault> faults_of_shapes(const Sketch& sketch);
 
 } // namespace sketch

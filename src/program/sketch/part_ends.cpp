@@ -7,12 +7,12 @@ namespace sketch {
 namespace {
 
 constexpr double kAtEnd = 1e-9;    // of a chain
-constexpr double kSmooth = 0.35;   // radians: a surface that turns less goes on
-constexpr double kInclined = 0.87; // radians, 50 degrees less what is left of bisection: surfaces at the limit of facing
+constexpr double kSmooth = 0.35;   // radians: a surface that turns less continues smoothly
+constexpr double kInclined = 0.87; // radians: 50 degrees, less the tolerance of the bisection that finds this limit
 
 std::string place(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
 
-// Where a chain ends and its outline goes on smoothly, by a curve that the side does not have.
+// The message where a chain ends but the outline continues smoothly along a curve that the side does not include; else empty.
 std::string beyond(const Sketch& sketch, const Chain& chain, bool at_begin) {
   const Body& body = sketch.bodies[static_cast<size_t>(chain.body())];
   const Outline& outline = body.outlines[chain.outline()];
@@ -23,11 +23,11 @@ std::string beyond(const Sketch& sketch, const Chain& chain, bool at_begin) {
   const double turn = at_begin ? angle_between(next.shape->tangent(1), own.shape->tangent(0))
                                : angle_between(own.shape->tangent(1), next.shape->tangent(0));
   if (std::fabs(turn) > kSmooth) return "";
-  return body.name + "." + own.name + " ends at " + place(own.shape->at(at_begin ? 0 : 1)) + ", where " + body.name + "." +
-         next.name + " goes on smoothly: add it";
+  return body.name + "." + own.name + " ends at " + place(own.shape->at(at_begin ? 0 : 1)) + ", but " + body.name + "." +
+         next.name + " continues it smoothly: add this curve to the side";
 }
 
-// Is there a corner between two curves of a chain at a length? What lies behind it may be too inclined to face.
+// Does a corner between two curves of a chain lie at this length? Beyond a corner the surface may be too inclined to face.
 bool has_corner(const Chain& chain, double length) {
   const std::vector<const Curve*>& curves = chain.curves();
   for (size_t k = chain.closed() ? 0 : 1; k < curves.size(); ++k) {
@@ -57,7 +57,8 @@ std::string end_of_part(const Sketch& sketch, const FacingRun& run, bool last) {
   if (ends) return "";
   const bool inclined = std::fabs(angle_between(p.normal[0], -1.0 * p.normal[1])) > kInclined;
   return "beyond " + place(p.at) +
-         (inclined ? " they are inclined to each other by more than 50 degrees" : " something lies between them, or is nearer");
+         (inclined ? " the surfaces are inclined to each other by more than 50 degrees"
+                   : " another curve lies between the surfaces or is nearer");
 }
 
 } // namespace sketch

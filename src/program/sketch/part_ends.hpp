@@ -1,11 +1,11 @@
-// Why parts that face each other end where they do, for a contact that reaches it.
+// The reason why a facing part ends where it does. It is reported if the contact reaches that end.
 #pragma once
 
 #include "program/sketch/facing.hpp"
 
 namespace sketch {
 
-// At the first or the last of the run's points. Empty: at a corner or a line of symmetry, where contact itself ends.
+// For the first or the last point of the run. Empty at a corner or a line of symmetry, where the surface itself ends.
 std::string end_of_part(const Sketch& sketch, const FacingRun& run, bool last);
 
 } // namespace sketch

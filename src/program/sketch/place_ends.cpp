@@ -7,9 +7,9 @@
 namespace sketch {
 namespace {
 
-constexpr double kTogether = 0.25; // of an element: places nearer than that to an end that has moved share it
+constexpr double kTogether = 0.25; // of an element: a place nearer than this to an end that has moved uses that end
 
-// `moved`: ends that have moved to other places.
+// `moved`: ends that have moved already.
 void place_end(MeshedCurve& curve, double s, std::vector<double>& moved) {
   std::vector<double>& all = curve.ends;
   const auto above = std::upper_bound(all.begin(), all.end(), s);
@@ -30,7 +30,7 @@ void place_end(MeshedCurve& curve, double s, std::vector<double>& moved) {
 
 } // namespace
 
-// A sample, then Newton's method on the distance.
+// Sampling, then Newton's method on the distance.
 double nearest_length(const MeshedCurve& curve, Point p) {
   const Shape& shape = *curve.curve->shape;
   const int n = 64 + 4 * shape.pieces();
@@ -63,7 +63,7 @@ Located locate(const Sketch& sketch, const Spot& spot, bool in_contact, Mesh& me
 }
 
 void place_ends(const Sketch& sketch, const std::vector<Spot>& spots, Mesh& mesh) {
-  std::map<MeshedCurve*, std::vector<double>> moved; // ends that have
+  std::map<MeshedCurve*, std::vector<double>> moved; // ends that have moved
   for (const Spot& spot : spots)
     if (const Located at = locate(sketch, spot, true, mesh); at.curve != nullptr)
       place_end(*at.curve, at.length, moved[at.curve]);

@@ -1,4 +1,4 @@
-// Element ends at given places of the boundary: where a contact ends or slip begins.
+// Moves element ends to given places of the boundary, such as edges of contact and stick.
 #pragma once
 
 #include "program/sketch/mesh.hpp"
@@ -14,8 +14,8 @@ struct Spot {
   Point at;
 };
 
-// The nearest curve of the body, of those at whose nodes contact conditions hold if that is asked for: null if there is none;
-// the length along it, and how many elements the body has before it.
+// The nearest curve of the body (with `in_contact`: of its curves with contact conditions at their nodes), null if there is
+// none; the length along it, and the number of elements of the body before it.
 struct Located {
   MeshedCurve* curve = nullptr;
   double length = 0;
@@ -26,8 +26,8 @@ Located locate(const Sketch& sketch, const Spot& spot, bool in_contact, Mesh& me
 // The length along a curve where it is nearest to a point.
 double nearest_length(const MeshedCurve& curve, Point p);
 
-// On sides at whose nodes contact conditions hold, the element end nearest to a place moves there; ends of curves stay.
-// An end that has moved to one place does not move to the next.
+// On sides with contact conditions at their nodes, the element end nearest to a place moves there. Ends of curves stay, and an
+// end moves only once.
 void place_ends(const Sketch& sketch, const std::vector<Spot>& spots, Mesh& mesh);
 
 } // namespace sketch

@@ -1,3 +1,9 @@
+// Refinement of a mesh (refined). Phases:
+// 1. Transfer the requested levels from side 0 of every contact to the elements of side 1 (carry).
+// 2. Bisect elements by level (divided), then until no element is more than kNeighbours times as long as its neighbour
+//    (smooth).
+// 3. Move element ends to given places, such as edges of contact (place_ends).
+// 4. Replace the elements of side 0 of every contact by ends opposite those of side 1 (align, face).
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>
@@ -6,8 +12,8 @@
 namespace sketch {
 namespace {
 
-constexpr double kNeighbours = 3.0;    // the most that an element is longer than the one beside it
-constexpr double kLeastElement = 1e-8; // of the largest coordinate; lengths along curves are right to 1e-10
+constexpr double kNeighbours = 3.0;    // largest ratio of the lengths of neighbouring elements
+constexpr double kLeastElement = 1e-8; // of the largest coordinate; lengths along curves are accurate to 1e-10
 
 // No element becomes shorter than `least`.
 std::vector<double> divided(const std::vector<double>& ends, const int* levels, double least) {
@@ -21,7 +27,7 @@ std::vector<double> divided(const std::vector<double>& ends, const int* levels, 
   return out;
 }
 
-// An element of side 1 is as fine as what is asked for on side 0 of its contact.
+// Gives elements of side 1 the levels requested for the elements of side 0 opposite.
 void carry(size_t contact, const Mesh& mesh, Levels& levels) {
   struct Asked {
     Point middle;
@@ -53,7 +59,7 @@ void carry(size_t contact, const Mesh& mesh, Levels& levels) {
   });
 }
 
-// Where neighbours differ in length no coordinate may have lost its digits: a share of the largest one.
+// The shortest allowed element, a fraction of the largest coordinate: below it, coordinate differences lose their digits.
 double least_element(const Mesh& mesh) {
   double largest = 0;
   for (const auto& outlines : mesh.bodies)
@@ -66,7 +72,7 @@ double least_element(const Mesh& mesh) {
   return kLeastElement * largest;
 }
 
-// Neighbours on an outline, round its end where it is closed.
+// Bisects elements that are too long beside their neighbours; a closed outline is cyclic.
 void smooth(MeshedOutline& outline) {
   struct Element {
     MeshedCurve* curve;
@@ -97,10 +103,10 @@ void smooth(MeshedOutline& outline) {
   }
 }
 
-// Element ends of a curve of side 1 where those of side 2 face it; its own remain where nothing does.
+// Places the element ends of a curve of side 0 opposite those of side 1. Where nothing faces the curve, it keeps its own ends.
 void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
   const double whole = curve.measure.length(), low = 1e-9 * whole, high = whole - low;
-  struct Stretch { // that an element of side 2 faces
+  struct Stretch { // that an element of side 1 faces
     double from, to;
   };
   std::vector<Stretch> faced;
@@ -117,7 +123,7 @@ void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
   }
   if (places.empty()) return;
   std::sort(places.begin(), places.end());
-  const auto step_at = [&](double s) { // of the elements as they are
+  const auto step_at = [&](double s) { // of the current elements
     const auto above = std::upper_bound(curve.ends.begin() + 1, curve.ends.end() - 1, s);
     return *above - *(above - 1);
   };
@@ -130,7 +136,7 @@ void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
       places.insert(above, s);
   }
   std::vector<double> out(1, 0.0);
-  for (const double s : places) { // ends that nearly coincide are one
+  for (const double s : places) { // merge ends that nearly coincide
     double room = 0.2 * step_at(s);
     for (const Stretch& f : faced)
       if (s == f.from || s == f.to) room = std::min(room, 0.2 * (f.to - f.from));

@@ -1,19 +1,20 @@
-// Meshes made finer: elements bisected on the true curves, both sides of a contact alike.
+// Mesh refinement: elements are bisected on the exact curves, on both sides of a contact.
 #pragma once
 
 #include "program/sketch/place_ends.hpp"
 
 namespace sketch {
 
-// Of every body, per element in the order of the deck, how often it is to be bisected.
+// The number of bisections of every element, per body in the order of the deck.
 using Levels = std::vector<std::vector<int>>;
 
-// Neighbours become at most three times as long; what faces an element of side 2 is as long as it. Then ends go to `spots`.
+// Refines elements by `levels`, then limits the ratio of neighbouring lengths to 3, moves element ends to `spots`, and aligns
+// the first side of each contact with the second.
 Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const std::vector<Spot>& spots = {});
-// Every element in two.
+// Bisects every element.
 Mesh halved(const Sketch& sketch, const Mesh& mesh);
 
-// Element ends of side 0 of a contact where those of side 1 face it, as far as they do.
+// Moves the element ends of side 0 of a contact opposite those of side 1, within the facing part.
 void align(size_t contact, Mesh& mesh);
 
 int elements_of(const Mesh& mesh); // of all bodies

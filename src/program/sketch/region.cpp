@@ -6,9 +6,10 @@
 namespace sketch {
 namespace {
 
-constexpr double kDoubt = 0.01; // of the size: nearer to the boundary a polygon cannot tell on which side of a curve a point is
+constexpr double kNearBoundary = 0.01; // of the size: nearer to the boundary, the polygon is too coarse for the inside test
 
-// A polygon of an outline; an open one goes back along the lines of symmetry, by way of where they meet.
+// The polygon of an outline. An open outline is closed along the lines of symmetry, through their intersection if it needs
+// both.
 std::vector<Point> closed_polygon(const Sketch& s, const Outline& outline) {
   std::vector<Point> out = polygon_of(outline);
   if (!outline.open || !s.symmetry[0] || !s.symmetry[1]) return out;
@@ -43,7 +44,7 @@ Region::Region(const Sketch& sketch, const Body& body) : low_{HUGE_VAL, HUGE_VAL
   for (size_t axis = 0; axis < 2 && is_open; ++axis) line_[axis] = sketch.symmetry[axis];
 }
 
-// What lies on a line of symmetry is seen a little beside it, where the body is.
+// Moves a point on a line of symmetry slightly into the half-plane of the body, for the inside test.
 Point Region::beside_lines(Point p) const {
   const double near = kJoint * size_;
   if (line_[0] && std::fabs(p.x - *line_[0]) <= near) p.x = *line_[0] + (low_.x + high_.x > 2 * *line_[0] ? near : -near);
@@ -70,8 +71,9 @@ double Region::depth(Point p) const {
     u = std::clamp(u - dot(l.at - p, l.d) / slope, 0.0, 1.0);
   }
   const Point off = p - shape.at(u);
-  const double away = std::min(length(off), least + kDoubt * size_);
-  if (away < kDoubt * size_ && u > 0 && u < 1) inside = dot(off, turned_left(shape.tangent(u))) > 0; // the material is left
+  const double away = std::min(length(off), least + kNearBoundary * size_);
+  if (away < kNearBoundary * size_ && u > 0 && u < 1)
+    inside = dot(off, turned_left(shape.tangent(u))) > 0; // material on the left
   return inside ? away : -away;
 }
 
@@ -79,7 +81,7 @@ bool Region::is_apart(const Region& other) const {
   return high_.x < other.low_.x || other.high_.x < low_.x || high_.y < other.low_.y || other.high_.y < low_.y;
 }
 
-bool Region::may_hold(Point p) const { return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y; }
+bool Region::may_contain(Point p) const { return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y; }
 
 std::vector<Point> Region::points() const {
   std::vector<Point> out;

@@ -11,7 +11,8 @@ double angle_between(Point a, Point b) { return std::atan2(cross(a, b), dot(a, b
 
 Point Shape::tangent(double u) const {
   Point d = local(u).d;
-  if (length(d) == 0) d = u < 0.5 ? at(u + 1e-6) - at(u) : at(u) - at(u - 1e-6); // a formula may halt at an end
+  if (length(d) == 0)
+    d = u < 0.5 ? at(u + 1e-6) - at(u) : at(u) - at(u - 1e-6); // the derivative of a formula may vanish at an end
   return (1 / length(d)) * d;
 }
 
@@ -122,7 +123,7 @@ ShapePtr part(ShapePtr shape, double first, double last) { return std::make_shar
 
 // ---- lengths ----
 
-// Gauss' rule of five points for the speed.
+// Five-point Gauss quadrature of the speed.
 double Measure::piece(double from, double to) const {
   static const double at[5] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
   static const double weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
@@ -148,7 +149,7 @@ double Measure::u_at(double length) const {
   const auto above = std::upper_bound(sums_.begin(), sums_.end(), length);
   double low = static_cast<double>(above - sums_.begin() - 1) / steps_, high = low + 1.0 / steps_;
   double u = low + (length - *(above - 1)) / (*above - *(above - 1)) / steps_;
-  for (int i = 0; i < 60; ++i) { // Newton's method, kept between bounds
+  for (int i = 0; i < 60; ++i) { // Newton's method with bracketing bounds
     const double off = length_to(u) - length;
     (off > 0 ? high : low) = u;
     const double speed = sketch::length(shape_->local(u).d), next = speed > 0 ? u - off / speed : u;

@@ -1,4 +1,4 @@
-// A sketch: bodies drawn as named curves, what is between them, what acts on them, and what is wanted. No mesh.
+// A sketch: bodies with named curves, contacts and ties, supports and loads, and requested results. It has no mesh.
 #pragma once
 
 #include "program/sketch/shape.hpp"
@@ -14,23 +14,23 @@ constexpr size_t kLongestName = 31; // in bytes, of bodies and interfaces
 constexpr size_t kLongestTitle = 72;
 
 struct Curve {
-  std::string name; // several curves of a body may bear one name
+  std::string name; // several curves of a body may have the same name
   ShapePtr shape;
   Place at;
-  ShapePtr drawn{};           // what it is cut from by a statement `part`, null if by none,
-  double first = 0, last = 1; // and which part of that
-  // What cut_contacts() adds: an outline's curves are cut where parts that may touch end.
+  ShapePtr drawn{};           // the curve that a statement `part` cut it from, or null
+  double first = 0, last = 1; // and its range of u there
+  // Added by cut_contacts(), which divides the curves of an outline at the ends of facing parts.
   double begin = 0;                     // length along the outline
-  bool is_first = true, is_last = true; // of the pieces of one drawn curve
-  int contact = -1;                     // the part of an interface that it belongs to; -1: none
-  int side = 0;                         // which side of that; contact conditions hold at nodes of side 1
+  bool is_first = true, is_last = true; // among the pieces of one drawn curve
+  int contact = -1;                     // index of its Contact; -1: none
+  int side = 0;                         // side of that contact; contact conditions are imposed at the nodes of side 1
 };
 
-// A boundary, run through with the material on the left; of a hole too.
+// A boundary with the material on the left, also around a hole.
 struct Outline {
   std::vector<Curve> curves;
   bool hole = false;
-  bool open = false; // from line of symmetry to line of symmetry
+  bool open = false; // begins and ends on lines of symmetry
   Place at;
 };
 
@@ -42,7 +42,7 @@ struct Body {
   Place at;
 };
 
-// Curves of one body, by name.
+// Curves of one body, given by name.
 struct Side {
   int body = 0;
   std::vector<std::string> names;
@@ -58,29 +58,29 @@ struct Interface {
   Place at;
 };
 
-// Parts of two outlines that face each other and may touch, or are bonded.
+// Parts of two outlines that face each other: in contact or tied.
 struct Contact {
   size_t interface = 0;
-  struct Strip { // lengths along an outline, beyond its end where a closed one goes on at its begin
+  struct Strip { // lengths along an outline, beyond its total length where a closed outline passes its start
     int body = 0;
     size_t outline = 0;
     double from = 0, to = 0;
-    double round = 0; // the length after which the outline begins again; 0 of an open one
+    double round = 0; // the total length of a closed outline; 0 for an open one
   } side[2];
-  bool ring = false;                      // all round both
+  bool ring = false;                      // the whole of both outlines
   bool turned = false;                    // side 1 is the first of the statement
-  bool is_held[2] = {false, false};       // something prescribes displacements where side 1 begins, ends
-  std::string ends[2];                    // why the part ends there, though contact might go on; empty: it does not
-  std::vector<std::array<double, 2>> map; // lengths that face each other, falling on side 0, rising on side 1
+  bool is_supported[2] = {false, false};  // does side 1 start, end at a prescribed displacement?
+  std::string ends[2];                    // why the part ends there although the surface continues; empty: it does not continue
+  std::vector<std::array<double, 2>> map; // facing lengths, decreasing on side 0 and increasing on side 1
 };
 
-// What is given along curves, in one load case.
+// A condition on curves in one load case.
 struct Condition {
   Side side;
-  enum Part { kAll, kStart, kEnd } part = kAll; // or only the first or the last point of the curve, which is one then
+  enum Part { kAll, kStart, kEnd } part = kAll; // or only the first or the last point of a single curve
   enum Kind { kDisplacement, kTraction, kPressure } kind = kDisplacement;
-  std::optional<double> value[2];     // along x and y, where something is given; of a pressure the first
-  std::optional<Expression> field[2]; // of a traction or a pressure that is a formula of x and y; its value is NaN
+  std::optional<double> value[2];     // along x and y, if given; a pressure uses the first
+  std::optional<Expression> field[2]; // set if the value is a formula of x and y; `value` is NaN then
   int load_case = 0;
   Place at;
 };
@@ -101,9 +101,10 @@ struct BodyForce {
   Place at;
 };
 
-// Ends of a body that move as one rigid body, or a rigid body: of ux, uy and the turn each is given, or its load is.
+// A platen (curves of a body that move as one rigid body) or a rigid body. For ux, uy and the rotation, either the motion or
+// the load is given.
 struct Drive {
-  std::optional<Side> side; // of a platen
+  std::optional<Side> side; // the curves of a platen; empty for a rigid body
   int body = 0;
   Point about;
   std::array<std::optional<double>, 3> motion, load;
@@ -111,44 +112,44 @@ struct Drive {
   Place at;
 };
 
-// A point inside where displacements and stresses are wanted.
+// An interior point with requested displacements and stresses.
 struct WantedPoint {
   int body = 0;
   Point at;
   Place place; // of its statement
 };
 
-// Do two statements move the same body or the same curves?
+// Do two statements drive the same body or the same curves?
 bool same_target(const Drive& a, const Drive& b);
 
 struct LoadCase {
   std::string name;
-  std::vector<double> factors; // at the end of each piece of the history
+  std::vector<double> factors; // at the end of each piece of the load history
 };
 
-// Elements of a stretch of a curve: equal ones, or sizes at its ends that grow from there.
+// Elements of a stretch of a curve: equal, or graded from given sizes at its ends.
 struct Stretches {
   int count = 0;              // 0: graded
-  double first = 0, last = 0; // sizes at the ends; 0: any
-  double growth = 1.3;        // of an element against the one before
-  double most = 0;            // size; 0: any
-  double to = 0;              // where the next stretch begins, a length from the curve's begin
+  double first = 0, last = 0; // sizes at the ends; 0: free
+  double growth = 1.3;        // largest ratio of neighbouring sizes
+  double most = 0;            // largest size; 0: no limit
+  double to = 0;              // length from the start of the curve to the end of the stretch
 };
 
-// How curves are divided in the mesh that no tolerance asks for.
+// Divisions of curves for the mesh used without a tolerance.
 struct Division {
   Side side;
   std::vector<Stretches> stretches;
 };
 
-// A number that is wanted, and how accurately. Without any: pressures, edges, forces and approach.
+// A requested result and its tolerance. Without any request: pressure, edges, forces and approach.
 struct Want {
   enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop, kPressureAt } kind = kPressure;
-  std::optional<double> tolerance; // relative; the sketch's where it is not told
+  std::optional<double> tolerance; // relative; default: the tolerance of the sketch
   int body = 0;                    // of kStress, kHoop and kPressureAt
   Point where;                     // of kStress and kPressureAt
-  std::optional<Side> side; // of kHoop: the largest and the smallest along it; of kPressureAt: the place is the nearest on it
-  bool cycle = false;       // of kStress and kHoop: nothing but the range over the last cycle of the history
+  std::optional<Side> side;        // of kHoop: its largest and smallest values; of kPressureAt: the nearest point on it
+  bool cycle = false;              // of kStress and kHoop: only the range over the last cycle of the history
   Place at;
 };
 
@@ -157,27 +158,27 @@ struct Sketch {
   std::string units[2];
   Parameters parameters;
   bool plane_stress = false;
-  bool interference = false;         // overlaps of what is drawn are press fits, closed before the history
-  int order = 1;                     // of the functions
-  bool chooses_order = true;         // the loop over meshes may take another one: no statement names it
+  bool interference = false;         // drawn overlaps are press fits, closed before the load history begins
+  int order = 1;                     // of the shape functions
+  bool chooses_order = true;         // mesh refinement may choose another order: no statement gives it
   std::optional<double> symmetry[2]; // x = , y =
   std::vector<Body> bodies;
   std::vector<Interface> interfaces;
-  std::vector<Contact> contacts; // of the interfaces, in their order
+  std::vector<Contact> contacts; // in the order of the interfaces
   std::vector<Condition> conditions;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
   std::vector<Drive> drives;
-  std::vector<LoadCase> cases{{"", {}}}; // the first is there without a card
+  std::vector<LoadCase> cases{{"", {}}}; // the first exists without a statement
   int pieces = 0;                        // of the history; 0: factor 1 of the first case
   std::vector<WantedPoint> points;
-  std::vector<int> steps{10}; // increments of the pieces of the history, the last number of all further ones
+  std::vector<int> steps{10}; // increments per piece of the history; the last number applies to all later pieces
   std::vector<Want> wants;
   std::vector<Division> divisions;
-  double tolerance = 0.01;   // of all wants that have none of their own
-  bool adapts = true;        // no: the first mesh is the mesh
+  double tolerance = 0.01;   // for wants without their own
+  bool adapts = true;        // false: use the first mesh
   double most_seconds = 0;   // 0: no limit
-  double most_work = 1e13;   // multiplications, of all meshes, unless there is a limit of time
+  double most_work = 1e13;   // multiplications on all meshes, unless time is limited
   int most_elements = 20000; // of all bodies together
 };
 

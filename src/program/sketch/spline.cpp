@@ -15,7 +15,7 @@ public:
 
 private:
   std::vector<double> at_;    // of each point, from 0 to 1
-  std::vector<Point> points_; // of a closed one, the first again at the end
+  std::vector<Point> points_; // a closed spline repeats the first point at the end
   std::vector<Point> bend_;   // second derivatives there
 };
 
@@ -50,7 +50,7 @@ Spline::Spline(const std::vector<Point>& points, bool closed) : points_(points) 
     bend_ = solve_three_diagonals(below, on, above, r);
     return;
   }
-  // The bend at the joint, x0: the others are p + q x0, and the joint's own row tells x0.
+  // x0 is the second derivative at the joint. All others are p + q x0; the equation at the joint determines x0.
   std::vector<Point> unit(n);
   unit.front() = unit.back() = {1, 1};
   const std::vector<Point> p = solve_three_diagonals(below, on, above, r), q = solve_three_diagonals(below, on, above, unit);

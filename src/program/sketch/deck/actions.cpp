@@ -15,7 +15,7 @@ std::string line_of(Place at) { return "line " + std::to_string(at.line); }
 
 bool is_zero(Point p) { return p.x == 0 && p.y == 0; }
 
-// The first curve that two sides have in common; empty: none.
+// The first common curve of two sides; empty: none.
 std::string shared(const Side& a, const Side& b) {
   for (const std::string& name : a.names)
     if (a.body == b.body && b.has(name)) return name;
@@ -31,7 +31,7 @@ private:
   void fault(Place at, const std::string& text) { faults_.push_back({at, text}); }
   const Body& body(int b) const { return s_.bodies[static_cast<size_t>(b)]; }
   std::string curve(int b, const std::string& name) const { return body(b).name + "." + name; }
-  bool takes_pressure(const Condition& c, size_t held) const;
+  bool takes_pressure(const Condition& c, size_t fixed_axis) const;
   void check_pair(const Condition& a, const Condition& b);
   void check_joints(int b, const Outline& outline);
   void check_rigid();
@@ -42,36 +42,36 @@ private:
   void check_place(int b, Point p, Place at, const std::string& what);
   void check_wants();
   void check_supports();
-  void hold_from(int b, std::vector<bool>& held) const;
+  void mark_supported(int b, std::vector<bool>& supported) const;
 
   const Sketch& s_;
   std::vector<Fault> faults_;
 };
 
-// Does a pressure act along the directions that are not held, anywhere on its curves?
-bool ActionCheck::takes_pressure(const Condition& c, size_t held) const {
+// Does a pressure have a component in the free direction, anywhere on its curves? The displacement along `fixed_axis` is given.
+bool ActionCheck::takes_pressure(const Condition& c, size_t fixed_axis) const {
   for (const Outline& outline : body(c.side.body).outlines)
     for (const Curve& curve : outline.curves)
       for (int i = 0; i <= 8 && c.side.has(curve.name); ++i) {
         const Point normal = turned_left(curve.shape->tangent(i / 8.0));
-        if (std::fabs(held == 0 ? normal.y : normal.x) > 1e-9) return true;
+        if (std::fabs(fixed_axis == 0 ? normal.y : normal.x) > 1e-9) return true;
       }
   return false;
 }
 
-// Two conditions that give the same, or a displacement and a traction where one of them must be unknown.
+// Errors for two displacements in the same direction, or for a displacement and a traction, of which one must be unknown.
 void ActionCheck::check_pair(const Condition& a, const Condition& b) {
   const std::string name = shared(a.side, b.side);
   if (name.empty()) return;
   const Condition &u = a.kind == Condition::kDisplacement ? a : b, &t = a.kind == Condition::kDisplacement ? b : a;
   if (u.kind != Condition::kDisplacement) return;                                         // tractions add
-  if (a.part != b.part && a.part != Condition::kAll && b.part != Condition::kAll) return; // both ends
-  if (t.kind != Condition::kDisplacement && u.part != Condition::kAll) return;            // a point of what is loaded
+  if (a.part != b.part && a.part != Condition::kAll && b.part != Condition::kAll) return; // start and end
+  if (t.kind != Condition::kDisplacement && u.part != Condition::kAll) return;            // a point of a loaded curve
   if (t.kind == Condition::kPressure) {
-    const size_t held = u.value[0] ? 0 : 1;
-    if ((u.value[0] && u.value[1]) || !takes_pressure(t, held))
+    const size_t fixed_axis = u.value[0] ? 0 : 1;
+    if ((u.value[0] && u.value[1]) || !takes_pressure(t, fixed_axis))
       fault(b.at, curve(a.side.body, name) + " has " + (&u == &a ? "a displacement" : "a pressure") + " in " + line_of(a.at) +
-                      ", expected one of them");
+                      ", expected a displacement or a pressure, not both");
     return;
   }
   for (size_t i = 0; i < 2; ++i) {
@@ -79,29 +79,30 @@ void ActionCheck::check_pair(const Condition& a, const Condition& b) {
     const bool both = t.kind == Condition::kDisplacement;
     if (both && (a.load_case != b.load_case || (*u.value[i] == 0 && *t.value[i] == 0))) continue;
     return fault(b.at, curve(a.side.body, name) + " has a " + (&u == &a ? "displacement" : "traction") + " along " + kAlong[i] +
-                           " in " + line_of(a.at) + (both ? " already" : ", expected one of them"));
+                           " in " + line_of(a.at) +
+                           (both ? ", expected only one" : ", expected a displacement or a traction, not both"));
   }
 }
 
-// What is given of a displacement at the first or the last point of a curve.
+// The displacement given at the first or the last point of a curve.
 struct AtEnd {
-  bool held = false;
+  bool known = false;
   double value = 0;
-  Place at; // of the last statement that says so
+  Place at; // of the last statement that gives it
 };
 AtEnd given_at_end(const Sketch& s, int b, const Curve& curve, bool last, size_t axis, size_t load_case) {
   AtEnd out;
   for (const Condition& c : s.conditions) {
     if (c.kind != Condition::kDisplacement || c.side.body != b || !c.side.has(curve.name) || !c.value[axis]) continue;
     if (c.part == (last ? Condition::kStart : Condition::kEnd)) continue;
-    out.held = true;
+    out.known = true;
     if (c.load_case == static_cast<int>(load_case)) out.value += *c.value[axis], out.at = c.at;
     if (out.at.line == 0) out.at = c.at;
   }
   return out;
 }
 
-// Where two curves meet the displacement is one.
+// At the joint of two curves, both must prescribe the same displacement.
 void ActionCheck::check_joints(int b, const Outline& outline) {
   const size_t n = outline.curves.size();
   for (size_t i = 0; i < n - (outline.open ? 1 : 0); ++i)
@@ -109,25 +110,25 @@ void ActionCheck::check_joints(int b, const Outline& outline) {
       for (size_t c = 0; c < s_.cases.size(); ++c) {
         const Curve &one = outline.curves[i], &next = outline.curves[(i + 1) % n];
         const AtEnd p = given_at_end(s_, b, one, true, axis, c), q = given_at_end(s_, b, next, false, axis, c);
-        if (!p.held || !q.held || p.value == q.value) continue;
-        return fault(p.at.line > q.at.line ? p.at : q.at, curve(b, one.name) + " and " + curve(b, next.name) +
-                                                              " meet, with displacements of " + show(p.value) + " and " +
-                                                              show(q.value) + " along " + kAlong[axis] + ", expected the same");
+        if (!p.known || !q.known || p.value == q.value) continue;
+        return fault(p.at.line > q.at.line ? p.at : q.at,
+                     curve(b, one.name) + " and " + curve(b, next.name) + " meet, but have the displacements " + show(p.value) +
+                         " and " + show(q.value) + " along " + kAlong[axis] + ", expected equal values");
       }
 }
 
-// Nothing but contact, and what its statement says, acts on a rigid body.
+// Only contact and its statement `drive` may act on a rigid body.
 void ActionCheck::check_rigid() {
   const auto check = [&](int b, Place at, const std::string& text) {
     if (body(b).rigid) fault(at, "body " + in_quotes(body(b).name) + " is rigid: " + text);
   };
-  const char* const moves = "drive moves and loads it, without that it stands still";
+  const char* const moves = "expected 'drive' for its motion and loads; without 'drive' it does not move";
   for (const Condition& c : s_.conditions) check(c.side.body, c.at, moves);
   for (const PointLoad& p : s_.point_loads) check(p.body, p.at, moves);
   for (const BodyForce& f : s_.body_forces) check(f.body, f.at, moves);
   for (const Want& w : s_.wants)
     if (w.kind == Want::kStress || w.kind == Want::kHoop || w.kind == Want::kPressureAt)
-      check(w.body, w.at, "it has no stresses");
+      check(w.body, w.at, "it has no stresses, expected an elastic body");
 }
 
 void ActionCheck::check_interface(size_t index) {
@@ -137,21 +138,22 @@ void ActionCheck::check_interface(size_t index) {
       const Side &one = s_.interfaces[k].side[side], &two = s_.interfaces[k].side[1 - side];
       const std::string first = shared(i.side[0], one), second = shared(i.side[1], two);
       if (!first.empty() && !second.empty())
-        return fault(i.at, curve(one.body, first) + " and " + curve(two.body, second) + " are sides of the interface of " +
-                               line_of(s_.interfaces[k].at) + " already");
+        return fault(i.at, curve(one.body, first) + " and " + curve(two.body, second) +
+                               " are already the sides of the interface in " + line_of(s_.interfaces[k].at));
     }
   if (const std::string name = shared(i.side[0], i.side[1]); !name.empty())
-    fault(i.at, curve(i.side[0].body, name) + " is on both sides");
+    fault(i.at, curve(i.side[0].body, name) + " is on both sides, expected different curves");
   else if (body(i.side[0].body).rigid && body(i.side[1].body).rigid)
-    fault(i.at, "both bodies are rigid, expected one that is not");
+    fault(i.at, "both bodies are rigid, expected at least one elastic body");
 }
 
-// Its curves move as it does and touch nothing.
+// The curves of a platen have no contact and no other condition.
 void ActionCheck::check_platen(const Drive& platen, size_t before) {
   const auto check = [&](const Side& other, Place at, const char* what) {
     const std::string name = shared(*platen.side, other);
     if (name.empty()) return false;
-    fault(platen.at, curve(platen.body, name) + " is " + what + " in " + line_of(at) + ", expected curves of the platen alone");
+    fault(platen.at,
+          curve(platen.body, name) + " is " + what + " in " + line_of(at) + ", expected curves without another condition");
     return true;
   };
   for (const Interface& i : s_.interfaces)
@@ -164,7 +166,7 @@ void ActionCheck::check_platen(const Drive& platen, size_t before) {
       return;
 }
 
-// A case with loads that no piece of the history applies.
+// Error for a load case with loads but without a factor in the history.
 void ActionCheck::check_case(size_t load_case) {
   const LoadCase& one = s_.cases[load_case];
   const bool acts =
@@ -181,75 +183,78 @@ void ActionCheck::check_case(size_t load_case) {
     for (size_t i = 0; i < 3; ++i) load(d.load_case, d.at, d.motion[i].value_or(0) != 0 || d.load[i].value_or(0) != 0);
   if (at.line == 0) return;
   if (one.name.empty())
-    fault(at, "this stands before the first case, which the history cannot name, expected a statement 'case' before it");
+    fault(at, "this load stands before the first load case, so no history can apply it, expected a statement 'case' before it");
   else
-    fault(at, "load case " + in_quotes(one.name) + " never acts, expected a statement 'history' that gives it a factor");
+    fault(at, "load case " + in_quotes(one.name) + " is never applied, expected a statement 'history' that gives it a factor");
 }
 
-// A load that has no value at some place of its curves.
+// Error for a formula without a finite value at some place of its curves.
 void ActionCheck::check_field(const Condition& c, size_t axis) {
   for (const Outline& outline : body(c.side.body).outlines)
     for (const Curve& curve : outline.curves)
       for (int i = 0; i <= 64 && c.side.has(curve.name); ++i) {
         const Point p = curve.shape->at(i / 64.0);
         if (std::isfinite(c.field[axis]->at(p.x, p.y))) continue;
-        return fault(c.at, "the formula has no value at (" + rounded(p.x) + ", " + rounded(p.y) + ") of " +
+        return fault(c.at, "the formula has no finite value at (" + rounded(p.x) + ", " + rounded(p.y) + ") of " +
                                this->curve(c.side.body, curve.name));
       }
 }
 
-// In the material, and not on its boundary.
+// A point must lie inside the material, not on the boundary.
 void ActionCheck::check_place(int b, Point p, Place at, const std::string& what) {
   const Region region(s_, body(b));
   const double depth = region.depth(p);
   if (depth <= kJoint * region.size())
     fault(at, what + " (" + show(p.x) + ", " + show(p.y) + ") is not inside body " + in_quotes(body(b).name) + ": " +
-                  (depth < 0 ? rounded(-depth) + " from it" : "on its boundary"));
+                  (depth < 0 ? rounded(-depth) + " outside it" : "on its boundary"));
 }
 
 void ActionCheck::check_wants() {
   for (const Want& w : s_.wants) {
     const bool needs_interface = w.kind == Want::kPressure || w.kind == Want::kEdges || w.kind == Want::kDissipation;
-    if (needs_interface && s_.interfaces.empty()) fault(w.at, "nothing is in contact here, expected a statement 'contact'");
+    if (needs_interface && s_.interfaces.empty())
+      fault(w.at, "the sketch has no contact, expected a statement 'contact' or 'tie'");
     if (w.cycle && cycle_start(s_) == 0)
-      fault(w.at, "the history has no cycle, expected one that ends with the load factors of the end of an earlier piece, and "
-                  "has others between");
+      fault(w.at,
+            "the load history has no cycle, expected a history that returns to the load factors of an earlier piece after "
+            "other factors");
   }
   for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
   for (const PointLoad& p : s_.point_loads) check_place(p.body, p.where, p.at, "the force at");
 }
 
-// Marks a body and all that interfaces join it to.
-void ActionCheck::hold_from(int b, std::vector<bool>& held) const {
-  if (held[static_cast<size_t>(b)]) return;
-  held[static_cast<size_t>(b)] = true;
+// Marks a body and all bodies connected to it by interfaces.
+void ActionCheck::mark_supported(int b, std::vector<bool>& supported) const {
+  if (supported[static_cast<size_t>(b)]) return;
+  supported[static_cast<size_t>(b)] = true;
   for (const Interface& i : s_.interfaces)
     for (int side = 0; side < 2; ++side)
-      if (i.side[side].body == b) hold_from(i.side[1 - side].body, held);
+      if (i.side[side].body == b) mark_supported(i.side[1 - side].body, supported);
 }
 
-// Bodies that could fly away: neither they nor what they touch have a support, a motion that is given, or a line of symmetry.
-// Whether a support is enough in every direction is told when the sketch is run.
+// Errors for unsupported bodies: neither they nor bodies connected to them have a support, a prescribed motion, or a line of
+// symmetry. Whether the supports suffice in every direction is reported when the sketch is run.
 void ActionCheck::check_supports() {
   if (s_.interfaces.empty() && s_.conditions.empty() && s_.drives.empty() && s_.point_loads.empty() && s_.body_forces.empty())
-    return; // shapes alone
-  std::vector<bool> held(s_.bodies.size(), false);
+    return; // shapes only
+  std::vector<bool> supported(s_.bodies.size(), false);
   for (const Condition& c : s_.conditions)
-    if (c.kind == Condition::kDisplacement) hold_from(c.side.body, held);
+    if (c.kind == Condition::kDisplacement) mark_supported(c.side.body, supported);
   for (const Drive& d : s_.drives)
-    if (d.motion[0] || d.motion[1]) hold_from(d.body, held);
+    if (d.motion[0] || d.motion[1]) mark_supported(d.body, supported);
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
     const Body& one = s_.bodies[b];
     const bool is_driven = std::any_of(s_.drives.begin(), s_.drives.end(),
                                        [&](const Drive& d) { return !d.side && d.body == static_cast<int>(b); });
     const bool is_on_line = std::any_of(one.outlines.begin(), one.outlines.end(), [](const Outline& o) { return o.open; });
-    if ((one.rigid && !is_driven) || is_on_line) hold_from(static_cast<int>(b), held);
+    if ((one.rigid && !is_driven) || is_on_line) mark_supported(static_cast<int>(b), supported);
   }
   for (size_t b = 0; b < s_.bodies.size(); ++b)
-    if (!held[b])
-      fault(s_.bodies[b].at,
-            "nothing holds body " + in_quotes(s_.bodies[b].name) +
-                ", expected fix, move or platen on one of its curves, or contact or tie with a body that is held");
+    if (!supported[b])
+      fault(
+          s_.bodies[b].at,
+          "body " + in_quotes(s_.bodies[b].name) +
+              " has no support, expected fix, move or platen on one of its curves, or contact or a tie with a supported body");
 }
 
 std::vector<Fault> ActionCheck::run() {

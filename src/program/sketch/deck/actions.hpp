@@ -1,11 +1,11 @@
-// What is wrong with the statements of a sketch that act on its bodies, seen together.
+// Checks the supports, loads and requests of a sketch against each other.
 #pragma once
 
 #include "program/sketch/sketch.hpp"
 
 namespace sketch {
 
-// Two statements that give the same, loads that no history applies, wanted points outside, and bodies that nothing holds.
+// Errors: contradicting statements, loads without effect, points outside the material, and unsupported bodies.
 std::vector<Fault> faults_of_actions(const Sketch& sketch);
 
 } // namespace sketch

@@ -1,3 +1,10 @@
+// The contacts of a sketch (Cutter::run). Phases:
+// 1. Build the chains of every side and find their facing parts (find). If bodies overlap by rounded coordinates, move one of
+//    them and repeat (part_overlaps).
+// 2. Divide stretches that belong to two parts by distance (settle, share).
+// 3. Choose the side with the contact conditions (side_of_pairs), make the contacts (contact_of), and extend their first sides
+//    (go_beyond).
+// 4. Divide the outlines at the ends of the contacts (cut).
 #include "program/sketch/deck/contacts.hpp"
 
 #include "program/sketch/facing.hpp"
@@ -10,17 +17,17 @@
 namespace sketch {
 namespace {
 
-constexpr double kTouches = 1e-3, kTieTouches = 0.01, kFitTouches = 0.05; // of the smaller body: overlaps that are contacts
-constexpr double kClear = 0.02;       // of the smaller body: nothing lies between surfaces nearer than that
-constexpr double kBeyond = 0.05;      // of its part: how far side 0 goes on beyond what side 1 faces
-constexpr double kOfWay = 0.4;        // but not nearer to the next part
-constexpr double kCrumb = 0.1;        // of its part: less of a curve is not left by itself
-constexpr double kOneOverlap = 1e-6;  // of the smaller part: two of them that share less share nothing
+constexpr double kTouches = 1e-3, kTieTouches = 0.01, kFitTouches = 0.05; // of the smaller body: largest overlaps
+constexpr double kClear = 0.02;       // of the smaller body: smaller gaps are not checked for curves in between
+constexpr double kBeyond = 0.05;      // of its part: extension of side 0 beyond the facing part
+constexpr double kOfWay = 0.4;        // of the distance to the next part: the largest extension
+constexpr double kCrumb = 0.1;        // of its part: a shorter rest of a curve is included
+constexpr double kOneOverlap = 1e-6;  // of the smaller part: shorter common stretches are ignored
 constexpr double kLeastPiece = 1e-12; // of the outline
 constexpr double kAtJoint = 1e-9;     // of the outline
-constexpr double kDigits = 1e-13;     // of the smaller body: overlaps of less are round-off
-constexpr int kMostMoves = 4;         // of bodies that overlap by the digits of a drawing
-constexpr int kChords = 36;           // of a curve that may lie between others
+constexpr double kDigits = 1e-13;     // of the smaller body: smaller overlaps are round-off
+constexpr int kMostMoves = 4;         // of bodies that overlap by rounded coordinates
+constexpr int kChords = 36;           // chords of a curve that may lie between two sides
 
 double size_of_body(const Body& body) {
   double out = 0;
@@ -28,18 +35,18 @@ double size_of_body(const Body& body) {
   return out;
 }
 
-// Displacements given at a place of an outline, by statements on the curves there.
-struct Held {
+// Displacements prescribed at a place of an outline, by statements on the curves there.
+struct Support {
   bool along[2] = {false, false};
   Place at;
   bool any() const { return along[0] || along[1]; }
 };
 
-// A part in the making: a run of facing points and what becomes of its ends.
+// A facing part: a run of facing points and the state of its ends.
 struct FacingPart {
   size_t interface = 0;
   FacingRun run;
-  bool shared[2] = {false, false}; // ends that another part goes on from, in the order of the points
+  bool shared[2] = {false, false}; // is an end shared with another part? In the order of the points
   double length(size_t side) const { return run.length(side); }
 };
 
@@ -50,9 +57,9 @@ public:
 
 private:
   const Body& body(int b) const { return s_.bodies[static_cast<size_t>(b)]; }
-  // Lengths along an outline at which its curves begin, and its whole length.
+  // Lengths along an outline where its curves begin, and its total length.
   const std::vector<double>& begins(int b, size_t outline) const { return begins_[static_cast<size_t>(b)][outline]; }
-  // The length after which a closed outline begins again; 0 of an open one.
+  // The total length of a closed outline; 0 for an open one.
   double round_of(const Chain& chain) const {
     return body(chain.body()).outlines[chain.outline()].open ? 0 : begins(chain.body(), chain.outline()).back();
   }
@@ -62,8 +69,8 @@ private:
   std::string why(const Interface& interface, const std::vector<Chain>& a, const std::vector<Chain>& b) const;
   bool settle(FacingPart& p, FacingPart& q);
   bool share(FacingPart& p, size_t side, FacingPart& q, size_t other);
-  Held held_at(const Chain& chain, double length) const;
-  bool is_held(const FacingPart& part, size_t side) const;
+  Support support_at(const Chain& chain, double length) const;
+  bool is_supported(const FacingPart& part, size_t side) const;
   size_t side_of_pairs(const FacingPart& part);
   Contact contact_of(const FacingPart& part, size_t pairs) const;
   void go_beyond(const FacingPart& part, size_t pairs, Contact& contact) const;
@@ -102,7 +109,7 @@ std::string names_of(const Body& body, const Side& side) {
   return out;
 }
 
-// Why nothing of two sides faces.
+// The message for two sides without facing parts.
 std::string Cutter::why(const Interface& interface, const std::vector<Chain>& a, const std::vector<Chain>& b) const {
   double inclination = 180, gap = HUGE_VAL;
   Point at;
@@ -120,19 +127,19 @@ std::string Cutter::why(const Interface& interface, const std::vector<Chain>& a,
     }
   const std::string one = names_of(body(interface.side[0].body), interface.side[0]),
                     two = names_of(body(interface.side[1].body), interface.side[1]);
-  bool corner = false; // is what is nearest a convex one?
+  bool corner = false; // is the nearest point a convex corner?
   for (const std::vector<Chain>* chains : {&a, &b})
     for (const Chain& chain : *chains)
       for (const SurfacePoint& p : chain.samples())
         corner = corner || (chain.is_fan(p.place) && sketch::length(p.at - at) <= kAtJoint * chain.length());
-  const std::string nearest = "nearest " + rounded(gap) + " apart at (" + rounded(at.x) + ", " + rounded(at.y) + ")" +
-                              (corner ? ", a corner: what is to touch there needs a fillet" : "");
+  const std::string nearest = "their smallest distance is " + rounded(gap) + " at (" + rounded(at.x) + ", " + rounded(at.y) +
+                              ")" + (corner ? ", a corner; add a fillet if contact is expected there" : "");
   const std::string none = "no part of " + one + " faces " + two + ": ";
-  if (inclination > 90) return none + "their outer sides look the same way; " + nearest;
+  if (inclination > 90) return none + "their outward normals point the same way; " + nearest;
   if (inclination > 50)
     return none + "they are inclined to each other by " + rounded(std::round(inclination)) +
-           " degrees or more, expected less than 50 somewhere; " + nearest;
-  return none + "they lie beside each other, or something lies between; " + nearest;
+           " degrees or more, expected less than 50 degrees at some place; " + nearest;
+  return none + "they lie beside each other, or another curve lies between them; " + nearest;
 }
 
 void Cutter::find(size_t index) {
@@ -148,7 +155,7 @@ void Cutter::find(size_t index) {
   if (parts_.size() == before) faults_.push_back({interface.at, why(interface, a, b)});
 }
 
-// Overlaps of drawn digits (kOverlap of outline.cpp) are none: a body that may go is moved off by as much. Was there one?
+// Removes an overlap from rounded coordinates (kOverlap of outline.cpp) by moving one of the bodies. Was there one?
 bool Cutter::part_overlaps() {
   for (const FacingPart& part : parts_) {
     const Interface& interface = s_.interfaces[part.interface];
@@ -159,7 +166,7 @@ bool Cutter::part_overlaps() {
     const int one = interface.side[0].body, two = interface.side[1].body;
     const double size = std::min(size_of_body(body(one)), size_of_body(body(two)));
     if (deepest->gap >= -kDigits * size || one == two) continue;
-    // Not a body on a line of symmetry that it would leave.
+    // A body on a line of symmetry may not leave it.
     const auto goes = [&](int b, Point way) {
       for (const Outline& outline : body(b).outlines)
         for (size_t axis = 0; axis < 2 && outline.open; ++axis)
@@ -178,9 +185,9 @@ bool Cutter::part_overlaps() {
   return false;
 }
 
-// ---- one stretch of an outline in two parts ----
+// ---- stretches of an outline that belong to two parts ----
 
-// The gap of a part where a side of it has a length, and the number of the point before that.
+// The gap of a part at a length on one side, and the interpolated index of the point there.
 double gap_at(const FacingRun& run, size_t side, double length, double& number) {
   const std::vector<FacingPoints>& p = run.points;
   for (size_t i = 0; i + 1 < p.size(); ++i) {
@@ -195,7 +202,7 @@ double gap_at(const FacingRun& run, size_t side, double length, double& number) 
   return std::fabs(low ? p.front().gap : p.back().gap);
 }
 
-// Cuts a run at a point's number and keeps what is before it, or behind.
+// Cuts a run at an interpolated index and keeps the part before or after it.
 void trim(FacingPart& part, double number, bool keeps_before) {
   std::vector<FacingPoints>& p = part.run.points;
   const size_t i = std::min(static_cast<size_t>(number), p.size() - 2);
@@ -213,7 +220,7 @@ void trim(FacingPart& part, double number, bool keeps_before) {
   if (std::max(part.length(0), part.length(1)) <= 0) p.clear();
 }
 
-// Of a stretch that is in two parts each keeps what is nearer to its own other side. Was there one?
+// Divides a stretch that belongs to two parts: each part keeps the points that are nearer to its other side. Was there one?
 bool Cutter::share(FacingPart& p, size_t side, FacingPart& q, size_t other) {
   const Chain &a = *p.run.chain[side], &b = *q.run.chain[other];
   if (a.body() != b.body() || a.outline() != b.outline()) return false;
@@ -244,7 +251,7 @@ bool Cutter::share(FacingPart& p, size_t side, FacingPart& q, size_t other) {
       }
       before = now == 0 ? before : now;
     }
-    FacingPart& yields = sum > 0 ? p : q; // keeps the larger of what is left of it
+    FacingPart& yields = sum > 0 ? p : q; // it keeps the larger of its remaining ends
     double ends[2];
     for (size_t k = 0; k < 2; ++k) {
       more(k == 0 ? low : high);
@@ -268,10 +275,10 @@ bool Cutter::settle(FacingPart& p, FacingPart& q) {
   return false;
 }
 
-// ---- at the nodes of which side conditions hold ----
+// ---- the side with the contact conditions ----
 
-Held Cutter::held_at(const Chain& chain, double length) const {
-  Held out;
+Support Cutter::support_at(const Chain& chain, double length) const {
+  Support out;
   const Outline& outline = body(chain.body()).outlines[chain.outline()];
   const std::vector<double>& begins = this->begins(chain.body(), chain.outline());
   const double whole = begins.back(), near = kAtJoint * whole;
@@ -295,17 +302,17 @@ Held Cutter::held_at(const Chain& chain, double length) const {
   return out;
 }
 
-bool Cutter::is_held(const FacingPart& part, size_t side) const {
+bool Cutter::is_supported(const FacingPart& part, size_t side) const {
   for (const FacingPoints* p : {&part.run.points.front(), &part.run.points.back()})
-    if (held_at(*part.run.chain[side], p->length[side]).any()) return true;
+    if (support_at(*part.run.chain[side], p->length[side]).any()) return true;
   return false;
 }
 
-// Not that of a rigid body, nor one that something holds where the other is free; else the second.
+// Not the side of a rigid body, nor a side that ends at a support if the other does not; otherwise the second.
 size_t Cutter::side_of_pairs(const FacingPart& part) {
   const bool rigid[2] = {body(part.run.chain[0]->body()).rigid, body(part.run.chain[1]->body()).rigid};
   if (rigid[0] || rigid[1]) return rigid[1] ? 0 : 1;
-  return is_held(part, 1) && !is_held(part, 0) ? 0 : 1;
+  return is_supported(part, 1) && !is_supported(part, 0) ? 0 : 1;
 }
 
 Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
@@ -322,26 +329,27 @@ Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
   if (pairs == 1) std::reverse(out.map.begin(), out.map.end());
   for (size_t end = 0; end < 2 && !out.ring; ++end) {
     const std::array<double, 2>& at = end == 0 ? out.map.front() : out.map.back();
-    const Held own = held_at(*part.run.chain[pairs], at[1]), other = held_at(*part.run.chain[1 - pairs], at[0]);
+    const Support own = support_at(*part.run.chain[pairs], at[1]), other = support_at(*part.run.chain[1 - pairs], at[0]);
     const bool as_symmetry = own.along[0] == other.along[0] && own.along[1] == other.along[1] && own.along[0] != own.along[1];
-    out.is_held[end] = own.any() && !as_symmetry;
+    out.is_supported[end] = own.any() && !as_symmetry;
     const bool last = (end == 1) == (pairs == 0); // of the points
-    if (out.is_held[end])
-      out.ends[end] = "line " + std::to_string(own.at.line) + " holds " + body(out.side[1].body).name + " where it ends";
+    if (out.is_supported[end])
+      out.ends[end] =
+          "line " + std::to_string(own.at.line) + " supports " + body(out.side[1].body).name + " at the end of the contact";
     else if (!part.shared[last ? 1 : 0])
       out.ends[end] = end_of_part(s_, part.run, last);
   }
   return out;
 }
 
-// Side 0 goes on a little beyond what side 1 faces, as far as its chain does and no other part is near.
+// Extends side 0 slightly beyond the facing part, within its chain and away from other parts.
 void Cutter::go_beyond(const FacingPart& part, size_t pairs, Contact& contact) const {
   if (contact.ring) return;
   Contact::Strip& strip = contact.side[0];
   const size_t side = 1 - pairs;
   const Chain& chain = *part.run.chain[side];
   const double length = strip.to - strip.from;
-  const auto room = [&](double at, double way) { // to the next part
+  const auto room = [&](double at, double way) { // distance to the next part
     double least = HUGE_VAL;
     for (const FacingPart& other : parts_)
       for (size_t k = 0; k < 2; ++k) {
@@ -361,14 +369,14 @@ void Cutter::go_beyond(const FacingPart& part, size_t pairs, Contact& contact) c
         if (const double rest = way * (joint - at) - out; rest > 0 && rest < kCrumb * length) out += rest;
     return std::min({out, way > 0 ? chain.end() - at : at - chain.begin(), kOfWay * room(at, way)});
   };
-  const size_t low = side == 0 ? 0 : 1; // which end of the points lies at the strip's begin
+  const size_t low = side == 0 ? 0 : 1; // the end of the points at the start of the strip
   const double from = beyond(strip.from, -1, part.shared[low]), to = beyond(strip.to, 1, part.shared[1 - low]);
   strip.from -= from, strip.to += to;
 }
 
-// ---- the outlines, cut ----
+// ---- division of the outlines ----
 
-// A piece's contact: the one whose strip holds a length, and on which side.
+// Assigns a piece to the contact and side whose strip contains a length.
 void find_contact(const std::vector<Contact>& contacts, int body, size_t outline, double length, Curve& piece) {
   for (size_t k = 0; k < contacts.size(); ++k)
     for (size_t side = 0; side < 2; ++side) {
@@ -383,7 +391,7 @@ void find_contact(const std::vector<Contact>& contacts, int body, size_t outline
 void Cutter::cut(int b, size_t number) {
   Outline& outline = s_.bodies[static_cast<size_t>(b)].outlines[number];
   struct Cut {
-    double at, least; // nearer to another cut or to a joint than that, it is the same one
+    double at, least; // a cut nearer than `least` to another cut or a joint is dropped
     bool operator<(const Cut& other) const { return at < other.at; }
   };
   std::vector<Cut> cuts;
@@ -455,9 +463,9 @@ std::vector<Fault> Cutter::run() {
     for (size_t o = 0; o < s_.bodies[b].outlines.size(); ++o) cut(static_cast<int>(b), o);
   for (size_t k = 0; k < s_.contacts.size(); ++k)
     if (const Interface& interface = s_.interfaces[s_.contacts[k].interface]; !has_pieces(k, 0) || !has_pieces(k, 1))
-      faults_.push_back({interface.at, "what faces of " + names_of(body(interface.side[0].body), interface.side[0]) + " and " +
-                                           names_of(body(interface.side[1].body), interface.side[1]) +
-                                           " is shorter than 1e-12 of an outline"});
+      faults_.push_back({interface.at, "the facing part of " + names_of(body(interface.side[0].body), interface.side[0]) +
+                                           " and " + names_of(body(interface.side[1].body), interface.side[1]) +
+                                           " is shorter than 1e-12 of the outline, expected a longer one"});
   return faults_;
 }
 

@@ -1,11 +1,11 @@
-// Where the sides of contacts and ties can face and touch: outlines are cut there before anything is meshed.
+// Facing parts of contacts and ties. Outlines are divided at their ends before meshing.
 #pragma once
 
 #include "program/sketch/sketch.hpp"
 
 namespace sketch {
 
-// Finds the contacts of all interfaces and cuts the outlines where they end. Faults where nothing of two sides faces.
+// Finds the contacts of all interfaces and divides the outlines at their ends. Errors: two sides without facing parts.
 std::vector<Fault> cut_contacts(Sketch& sketch);
 
 } // namespace sketch

@@ -1,4 +1,8 @@
-// The deck of a sketch with its mesh, in the free form.
+// The deck of a sketch with its mesh, in free form (Writer::write). Phases:
+// 1. Find the zones and the conditions at the nodes of all elements (zones_of, ends).
+// 2. Write heading, control cards, boundary points, conditions and matching zones (heading to matching_zones).
+// 3. Write the keyword cards: names, symmetry, zones, platens, exact curves, rigid bodies, body forces, load cases, load
+//    history, interior points.
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/deck/deck_number.hpp"
@@ -14,16 +18,16 @@ namespace {
 
 std::string number(double value) {
   if (std::fabs(value) < kMostInDeck) return deck_number(value);
-  throw Fault{{}, "the deck would have the number" + deck_number(value) + ", expected less than 1e100 in size"};
+  throw Fault{{}, "the deck would contain the number" + deck_number(value) + ", expected a magnitude below 1e100"};
 }
 
 using Values = std::array<double, 4>; // tx ty ux uy
 
-// The condition of an element's node, of all load cases.
+// The condition at a node of an element, in all load cases.
 struct End {
   int element, local;          // from 1
-  std::array<bool, 2> held{};  // by this end: its traction is unknown
-  std::array<bool, 2> known{}; // the displacement: at a joint the element beside it may hold the node
+  std::array<bool, 2> fixed{}; // prescribed by a statement on this element: its traction is unknown
+  std::array<bool, 2> known{}; // is the displacement known? At a joint, the neighbouring element may prescribe it
   std::vector<Values> values;  // of each case
 };
 
@@ -38,7 +42,7 @@ private:
   bool is_curved(size_t b) const;
   int elements(size_t b) const;
   int geometry_nodes(size_t b) const;
-  int nodes() const { return s_.order + 1; } // of an element
+  int nodes() const { return s_.order + 1; } // per element
   void heading();
   void control();
   void points(size_t b);
@@ -94,7 +98,7 @@ void Writer::heading() {
 void Writer::control() {
   const std::string bodies = std::to_string(s_.bodies.size());
   comment(s_.plane_stress ? "plane stress; output" : "plane strain; output");
-  card(s_.plane_stress ? "1 2" : "0 2"); // without zones, too, the load path is followed
+  card(s_.plane_stress ? "1 2" : "0 2"); // the load path is followed even without zones
   comment("bodies, matching zones, functional nodes per element");
   card(bodies + " " + std::to_string(matching()) + " " + std::to_string(nodes()));
   comment("per body: curves, boundary points per element, elements, boundary points");
@@ -140,7 +144,7 @@ void Writer::points(size_t b) {
   }
 }
 
-// What a condition gives at a place of its curve.
+// Adds the values of a condition at a place of its curve.
 void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
   if (c.part == Condition::kStart && (s > 0 || !curve.curve->is_first)) return;
   if (c.part == Condition::kEnd && (s < (1 - 1e-12) * curve.ends.back() || !curve.curve->is_last)) return;
@@ -157,7 +161,7 @@ void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& 
   }
   for (size_t i = 0; i < 2 && c.kind != Condition::kPressure; ++i) {
     if (!c.value[i]) continue;
-    if (c.kind == Condition::kDisplacement) end.held[i] = true;
+    if (c.kind == Condition::kDisplacement) end.fixed[i] = true;
     values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += value(i);
   }
 }
@@ -175,19 +179,19 @@ std::vector<End> Writer::ends(size_t b) const {
           const double s = curve.ends[e] + (curve.ends[e + 1] - curve.ends[e]) * (local - 1) / (nodes() - 1);
           for (const Condition& c : s_.conditions)
             if (c.side.body == static_cast<int>(b) && c.side.has(curve.curve->name)) apply(c, curve, s, end);
-          end.known = end.held;
+          end.known = end.fixed;
           out.push_back(end);
         }
       }
-    // A displacement at a joint is known to the elements on both sides of it.
+    // A displacement prescribed at a joint is known for the elements on both sides of it.
     const size_t count = out.size() - first, step = static_cast<size_t>(nodes());
     for (size_t k = step - 1; k < count; k += step) {
       const size_t other = k + 1 < count ? k + 1 : 0;
       if (other == 0 && outline.open) break;
       End &p = out[first + k], &q = out[first + other];
       for (size_t i = 0; i < 2; ++i) {
-        if (p.held[i] == q.held[i]) continue;
-        End &from = p.held[i] ? p : q, &to = p.held[i] ? q : p;
+        if (p.fixed[i] == q.fixed[i]) continue;
+        End &from = p.fixed[i] ? p : q, &to = p.fixed[i] ? q : p;
         to.known[i] = true;
         for (size_t c = 0; c < to.values.size(); ++c) to.values[c][i + 2] = from.values[c][i + 2];
       }
@@ -201,10 +205,10 @@ void Writer::conditions(size_t b) {
   std::vector<std::string> cards;
   const auto text_of = [&](size_t k) {
     std::string text = " ";
-    for (size_t i = 0; i < 2; ++i) text += all[k].held[i] ? '1' : '0';
+    for (size_t i = 0; i < 2; ++i) text += all[k].fixed[i] ? '1' : '0';
     for (size_t i = 0; i < 2; ++i) text += all[k].known[i] ? '0' : '1';
-    for (size_t i = 0; i < 4; ++i) { // what is unknown has no value
-      const bool known = i < 2 ? !all[k].held[i] : static_cast<bool>(all[k].known[i - 2]);
+    for (size_t i = 0; i < 4; ++i) { // unknowns are written as 0
+      const bool known = i < 2 ? !all[k].fixed[i] : static_cast<bool>(all[k].known[i - 2]);
       text += number(known ? all[k].values[0][i] : 0.0);
     }
     return text;
@@ -233,7 +237,7 @@ void Writer::conditions(size_t b) {
   for (const std::string& text : loads) card(text);
 }
 
-// Load cases behind the first: what they give where it is known.
+// Load cases after the first: their values of the known quantities.
 void Writer::cases() {
   if (s_.cases.size() < 2) return;
   card("*CASES " + std::to_string(s_.cases.size()));
@@ -257,7 +261,7 @@ void Writer::cases() {
   }
 }
 
-// The load case that closes overlaps: one behind those of the sketch, or its only one if that loads nothing. 0: none does.
+// The load case that closes overlaps: one after those of the sketch, or its only case if that has no loads. 0: none.
 size_t Writer::interference_case() const {
   const bool alone = s_.cases.size() == 1 && !acts(s_, 0);
   return !s_.interference ? 0 : alone ? 1 : s_.cases.size() + 1;
@@ -278,7 +282,7 @@ void Writer::history() {
   }
 }
 
-// The node of a body, from 1, where an element begins.
+// The first node of an element, from 1 within its body.
 int Writer::first_node(size_t b, int element) const {
   int node = (element - 1) * s_.order + 1, before = 0;
   for (const MeshedOutline& outline : mesh_.bodies[b]) {
@@ -299,23 +303,24 @@ void Writer::matching_zones() {
     const size_t one = static_cast<size_t>(zone.contact->side[0].body), two = static_cast<size_t>(zone.contact->side[1].body);
     const int count = zone.two.count, at_begin = zone.leaves[0], at_end = zone.leaves[1];
     const int pairs = count * s_.order + 1 - at_begin - at_end;
-    const auto told = [](int a, int b, int c, int d) {
+    const auto four = [](int a, int b, int c, int d) {
       return std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + " " + std::to_string(d);
     };
     comment("matching zone: bodies, pairs, elements; its elements; its nodes");
-    card(told(static_cast<int>(one) + 1, static_cast<int>(two) + 1, pairs, count));
-    card(told(zone.one.first, zone.one.last, zone.two.last, zone.two.first));
+    card(four(static_cast<int>(one) + 1, static_cast<int>(two) + 1, pairs, count));
+    card(four(zone.one.first, zone.one.last, zone.two.last, zone.two.first));
     const int from = first_node(one, zone.one.first) + at_end, to = first_node(two, zone.two.first) + at_begin;
-    card(told(from, from + pairs - 1, to + pairs - 1, to));
+    card(four(from, from + pairs - 1, to + pairs - 1, to));
     for (const size_t b : {one, two}) nodes_in[b] += pairs, elements_in[b] += count;
   }
   comment("per body: nodes and elements in matching zones");
   for (size_t b = 0; b < s_.bodies.size(); ++b) card(std::to_string(nodes_in[b]) + " " + std::to_string(elements_in[b]));
 }
 
-// Why a zone ends where contact might go on.
+// The reason why a zone ends although contact may continue there; empty: it cannot.
 std::string end_of(const Zone& zone, size_t end) {
-  return zone.whole[end] ? zone.contact->ends[end] : "coarser meshes did not touch there, and the limit ended the search";
+  return zone.whole[end] ? zone.contact->ends[end]
+                         : "on coarser meshes the surfaces did not touch there, and a limit ended the mesh refinement";
 }
 
 void Writer::zones() {
@@ -324,20 +329,20 @@ void Writer::zones() {
   for (const Zone& zone : zones_) {
     const Interface& interface = s_.interfaces[zone.contact->interface];
     const int one = zone.contact->side[0].body, two = zone.contact->side[1].body;
-    const std::string told = std::to_string(++number_of_zone);
+    const std::string index = std::to_string(++number_of_zone);
     std::string text = "*ZONE BODIES " + std::to_string(one + 1) + (two == one ? " -" : " ") + std::to_string(two + 1);
     for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
     if (zone.one.last < zone.one.first || zone.two.last < zone.two.first)
       text += " " + std::to_string(zone.one.count) + " " + std::to_string(zone.two.count);
     for (size_t end = 0; end < 2; ++end)
-      if (const std::string why = end_of(zone, end); !why.empty()) comment("zone " + told + " might go on: " + why);
-    if (zone.contact->turned) comment("zone " + told + ": side 2 is the first of its statement");
+      if (const std::string why = end_of(zone, end); !why.empty()) comment("zone " + index + " may extend farther: " + why);
+    if (zone.contact->turned) comment("zone " + index + ": side 2 is the first of its statement");
     if (!zone.matching) card(text);
     const std::string name =
         !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
-    ties += (interface.tied ? "*TIE " + told + "\n" : "") + "*NAME ZONE " + told + " " + name.substr(0, 31) + "\n";
+    ties += (interface.tied ? "*TIE " + index + "\n" : "") + "*NAME ZONE " + index + " " + name.substr(0, 31) + "\n";
     if (!interface.tied && interface.friction != 0)
-      frictions += told + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
+      frictions += index + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
   }
   out_ += ties;
   if (!frictions.empty()) out_ += "*FRICTION\n" + frictions;
@@ -354,7 +359,7 @@ std::string Writer::curve_card(size_t b, const Shape& shape, int first, int last
   return "*CURVE " + text;
 }
 
-// The true curves of sides in contact, whole, of however many pieces.
+// The exact curves of sides in contact. All pieces of a drawn curve are on one card.
 void Writer::curves() {
   const auto touches = [&](const Curve& curve) {
     return curve.contact >= 0 && !s_.interfaces[s_.contacts[static_cast<size_t>(curve.contact)].interface].tied;
@@ -377,7 +382,7 @@ void Writer::curves() {
   }
 }
 
-// Rigid bodies: what no statement gives of their motions is free, all of it is held if there is no statement.
+// Rigid bodies: motions without a given value are free; a rigid body without a statement `drive` is fixed.
 void Writer::rigid_bodies() {
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
     if (!s_.bodies[b].rigid) continue;
@@ -407,19 +412,19 @@ void Writer::rigid_bodies() {
   }
 }
 
-// Platens in the order of the statements; those with one side are one, in several load cases.
+// Platens in the order of the statements. Statements on the same side are one platen in several load cases.
 void Writer::platens() {
   const char* const motions[3] = {" UX", " UY", " TURN"};
   const char* const loads[3] = {" FX", " FY", " MOMENT"};
   for (size_t i = 0; i < s_.drives.size(); ++i) {
     const Drive& first = s_.drives[i];
     if (!first.side) continue;
-    bool told = false;
-    for (size_t k = 0; k < i; ++k) told = told || same_target(first, s_.drives[k]);
-    if (told) continue;
+    bool done = false;
+    for (size_t k = 0; k < i; ++k) done = done || same_target(first, s_.drives[k]);
+    if (done) continue;
     const std::vector<Stretch> all = stretches_of(mesh_, *first.side);
     if (all.size() != 1)
-      throw Fault{first.at, "the curves of a platen do not follow each other, expected one stretch of the outline"};
+      throw Fault{first.at, "the curves of a platen are not consecutive, expected one stretch of the outline"};
     card("*PLATEN " + std::to_string(first.body + 1) + " " + std::to_string(all[0].first) + " " + std::to_string(all[0].last) +
          number(first.about.x) + number(first.about.y) +
          (all[0].last < all[0].first ? " " + std::to_string(all[0].count) : ""));

@@ -6,7 +6,7 @@
 namespace sketch {
 
 std::string deck_number(double value) {
-  if (value == 0) return " 0"; // of minus zero too
+  if (value == 0) return " 0"; // also for minus zero
   char text[32] = " ";
   char* end = std::to_chars(text + 1, text + sizeof text, value).ptr;
   std::replace(text, end, 'e', 'E');

@@ -1,13 +1,13 @@
-// Numbers on the cards of decks that the program writes.
+// Numbers on cards of generated decks.
 #pragma once
 
 #include <string>
 
 namespace sketch {
 
-constexpr double kMostInDeck = 1e100; // cards hold numbers of less than this in size
+constexpr double kMostInDeck = 1e100; // numbers on cards are smaller than this in magnitude
 
-// A blank and the number: as few digits as read as the same double, with a point in every locale.
+// A blank and the number, with the fewest digits that give the same double, and a decimal point in every locale.
 std::string deck_number(double value);
 
 } // namespace sketch

@@ -9,7 +9,7 @@ bool acts(const Sketch& sketch, size_t load_case) {
     return std::any_of(statements.begin(), statements.end(),
                        [&](const auto& s) { return s.load_case == static_cast<int>(load_case) && loads(s); });
   };
-  const auto is_given = [](const std::optional<double>& value) { return value.value_or(0) != 0; }; // a formula's is NaN
+  const auto is_given = [](const std::optional<double>& value) { return value.value_or(0) != 0; }; // NaN for a formula: given
   return any(sketch.conditions, [&](const Condition& c) { return is_given(c.value[0]) || is_given(c.value[1]); }) ||
          any(sketch.point_loads, [](const PointLoad& p) { return p.force.x != 0 || p.force.y != 0; }) ||
          any(sketch.body_forces, [](const BodyForce& f) { return f.weight.x != 0 || f.weight.y != 0 || f.rho_omega2 != 0; }) ||
@@ -20,7 +20,7 @@ bool acts(const Sketch& sketch, size_t load_case) {
 }
 
 Sketch without_idle_cases(Sketch sketch) {
-  std::vector<int> number; // of each case among those that are left, or -1
+  std::vector<int> number; // new number of each case; -1: removed
   std::vector<LoadCase> left;
   for (size_t c = 0; c < sketch.cases.size(); ++c) {
     number.push_back(acts(sketch, c) ? static_cast<int>(left.size()) : -1);
@@ -41,7 +41,7 @@ Sketch without_idle_cases(Sketch sketch) {
   erase_idle(sketch.body_forces);
   renumber(sketch.conditions);
   renumber(sketch.drives);
-  for (size_t i = 0; i < sketch.drives.size(); ++i) // one of a target and a case
+  for (size_t i = 0; i < sketch.drives.size(); ++i) // merge statements with the same target and case
     for (size_t k = sketch.drives.size(); k-- > i + 1;) {
       Drive &one = sketch.drives[i], &other = sketch.drives[k];
       if (!same_target(one, other) || one.load_case != other.load_case) continue;

@@ -1,3 +1,8 @@
+// The zones of a deck from the contacts of a sketch (Pairing::run). Phases:
+// 1. Make one or more rows of elements per contact, without the elements that the other side never comes near (add_pairs).
+// 2. Drop the end element of a row where a displacement is prescribed (leave_supports).
+// 3. Where two rows of second sides meet, assign their common node to one of them (part_neighbours). Rows whose elements
+//    coincide with the elements opposite become matching zones if divisions are given or if two of them meet.
 #include "program/sketch/deck/zones.hpp"
 
 #include "program/sketch/outline.hpp"
@@ -8,16 +13,16 @@
 namespace sketch {
 namespace {
 
-constexpr double kSame = 1e-6;   // of a contact: lengths along an outline that differ by less are one
-constexpr double kBeside = 0.05; // of what side 1 faces: how much more of side 0 is kept
+constexpr double kSame = 1e-6;   // of a contact: lengths along an outline that differ by less are equal
+constexpr double kBeside = 0.05; // of the facing part: margin of side 0
 
 struct Element {
   Point from, to;
   double begin, end; // lengths along the outline
   const Curve* curve;
-  bool is_far;       // from all that it might touch
+  bool is_far;       // never near the other side (MeshedCurve::far)
   bool is_given;     // by a statement `elements`
-  int before, after; // along the outline; -1 where an open one ends
+  int before, after; // neighbours along the outline; -1 at the ends of an open one
 };
 using Elements = std::vector<Element>; // of a body
 using Numbers = std::vector<int>;      // of elements, from 0
@@ -42,7 +47,7 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
   return out;
 }
 
-// Numbers that follow each other along the outline. Those that go all round begin at the outline's first element.
+// Groups elements into rows of consecutive ones along the outline. A row of the whole outline begins at its first element.
 std::vector<Numbers> in_a_row(const Elements& elements, const Numbers& numbers) {
   std::vector<char> has(elements.size(), 0);
   for (const int e : numbers) has[static_cast<size_t>(e)] = 1;
@@ -87,7 +92,7 @@ private:
   void part(Pair& stays, Pair& yields);
   void part_neighbours();
   bool is_at(const Pair& pair, double length, double place) const;
-  void leave_held(Pair& pair) const;
+  void leave_supports(Pair& pair) const;
 
   const Sketch& s_;
   bool given_;
@@ -95,7 +100,7 @@ private:
   std::vector<Pair> pairs_;
 };
 
-// The elements of a side, one behind the other along the outline.
+// The elements of a side in their order along the outline.
 Numbers Pairing::side(size_t k, int which) const {
   Numbers numbers;
   const Elements& all = body(k, static_cast<size_t>(which));
@@ -104,7 +109,7 @@ Numbers Pairing::side(size_t k, int which) const {
   return in_a_row(all, numbers)[0];
 }
 
-// The length on side 0 of what a length on side 1 faces.
+// The length on side 0 that faces a length on side 1.
 double opposite_on(const Contact& contact, double length) {
   const auto above = std::find_if(contact.map.begin(), contact.map.end(), [&](const auto& p) { return p[1] >= length; });
   if (above == contact.map.begin()) return contact.map.front()[0];
@@ -113,7 +118,7 @@ double opposite_on(const Contact& contact, double length) {
   return p[0] + (q[0] - p[0]) * (length - p[1]) / (q[1] - p[1]);
 }
 
-// Lengths on side 0 between which it faces a row of elements of side 1; of a ring they go on beyond its end.
+// The range of lengths on side 0 that faces a row of elements of side 1; for a ring, it may extend beyond the total length.
 std::array<double, 2> Pairing::faced(size_t k, const Numbers& row) const {
   const Contact& contact = s_.contacts[k];
   const Contact::Strip& strip = contact.side[1];
@@ -130,9 +135,9 @@ std::array<double, 2> Pairing::faced(size_t k, const Numbers& row) const {
   return {opposite(end - shift), opposite(begin - shift)};
 }
 
-// What is far of side 1 is left out, unless all of it is, and of side 0 what lies opposite, but for a margin: its mean
-// curvature turns the normals of all pairs (METHOD 8.3). Where more rows than one are left, each element of side 0 goes to one
-// of them.
+// Omits far elements of side 1, unless all are far, and the opposite elements of side 0 except for a margin, because the mean
+// curvature of side 0 affects the normals of all pairs (METHOD 8.3). If several rows remain, each element of side 0 is assigned
+// to one of them.
 void Pairing::add_pairs(size_t k) {
   const Contact& contact = s_.contacts[k];
   const Numbers first = side(k, 0), second = side(k, 1);
@@ -161,7 +166,7 @@ void Pairing::add_pairs(size_t k) {
     if (!facing[r].empty()) pairs_.push_back({k, in_a_row(body(k, 0), facing[r])[0], rows[r]});
 }
 
-// Do the elements of two elastic bodies lie on each other, end by end? Or are they given so that as many face each other?
+// Do the elements of two elastic bodies coincide end by end, or are equal numbers of facing elements given by statements?
 bool Pairing::coincides(const Pair& pair) const {
   const Elements &one = body(pair.contact, 0), &two = body(pair.contact, 1);
   if (&one == &two || pair.one.size() != pair.two.size()) return false;
@@ -171,7 +176,7 @@ bool Pairing::coincides(const Pair& pair) const {
     const int after = body(pair.contact, side)[static_cast<size_t>(numbers.back())].after;
     if (s_.bodies[static_cast<size_t>(s_.contacts[pair.contact].side[side].body)].rigid || numbers.front() > numbers.back() ||
         (after >= 0 && after <= numbers.back()))
-      return false; // nodes are numbered along the outline: not round its end
+      return false; // nodes are numbered along the outline: a matching zone cannot pass its end
   }
   const auto all_given = [](const Elements& all, const Numbers& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [&](int e) { return all[static_cast<size_t>(e)].is_given; });
@@ -185,8 +190,8 @@ bool Pairing::coincides(const Pair& pair) const {
   return true;
 }
 
-// Two zones that adjoin on their second side: nodes are in one pair. Of zones that coincide one leaves its last node to the
-// other; else its last element, which then carries nothing.
+// Two zones that adjoin on their second side share a node, which may belong to one pair only. If both are matching, `yields`
+// gives up its end node; otherwise its end element, which is then free of traction.
 void Pairing::part(Pair& stays, Pair& yields) {
   const Elements& all = body(stays.contact, 1);
   for (const bool at_end : {false, true}) {
@@ -203,7 +208,7 @@ void Pairing::part(Pair& stays, Pair& yields) {
   }
 }
 
-// The later one yields, but for a tie, which goes on to its end: that may be the tip of a crack.
+// The later zone yields, except a tie, which keeps its full length because its end may be a crack tip.
 void Pairing::part_neighbours() {
   for (Pair& pair : pairs_) pair.matching = given_ && coincides(pair);
   for (size_t i = 0; i < pairs_.size(); ++i)
@@ -216,15 +221,15 @@ void Pairing::part_neighbours() {
   std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
 
-// Of side 1 of its contact: are two lengths one?
+// Are two lengths on side 1 of the contact equal?
 bool Pairing::is_at(const Pair& pair, double length, double place) const {
   const Contact::Strip& strip = s_.contacts[pair.contact].side[1];
   const double off = strip.round > 0 ? std::remainder(length - place, strip.round) : length - place;
   return std::fabs(off) < kSame * (strip.to - strip.from);
 }
 
-// At an end whose displacement is prescribed there is no pair: the element there carries nothing.
-void Pairing::leave_held(Pair& pair) const {
+// An end with a prescribed displacement has no pair: the element there is removed from the zone and is free of traction.
+void Pairing::leave_supports(Pair& pair) const {
   const Elements& all = body(pair.contact, 1);
   const Contact& contact = s_.contacts[pair.contact];
   Numbers& two = pair.two;
@@ -234,13 +239,13 @@ void Pairing::leave_held(Pair& pair) const {
   }
   pair.whole[0] = is_at(pair, all[static_cast<size_t>(two.front())].begin, contact.side[1].from);
   pair.whole[1] = is_at(pair, all[static_cast<size_t>(two.back())].end, contact.side[1].to);
-  if (contact.is_held[0] && two.size() > 1 && pair.whole[0]) two.erase(two.begin());
-  if (contact.is_held[1] && two.size() > 1 && pair.whole[1]) two.pop_back();
+  if (contact.is_supported[0] && two.size() > 1 && pair.whole[0]) two.erase(two.begin());
+  if (contact.is_supported[1] && two.size() > 1 && pair.whole[1]) two.pop_back();
 }
 
 std::vector<Zone> Pairing::run() {
   for (size_t k = 0; k < s_.contacts.size(); ++k) add_pairs(k);
-  for (Pair& pair : pairs_) leave_held(pair);
+  for (Pair& pair : pairs_) leave_supports(pair);
   part_neighbours();
   std::vector<Zone> out;
   for (const Pair& p : pairs_)

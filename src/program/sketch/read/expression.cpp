@@ -7,7 +7,7 @@
 namespace sketch {
 namespace {
 
-// f(a) from f, f' and f'' at a.v.
+// The chain rule: f(a) from f, f' and f'' at a.v.
 Jet chain(const Jet& a, double f, double f1, double f2) { return {f, f1 * a.d, f2 * a.d * a.d + f1 * a.dd}; }
 
 Jet add(const Jet& a, const Jet& b) { return {a.v + b.v, a.d + b.d, a.dd + b.dd}; }
@@ -89,9 +89,9 @@ public:
   }
 
 private:
-  struct Depth { // brackets, signs and exponents within each other
+  struct Depth { // nesting of brackets, signs and exponents
     explicit Depth(Parser& p) : parser(p) {
-      if (++parser.depth_ > 100) parser.fail(parser.at_, parser.at_, "expected at most 100 brackets within each other");
+      if (++parser.depth_ > 100) parser.fail(parser.at_, parser.at_, "expected at most 100 nested brackets");
     }
     ~Depth() { --parser.depth_; }
     Parser& parser;
@@ -146,7 +146,7 @@ private:
     if (c == '(' || c == '{') {
       ++at_;
       sum();
-      if (peek() == ',') fail(at_, at_, "a bracket holds one value, expected no comma");
+      if (peek() == ',') fail(at_, at_, "a bracket contains one value, expected no comma");
       if (!accept(c == '(' ? ')' : '}')) fail(at_, at_, "expected a closing bracket");
     } else if (is_digit(c) || c == '.') {
       number();
@@ -161,7 +161,8 @@ private:
     const char* const begin = word_.text.data() + at_;
     const auto result = std::from_chars(begin, word_.text.data() + word_.text.size(), value);
     const size_t length = static_cast<size_t>(result.ptr - begin);
-    if (result.ec != std::errc()) fail(at_, at_ + (length > 0 ? length - 1 : 0), "expected a number that can be kept");
+    if (result.ec != std::errc())
+      fail(at_, at_ + (length > 0 ? length - 1 : 0), "expected a number in the range of double precision");
     at_ += length;
     steps_.push_back({Expression::Step::kConstant, value, 0});
   }
@@ -181,7 +182,7 @@ private:
       steps_.push_back({Expression::Step::kConstant, HUGE_VAL, 0});
     else
       fail(first, at_ - 1,
-           "no parameter is called " + in_quotes(name) + ", expected a number, a parameter or arithmetic on them");
+           "no parameter is called " + in_quotes(name) + ", expected a number, a parameter or an expression of them");
   }
   void call(const std::string& name, size_t first) {
     const int index = find_function(name, 0);
@@ -189,7 +190,7 @@ private:
     accept('(');
     sum();
     for (int i = 1; i < kFunctions[index].arguments; ++i) {
-      if (!accept(',')) fail(at_, at_, in_quotes(name) + " takes two values, with a comma between them");
+      if (!accept(',')) fail(at_, at_, in_quotes(name) + " has two arguments, expected a comma between them");
       sum();
     }
     if (!accept(')')) fail(at_, at_, "expected a closing bracket");

@@ -1,5 +1,5 @@
-// Arithmetic in a sketch: + - * / ^, brackets, functions, `pi`, `deg` (of an angle: 30*deg), parameters by name, and variables:
-// one, by which a value has its first two derivatives, so that a curve may be given by formulas, or x and y of a place.
+// Arithmetic in a sketch: + - * / ^, brackets, functions, `pi`, `deg` (30*deg is an angle in radians), parameters by name, and
+// variables. A formula of a curve has one variable and gives two derivatives by it; a formula of a place has x and y.
 #pragma once
 
 #include "program/sketch/read/words.hpp"
@@ -20,8 +20,8 @@ using Parameters = std::map<std::string, double>;
 
 class Expression {
 public:
-  using Variables = std::array<std::string, 2>; // their names, empty for none; they go before parameters
-  // Throws a Fault at the place of what cannot be read, in `word` or within it.
+  using Variables = std::array<std::string, 2>; // their names, empty for none; they take precedence over parameters
+  // Throws a Fault at the place of an error within `word`.
   Expression(const Word& word, const Parameters& parameters, const Variables& variables = {});
   Jet at(double first) const { return result({first, 1, 0}, {}); }
   double at(double first, double second) const { return result({first}, {second}).v; }
@@ -36,7 +36,7 @@ private:
     double value; // of a constant
     int index;    // of a function, of a variable
   };
-  std::vector<Step> steps_; // in the order in which a stack takes them
+  std::vector<Step> steps_; // in the order of evaluation on a stack
 };
 
 } // namespace sketch

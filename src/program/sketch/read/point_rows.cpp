@@ -15,7 +15,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-// At every `separator`; an empty field at the end counts for nothing.
+// Splits at every `separator`; an empty last field is dropped.
 Fields split_at(std::string_view text, char separator) {
   Fields out;
   while (true) {
@@ -40,7 +40,7 @@ Fields split_at_blanks(std::string_view text) {
 
 bool ends_in_comma(std::string_view field) { return !field.empty() && (field.front() == ',' || field.back() == ','); }
 
-// A comma within one of two fields that something else separates is a decimal comma, else it separates too.
+// A comma is a decimal comma if another character separates exactly two fields; otherwise it is a separator.
 Fields fields_of(std::string_view row, bool& decimal_comma) {
   const bool has_semicolon = row.find(';') != std::string_view::npos;
   const Fields strong = has_semicolon ? split_at(row, ';') : split_at_blanks(row);
@@ -55,7 +55,7 @@ Fields fields_of(std::string_view row, bool& decimal_comma) {
   return out;
 }
 
-// Also with a plus sign, in quotes, and with D before the exponent as Fortran writes it.
+// Accepts a plus sign, quotes, and the Fortran exponent letter D.
 bool read_number(std::string_view field, bool decimal_comma, double& value) {
   if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = trimmed(field.substr(1, field.size() - 2));
   std::string text(field);
@@ -92,7 +92,7 @@ Point point_of(const Fields& fields, bool decimal_comma, int line) {
 std::vector<PointRow> point_rows(std::string_view text) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3); // a byte order mark
   if (text.find('\0') != std::string_view::npos || text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff")
-    throw Fault{{1, 0, 0}, "two bytes to a character, expected a text in UTF-8 or ASCII"};
+    throw Fault{{1, 0, 0}, "the file has two bytes per character, expected text in UTF-8 or ASCII"};
   std::vector<PointRow> out;
   for (int line = 1; !text.empty(); ++line) {
     const size_t end = std::min(text.find_first_of("\r\n"), text.size());

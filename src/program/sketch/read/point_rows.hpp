@@ -12,10 +12,9 @@ struct PointRow {
   int line; // of the file
 };
 
-// Two numbers to a line, separated by a comma, a semicolon, a tab or blanks; decimal commas where something else separates.
-// Skips empty lines, comments behind # or !, and
-// before the first point headings: rows without a number, or that begin with a word. Throws a Fault with the line of any other
-// row.
+// Two numbers per line, separated by a comma, a semicolon, a tab or blanks. A comma is a decimal comma if another character
+// separates the numbers. Skips empty lines, comments after # or !, and headings before the first point: rows without a number,
+// or that begin with a word. Throws a Fault with the line of any other row.
 std::vector<PointRow> point_rows(std::string_view text);
 
 } // namespace sketch

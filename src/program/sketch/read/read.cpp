@@ -54,7 +54,7 @@ bool is_sketch(const std::string& text, const std::string& name) {
   constexpr std::string_view kEnding = ".c2s";
   if (name.size() > kEnding.size() && name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0) return true;
   size_t at = 0;
-  while (at < text.size()) { // the first word behind comments
+  while (at < text.size()) { // the first word after comments
     const size_t end = std::min(text.find('\n', at), text.size());
     const size_t first = text.find_first_not_of(" \t\r", at);
     if (first < end && text[first] != '!') {
@@ -107,75 +107,76 @@ void Reader::read(const std::string& text) {
   finish();
 }
 
-// `when value statement`: the statement is there where the value is not 0.
+// `when value statement`: the statement applies if the value is not 0.
 bool Reader::applies(std::vector<Word>& words) {
   while (!words.empty() && words[0].is("when")) {
     Statement condition(words, s_.parameters);
-    if (condition.number("a value, 0 where the statement behind it is not to be") == 0) return false;
+    if (condition.number("a value: 0 to ignore the statement after it") == 0) return false;
     if (!condition.has_more()) condition.missing("a statement");
     words.erase(words.begin(), words.begin() + 2);
   }
   return !words.empty();
 }
 
-// What only the whole sketch can tell. Shapes are judged if all statements could be read.
+// Checks of the whole sketch, if all statements could be read.
 void Reader::finish() {
   end_body();
   if (!faults_.empty()) return;
-  if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
+  if (s_.bodies.empty()) faults_.push_back({{}, "the sketch has no body, expected at least one"});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
   if (!faults_.empty()) return;
   for (Fault& fault : cut_contacts(s_)) faults_.push_back(std::move(fault));
 }
 
-// Of statements that stand once.
+// For statements allowed once.
 void Reader::once(Statement& s, const std::string& what) {
-  if (!told_.insert(what).second) throw Fault{s.at(), what + " is there already, expected once"};
+  if (!once_.insert(what).second) throw Fault{s.at(), what + " is given twice, expected once"};
 }
 
 void Reader::title(Statement& s) {
-  once(s, "a title");
+  once(s, "the title");
   if (!s.has_more()) return;
   s_.title = s.rest();
   std::replace(s_.title.begin(), s_.title.end(), '\t', ' ');
-  if (!is_ascii(s_.title)) s.fail("the title has a character that a deck cannot hold, expected plain ASCII text");
+  if (!is_ascii(s_.title)) s.fail("the title has a character that is not printable ASCII, expected only printable ASCII");
   if (s_.title.size() > kLongestTitle)
     s.fail("the title has " + std::to_string(s_.title.size()) + " bytes, expected at most " + std::to_string(kLongestTitle));
 }
 
 void Reader::units(Statement& s) {
-  once(s, "a statement of units");
+  once(s, "the statement 'units'");
   for (std::string& unit : s_.units) {
     unit = s.take("the names of the units of length and force").text;
     if (unit.size() > 15) s.fail(in_quotes(unit) + ": expected at most 15 characters");
     if (unit.empty() || !is_ascii(unit) || unit.find_first_of(" ,!") != std::string::npos)
-      s.fail("the name of a unit is not one word of plain ASCII text, expected such as mm, N or lbf");
+      s.fail("the name of a unit is not one word of plain ASCII text, expected a name such as mm, N or lbf");
   }
 }
 
 void Reader::plane(Statement& s) {
-  once(s, "plane strain or stress");
+  once(s, "the statement 'plane'");
   s_.plane_stress =
       s.is_number() ? s.whole("0 for plane strain, 1 for plane stress", 0, 1) == 1 : s.choice({"strain", "stress"}) == 1;
 }
 
 void Reader::functions(Statement& s) {
-  once(s, "a statement of functions");
-  const int order = s.is_number() ? s.whole("1 for linear functions, 2 for quadratic, 3 for cubic ones, 0 for any", 0, 3)
+  once(s, "the statement 'functions'");
+  const int order = s.is_number() ? s.whole("1 for linear, 2 for quadratic, 3 for cubic functions, 0 for the default", 0, 3)
                                   : static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
   s_.order = std::max(order, 1);
   s_.chooses_order = order == 0;
 }
 
-// Pairs of a name and a value; later values may use earlier ones. One that is given from outside keeps that value.
+// Pairs of a name and a value; later values may use earlier ones. A value given on the command line takes precedence.
 void Reader::parameter(Statement& s) {
   do {
     const std::string name = s.name("the name of a parameter");
-    if (name.find('-') != std::string::npos) s.fail(in_quotes(name) + ": expected letters, digits and _, as - is arithmetic");
-    if (used_.count(name) > 0) s.fail("parameter " + in_quotes(name) + " is there already");
+    if (name.find('-') != std::string::npos)
+      s.fail(in_quotes(name) + ": expected letters, digits and _; '-' means subtraction");
+    if (used_.count(name) > 0) s.fail("parameter " + in_quotes(name) + " is defined twice");
     if (name == "pi" || name == "deg" || name == "inf")
-      s.fail(in_quotes(name) + " has a value already: pi, deg and inf are reserved");
+      s.fail(in_quotes(name) + " is reserved, expected a name other than pi, deg and inf");
     used_.insert(name);
     const double value = s.number("the value of " + name, true);
     const auto given = given_.find(name);
@@ -183,18 +184,18 @@ void Reader::parameter(Statement& s) {
   } while (s.has_more());
 }
 
-// require value text: the text is an error where the value is below 0.
+// require value text: the text is an error if the value is below 0.
 void Reader::require(Statement& s) {
-  const bool holds = s.number("what is not to be below 0") >= 0;
-  const std::string why = s.take("what is wrong otherwise, in quotes").text;
-  if (!holds) throw Fault{s.at(), why};
+  const bool is_met = s.number("a value that must not be below 0") >= 0;
+  const std::string why = s.take("the error message, in quotes").text;
+  if (!is_met) throw Fault{s.at(), why};
 }
 
 void Reader::symmetry(Statement& s) {
   const size_t axis = s.choice({"x", "y"});
-  if (s_.symmetry[axis]) s.fail(std::string("a line of symmetry across ") + (axis == 0 ? "x" : "y") + " is there already");
-  if (!s_.bodies.empty()) throw Fault{s.at(), "a line of symmetry stands before the first body"};
-  s_.symmetry[axis] = s.number("its place");
+  if (s_.symmetry[axis]) s.fail(std::string("the line of symmetry ") + (axis == 0 ? "x" : "y") + " is given twice");
+  if (!s_.bodies.empty()) throw Fault{s.at(), "the line of symmetry stands after a body, expected it before the first body"};
+  s_.symmetry[axis] = s.number("the coordinate of the line");
 }
 
 Reading read_sketch(const std::string& text, const Parameters& given, const Reader::File& file) {

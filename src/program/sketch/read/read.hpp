@@ -1,4 +1,4 @@
-// From the text of a sketch to its shapes and conditions.
+// Reads the text of a sketch.
 #pragma once
 
 #include "program/sketch/sketch.hpp"
@@ -9,15 +9,15 @@
 
 namespace sketch {
 
-// Is a file a sketch, and not a deck? Its name ends in .c2s, or its text begins as a sketch does.
+// Is a file a sketch rather than a deck? Its name ends in .c2s, or its first word begins a statement.
 bool is_sketch(const std::string& text, const std::string& name = std::string());
 
 struct Reading {
   Sketch sketch;
-  std::vector<Fault> faults;        // in the order of the lines; none: the sketch is sound
-  std::set<std::string> parameters; // that it has
+  std::vector<Fault> faults;        // in the order of the lines; none: the sketch is valid
+  std::set<std::string> parameters; // defined by the sketch
 };
-// `given`: parameters that replace those of the text. `file`: the text of a file that a spline names; false if there is none.
+// `given`: parameters that replace those of the text. `file` reads a file of a spline; false if it cannot be read.
 Reading read_sketch(const std::string& text, const Parameters& given,
                     const std::function<bool(const std::string& name, std::string& text)>& file);
 

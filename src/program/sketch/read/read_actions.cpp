@@ -1,4 +1,4 @@
-// Statements that say what is between bodies, what acts on them, and in which order.
+// Statements of contacts and ties, supports and loads, and the load history.
 #include "program/sketch/read/reader.hpp"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ int Reader::body_named(const Word& word) const {
   throw Fault{word.at, "no body is called " + in_quotes(word.text)};
 }
 
-// body.curve, body.curve+curve: every curve that bears one of the names. Where `part` may be told: body.curve.start as well.
+// body.curve or body.curve+curve: all curves with one of these names. If `part` is not null, also body.curve.start and .end.
 Side Reader::side(Statement& s, Condition::Part* part) {
   const Word word = s.take("curves of a body, such as pad.tip or pad.tip+flank");
   const size_t dot = word.text.find('.');
   if (dot == std::string::npos || word.quoted)
-    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a dot and curves of the body, such as pad.tip"};
   Side out;
   out.at = word.at;
   out.body = body_named({word.text.substr(0, dot), word.at, false});
@@ -26,7 +26,7 @@ Side Reader::side(Statement& s, Condition::Part* part) {
   for (size_t at = dot + 1, end; at <= names_end; at = end + 1) {
     end = std::min(word.text.find('+', at), names_end);
     const std::string name = word.text.substr(at, end - at);
-    if (out.has(name)) throw Fault{word.at, in_quotes(name) + " stands there twice"};
+    if (out.has(name)) throw Fault{word.at, in_quotes(name) + " is named twice, expected each curve once"};
     out.names.push_back(name);
     if (curves_named(out.body, name) == 0 && broken_bodies_.count(out.body) == 0)
       throw Fault{word.at, "body " + in_quotes(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " +
@@ -35,11 +35,11 @@ Side Reader::side(Statement& s, Condition::Part* part) {
   if (second == std::string::npos) return out;
   const std::string end = word.text.substr(second + 1);
   if (part == nullptr)
-    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+    throw Fault{word.at, in_quotes(word.text) + ": expected a body, a dot and curves of the body, such as pad.tip"};
   if (end != "start" && end != "end")
-    throw Fault{word.at, in_quotes(word.text) + ": expected start or end behind the curve, such as pad.tip.start"};
+    throw Fault{word.at, in_quotes(word.text) + ": expected start or end after the curve, such as pad.tip.start"};
   if (out.names.size() > 1 || curves_named(out.body, out.names[0]) > 1)
-    throw Fault{word.at, in_quotes(word.text) + ": there are several of these curves, expected one that has the name alone"};
+    throw Fault{word.at, in_quotes(word.text) + ": several curves are named, expected a single one"};
   *part = end == "start" ? Condition::kStart : Condition::kEnd;
   return out;
 }
@@ -51,13 +51,13 @@ int Reader::curves_named(int body, const std::string& name) const {
   return count;
 }
 
-// The names of a body's curves, as many as can be told.
+// The names of the curves of a body, for an error message.
 std::string Reader::names_of(int body) const {
   std::vector<std::string> names;
   for (const Outline& outline : s_.bodies[static_cast<size_t>(body)].outlines)
     for (const Curve& curve : outline.curves)
       if (!curve.name.empty() && std::find(names.begin(), names.end(), curve.name) == names.end()) names.push_back(curve.name);
-  if (names.empty()) return "names behind the words line, arc, ... that draw it";
+  if (names.empty()) return "curves with names, such as 'line top'";
   std::string out;
   for (size_t i = 0; i < names.size() && i < 8; ++i)
     out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + in_quotes(names[i]);
@@ -78,9 +78,10 @@ void Reader::interface(Statement& s, bool tied) {
       if (out.name.size() > kLongestName)
         s.fail(in_quotes(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
       if (out.name.find('!') != std::string::npos) s.fail(in_quotes(out.name) + ": expected a name without '!'");
-      if (!is_one_line(out.name)) s.fail("the name of the interface is not text in UTF-8, or has control characters");
+      if (!is_one_line(out.name))
+        s.fail("the name of the interface is not text in UTF-8 or has control characters, expected printable text");
       if (out.name.empty() || out.name[0] == ' ' || out.name[0] == ',')
-        s.fail(in_quotes(out.name) + ": expected a name that begins with neither a blank nor a comma");
+        s.fail(in_quotes(out.name) + ": expected a name without a blank or a comma at its start");
     } else {
       out.friction = s.number("the coefficient of friction", true);
       if (out.friction < 0) s.fail(show(out.friction) + ": expected a coefficient of friction, 0 or above");
@@ -89,7 +90,7 @@ void Reader::interface(Statement& s, bool tied) {
   s_.interfaces.push_back(out);
 }
 
-// Statements behind it belong to the load case.
+// Later statements belong to this load case.
 void Reader::load_case(Statement& s) {
   end_body();
   const std::string name = s.name("the name of a load case");
@@ -101,14 +102,14 @@ void Reader::load_case(Statement& s) {
   const auto loads = [](const Condition& c) { return c.value[0].value_or(0) != 0 || c.value[1].value_or(0) != 0; };
   const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.point_loads.empty() &&
                                s_.body_forces.empty() && s_.drives.empty() &&
-                               std::none_of(s_.conditions.begin(), s_.conditions.end(), loads); // supports hold in all cases
+                               std::none_of(s_.conditions.begin(), s_.conditions.end(), loads); // supports apply in all cases
   if (!first_is_unused) s_.cases.push_back({});
   case_ = static_cast<int>(s_.cases.size()) - 1;
   s_.cases.back().name = name;
-  s_.cases.back().factors.assign(static_cast<size_t>(s_.pieces), 0); // of one behind the history
+  s_.cases.back().factors.assign(static_cast<size_t>(s_.pieces), 0); // of a case after a history
 }
 
-// Of forces and loads fx and fy; x and y are older words for them.
+// fx or fy of a force or load; x and y are older names.
 size_t Reader::force_axis(Statement& s, const std::optional<double> value[2]) {
   const size_t axis = s.is_next("x") || s.is_next("y") ? s.choice({"x", "y"}) : s.choice({"fx", "fy"});
   if (value[axis]) s.fail(std::string(axis == 0 ? "fx" : "fy") + " is given twice");
@@ -139,13 +140,14 @@ void Reader::fix(Statement& s) {
   if (!s.has_more()) c.value[0] = c.value[1] = 0;
   while (s.has_more()) {
     c.value[s.choice({"x", "y"})] = 0;
-    if (s.is_next("x") || s.is_next("y")) continue; // a parameter may be called so
-    if (double value = 0; s.accept_number(value) && value != 0) s.fail(show(value) + ": expected 0, or move instead of fix");
+    if (s.is_next("x") || s.is_next("y")) continue; // a parameter may have this name
+    if (double value = 0; s.accept_number(value) && value != 0)
+      s.fail(show(value) + ": expected 0, or the statement 'move' for another value");
   }
   s_.conditions.push_back(c);
 }
 
-// Components along curves: of a displacement, which a point of them may have, or of a traction.
+// Components of a displacement (also at an end of a curve) or of a traction.
 void Reader::given(Statement& s, Condition::Kind kind) {
   end_body();
   Condition c;
@@ -158,7 +160,7 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   s_.conditions.push_back(c);
 }
 
-// A load that may be a formula of the place.
+// A value that may be a formula of the place.
 void Reader::field(Statement& s, Condition& c, size_t axis, const std::string& what) {
   const Expression load = s.field(what);
   c.value[axis] = load.varies() ? NAN : load.value();
@@ -178,13 +180,13 @@ void Reader::force(Statement& s) {
   PointLoad p;
   p.at = s.at(), p.load_case = case_;
   p.body = body_named(s.take("the name of a body"));
-  if (!s.accept("at")) s.missing("at x y, and fx and fy");
+  if (!s.accept("at")) s.missing("at x y, then fx and fy");
   p.where = s.point("where it acts");
   p.force = force_vector(s);
   s_.point_loads.push_back(p);
 }
 
-// Weight and rotation of one body in one case are one force.
+// Weight and rotation of a body in a load case share one BodyForce.
 BodyForce& Reader::body_force(Statement& s) {
   end_body();
   const int body = body_named(s.take("the name of a body"));
@@ -197,32 +199,35 @@ BodyForce& Reader::body_force(Statement& s) {
 
 void Reader::weight(Statement& s) {
   BodyForce& f = body_force(s);
-  if (f.weight.x != 0 || f.weight.y != 0) s.fail("the body has a weight in this load case already");
+  if (f.weight.x != 0 || f.weight.y != 0) s.fail("the weight of the body in this load case is given twice");
   f.weight = force_vector(s);
 }
 
 void Reader::spin(Statement& s) {
   BodyForce& f = body_force(s);
-  if (f.rho_omega2 != 0) s.fail("the body turns in this load case already");
+  if (f.rho_omega2 != 0) s.fail("the rotation of the body in this load case is given twice");
   f.rho_omega2 = s.positive("density times the square of the angular velocity");
   if (s.accept("about")) f.centre = s.point("the axis");
 }
 
-// Of x, y and turn each has a motion that is given, or it is free and has a load, 0 if none is told.
+// For each of x, y and turn, the motion is given, or it is free with a load (default: 0).
 void Reader::drive_of(Statement& s, Drive d) {
   const char* const words[3] = {"x", "y", "turn"};
   d.at = s.at(), d.load_case = case_;
-  const Drive* before = nullptr; // the same one, in another load case
+  const Drive* before = nullptr; // the same platen or body in another load case
   for (const Drive& other : s_.drives) {
     if (!same_target(d, other)) continue;
     before = &other;
-    if (other.load_case == case_) s.fail("this moves in this load case already, by line " + std::to_string(other.at.line));
+    if (other.load_case == case_)
+      s.fail(std::string("the same ") + (d.side ? "platen" : "body") + " has a statement in line " +
+             std::to_string(other.at.line) + " in this load case, expected only one");
   }
   if (before != nullptr) d.about = before->about;
   if (s.accept("about")) {
-    d.about = s.point("the point that the motion and the moment belong to");
+    d.about = s.point("the reference point of motion and moment");
     if (before != nullptr && length(d.about - before->about) != 0)
-      s.fail("another point than that of line " + std::to_string(before->at.line) + ", expected one for all load cases");
+      s.fail("the reference point differs from that of line " + std::to_string(before->at.line) +
+             ", expected one point for all load cases");
   }
   const auto set = [&s](std::optional<double>& to, const std::string& what) {
     if (to) s.fail(what + " is given twice");
@@ -230,16 +235,16 @@ void Reader::drive_of(Statement& s, Drive d) {
   };
   while (s.has_more()) {
     const size_t kind = s.choice({"x", "y", "turn", "force", "fx", "fy", "moment"});
-    if (kind < 3) set(d.motion[kind], kind < 2 ? "how far it moves" : "how far it turns, in radians");
+    if (kind < 3) set(d.motion[kind], kind < 2 ? "the displacement" : "the angle of rotation in radians");
     if (kind == 3 || kind == 4) set(d.load[0], "the force along x");
     if (kind == 3 || kind == 5) set(d.load[1], "the force along y");
     if (kind == 6) set(d.load[2], "the moment");
   }
   for (size_t i = 0; i < 3; ++i) {
-    if (d.motion[i] && d.load[i]) s.fail("a motion and its load are both given, expected one of them");
+    if (d.motion[i] && d.load[i]) s.fail("both a motion and its load are given, expected one of them");
     for (const Drive& other : s_.drives)
       if (same_target(d, other) && ((d.motion[i] && other.load[i]) || (d.load[i] && other.motion[i])))
-        s.fail(std::string("of ") + words[i] + " the " + (d.load[i] ? "motion" : "load") + " is given in line " +
+        s.fail(std::string("the ") + (d.load[i] ? "motion" : "load") + " of " + words[i] + " is given in line " +
                std::to_string(other.at.line) + ", expected " + (d.load[i] ? "motions" : "loads") + " in all load cases");
   }
   s_.drives.push_back(d);
@@ -251,7 +256,8 @@ void Reader::platen(Statement& s) {
   d.side = side(s);
   d.body = d.side->body;
   if (s_.bodies[static_cast<size_t>(d.body)].rigid)
-    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) + " is rigid, expected drive and its name");
+    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) +
+           " is rigid, expected the statement 'drive' for it");
   drive_of(s, d);
 }
 
@@ -260,7 +266,8 @@ void Reader::drive(Statement& s) {
   Drive d;
   d.body = body_named(s.take("the name of a rigid body"));
   if (!s_.bodies[static_cast<size_t>(d.body)].rigid)
-    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid, expected platen and its curves");
+    s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(d.body)].name) +
+           " is not rigid, expected the statement 'platen' with its curves");
   drive_of(s, d);
 }
 
@@ -271,7 +278,8 @@ std::string Reader::names_of_cases() const {
   return out;
 }
 
-// normal 1; shear 1, -1, 1: one case after the other goes to the factors told, the others stay. A second statement goes on.
+// normal 1; shear 1, -1, 1: each case in turn goes to its load factors while the others stay constant. A second statement
+// continues.
 void Reader::history(Statement& s) {
   end_body();
   std::vector<double> now;
@@ -290,10 +298,10 @@ void Reader::history(Statement& s) {
   } while (s.accept(";") && s.has_more());
 }
 
-// Bodies that overlap as drawn are pressed into each other before the history begins.
+// Bodies that overlap as drawn are press fits, closed before the load history begins.
 void Reader::interference(Statement& s) {
   end_body();
-  if (s_.interference) s.fail("interference is there already");
+  if (s_.interference) s.fail("the statement 'interference' is given twice, expected once");
   s_.interference = true;
 }
 

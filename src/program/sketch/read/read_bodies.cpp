@@ -1,4 +1,4 @@
-// Statements that draw bodies: curves one after the other, with the material on the left.
+// Statements that draw bodies: consecutive curves with the material on the left.
 #include "program/sketch/outline.hpp"
 #include "program/sketch/read/point_rows.hpp"
 #include "program/sketch/read/reader.hpp"
@@ -13,7 +13,7 @@ const double kHalfTurn = std::acos(-1.0);
 
 double degrees(Point p) { return std::atan2(p.y, p.x) * 180 / kHalfTurn; }
 
-// The sweep from a to b about the origin: counter-clockwise or clockwise, a full turn for no angle at all.
+// The sweep from a to b about the origin, counter-clockwise or clockwise; a full turn if both directions coincide.
 double sweep_between(Point a, Point b, bool clockwise) {
   double sweep = std::atan2(cross(a, b), dot(a, b)) * 180 / kHalfTurn;
   if (!clockwise && sweep <= 0) sweep += 360;
@@ -30,12 +30,12 @@ Motion reflection(size_t axis, double at) {
 std::string Reader::new_body_name(Statement& s, const std::string& expected) {
   const std::string name = s.name(expected);
   for (const Body& other : s_.bodies)
-    if (other.name == name) s.fail("a body is called " + in_quotes(name) + " already");
+    if (other.name == name) s.fail("another body is called " + in_quotes(name) + ", expected a new name");
   if (name.size() > kLongestName) s.fail(in_quotes(name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
   return name;
 }
 
-// The body is there even if its statement has faults: what follows draws it.
+// The body is added even if its statement has errors, because the next statements draw it.
 void Reader::body(Statement& s) {
   end_body();
   s_.bodies.emplace_back();
@@ -59,7 +59,7 @@ void Reader::body(Statement& s) {
 Body& Reader::current_body(Statement& s) {
   if (!in_body_ && is_lost_) throw Fault{};
   if (!in_body_)
-    throw Fault{s.at(), in_quotes(s.keyword().text) + " stands outside a body, expected behind a statement 'body'"};
+    throw Fault{s.at(), in_quotes(s.keyword().text) + " stands outside a body, expected it after a statement 'body'"};
   return s_.bodies.back();
 }
 
@@ -87,12 +87,11 @@ void Reader::hole(Statement& s) {
 void Reader::from(Statement& s) {
   if (in_outline_ && !current_outline(s).curves.empty()) end_outline();
   current_outline(s);
-  start_ = here_ = s.point("where the outline begins");
+  start_ = here_ = s.point("the start of the outline");
   has_start_ = true;
 }
 
-// A name, unless the shape begins at once.
-// Words behind the name of a curve, which may be missing: no curve is called so.
+// Words after the optional name of a curve. They are not allowed as names.
 const char* const kWords[] = {"to", "by", "through", "centre", "close", "radius", "cut", "turn", "t", "file"};
 
 std::string Reader::curve_name(Statement& s) {
@@ -104,15 +103,15 @@ std::string Reader::curve_name(Statement& s) {
     if (!is_name || closes) return "";
     std::string all;
     for (const char* w : kWords) all += (all.empty() ? "" : ", ") + std::string(w);
-    s.missing("another name of the curve: " + all + " are words of statements that draw");
+    s.missing("another name of the curve: " + all + " are reserved");
   }
   return s.has_more() ? s.name("the name of the curve") : "";
 }
 
 Point Reader::target(Statement& s) {
-  if (!has_start_) s.fail("this curve has nowhere to begin, expected a statement 'from' before it");
+  if (!has_start_) s.fail("this curve has no start point, expected a statement 'from' before it");
   if (s.accept("close")) return start_;
-  if (s.accept("by")) return here_ + s.point("the way to its end");
+  if (s.accept("by")) return here_ + s.point("the vector from its start to its end");
   if (!s.accept("to")) s.missing("to x y, by dx dy, or close");
   return s.point("its end");
 }
@@ -134,7 +133,7 @@ void Reader::draw(Statement& s, const std::string& name, ShapePtr shape) {
 void Reader::straight(Statement& s) {
   const std::string name = curve_name(s);
   const Point begin = here_, end = target(s);
-  if (length(end - begin) == 0) s.fail("this line has no length");
+  if (length(end - begin) == 0) s.fail("this line has length zero, expected an end different from its start");
   draw(s, name, line(begin, end));
 }
 
@@ -142,18 +141,18 @@ void Reader::arc(Statement& s) {
   const std::string name = curve_name(s);
   const Point begin = here_;
   if (s.accept("centre")) { // a given angle
-    if (!has_start_) s.fail("this arc has nowhere to begin, expected a statement 'from' before it");
+    if (!has_start_) s.fail("this arc has no start point, expected a statement 'from' before it");
     const Point centre = s.point("the centre");
     if (!s.accept("turn")) s.missing("turn and an angle in degrees");
     const double turn = s.number("the angle in degrees");
-    if (turn == 0) s.fail("this arc has no length");
+    if (turn == 0) s.fail("this arc has length zero, expected an angle different from 0");
     return draw(s, name, sketch::arc(centre, length(begin - centre), degrees(begin - centre), turn));
   }
   const Point end = target(s), chord = end - begin;
   if (s.accept("through")) {
     const Point p = s.point("a point of the arc") - begin;
     const double area = cross(p, chord);
-    if (std::fabs(area) <= 1e-12 * dot(chord, chord)) s.fail("the three points are on one line, expected an arc");
+    if (std::fabs(area) <= 1e-12 * dot(chord, chord)) s.fail("the three points are on one line, expected points of an arc");
     const Point centre = begin + (1 / (2 * area)) * Point{dot(p, p) * chord.y - dot(chord, chord) * p.y,
                                                           dot(chord, chord) * p.x - dot(p, p) * chord.x};
     return draw(s, name,
@@ -164,7 +163,7 @@ void Reader::arc(Statement& s) {
     const Point centre = s.point("the centre");
     const double r = length(begin - centre), q = length(end - centre);
     if (std::fabs(r - q) > kJoint * r)
-      s.fail("the centre is " + rounded(r) + " from the arc's begin and " + rounded(q) +
+      s.fail("the centre has the distance " + rounded(r) + " from the start of the arc and " + rounded(q) +
              " from its end, expected equal distances");
     const bool right = s.accept("right");
     return draw(s, name, sketch::arc(centre, r, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
@@ -173,13 +172,13 @@ void Reader::arc(Statement& s) {
   const double radius = s.positive("the radius"), half = length(chord) / 2;
   const bool right = s.accept("right"), is_long = s.accept("long");
   if (half == 0 || radius < half * (1 - 1e-12))
-    s.fail("the ends are " + rounded(2 * half) + " apart, expected at most twice the radius " + show(radius));
+    s.fail("the distance of the ends is " + rounded(2 * half) + ", expected at most twice the radius " + show(radius));
   const double height = std::sqrt(std::max(radius * radius - half * half, 0.0)) * (right != is_long ? -1 : 1);
   const Point centre = begin + 0.5 * chord + (height / (2 * half)) * turned_left(chord);
   draw(s, name, sketch::arc(centre, radius, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
 }
 
-// A curve that is an outline by itself; one of a hole runs clockwise.
+// A curve that is a whole outline; reversed for a hole.
 void Reader::draw_whole(Statement& s, const std::string& name, ShapePtr shape) {
   if (!current_outline(s).curves.empty()) end_outline();
   Outline& outline = current_outline(s);
@@ -195,8 +194,7 @@ void Reader::circle(Statement& s) {
   const Point centre = s.point("the centre");
   if (!s.accept("radius")) s.missing("radius r");
   const double radius = s.positive("the radius");
-  draw_whole(s, name,
-             sketch::arc(centre, radius, s.accept("from") ? s.number("the angle where it begins, in degrees") : -90, 360));
+  draw_whole(s, name, sketch::arc(centre, radius, s.accept("from") ? s.number("the start angle in degrees") : -90, 360));
 }
 
 void Reader::ellipse(Statement& s) {
@@ -204,25 +202,25 @@ void Reader::ellipse(Statement& s) {
   if (!s.accept("centre")) s.missing("centre x y axes a b");
   const Point centre = s.point("the centre");
   if (!s.accept("axes")) s.missing("axes a b");
-  const double a = s.positive("its first half axis"), b = s.positive("its second half axis");
+  const double a = s.positive("its first semi-axis"), b = s.positive("its second semi-axis");
   const double tilt = s.accept("tilt") ? s.number("the angle of the first axis, in degrees") : 0;
   if (!s.accept("from")) return draw_whole(s, name, sketch::ellipse(centre, a, b, tilt, -90, 360));
-  const double from = s.number("the eccentric angle where it begins, in degrees");
+  const double from = s.number("the eccentric angle of its start in degrees");
   if (!s.accept("turn")) s.missing("turn and an angle in degrees");
-  draw(s, name, sketch::ellipse(centre, a, b, tilt, from, s.number("the eccentric angle it turns, in degrees")));
+  draw(s, name, sketch::ellipse(centre, a, b, tilt, from, s.number("its range of the eccentric angle in degrees")));
 }
 
 void Reader::curve(Statement& s) {
   const std::string name = curve_name(s);
   const std::string variable = s.name("the name of the variable");
-  const double first = s.number("the variable where the curve begins"), last = s.number("the variable where it ends");
+  const double first = s.number("the variable at the start of the curve"), last = s.number("the variable at its end");
   if (!s.accept("x")) s.missing("x and its formula");
   const Expression x = s.formula("the formula of x", variable);
   if (!s.accept("y")) s.missing("y and its formula");
   const ShapePtr shape = formula(x, s.formula("the formula of y", variable), first, last);
   for (int i = 0; i <= 64; ++i)
     if (const Point p = shape->at(i / 64.0); !std::isfinite(p.x) || !std::isfinite(p.y))
-      s.fail("the formulas have no value at " + variable + " = " + show(first + (last - first) * i / 64.0));
+      s.fail("the formulas have no finite value at " + variable + " = " + show(first + (last - first) * i / 64.0));
   draw(s, name, shape);
 }
 
@@ -242,11 +240,12 @@ std::vector<Point> Reader::points_of_file(Statement& s) {
   std::vector<Point> out;
   try {
     for (const PointRow& row : point_rows(text)) {
-      if (!out.empty() && length(row.at - out.back()) == 0) fail(row.line, "the point is where the one before is");
+      if (!out.empty() && length(row.at - out.back()) == 0)
+        fail(row.line, "the point repeats the one before it, expected another place");
       out.push_back(row.at);
     }
   } catch (const Fault& fault) {
-    if (fault.at.column > 0) throw; // of the statement itself
+    if (fault.at.column > 0) throw; // an error of the statement itself
     fail(fault.at.line, fault.text);
   }
   return out;
@@ -262,8 +261,9 @@ void Reader::spline(Statement& s) {
   if (backwards) std::reverse(points.begin(), points.end());
   for (size_t i = 1; i < points.size(); ++i)
     if (length(points[i] - points[i - 1]) == 0)
-      s.fail("point " + std::to_string(i + 1) + " of the spline is where the one before is");
-  if (points.size() < (closed ? 3u : 2u)) s.fail("expected " + std::string(closed ? "three" : "two") + " points at least");
+      s.fail("point " + std::to_string(i + 1) + " of the spline repeats the one before it, expected another place");
+  if (points.size() < (closed ? 3u : 2u))
+    s.fail("the spline has too few points, expected at least " + std::string(closed ? "three" : "two"));
   if (!closed) return draw(s, name, sketch::spline(points, false));
   if (length(points.front() - points.back()) == 0) points.pop_back();
   const ShapePtr whole = sketch::spline(points, true);
@@ -272,22 +272,23 @@ void Reader::spline(Statement& s) {
 
 void Reader::ask_corner(Statement& s, bool round) {
   Outline& outline = current_outline(s);
-  if (outline.curves.empty() || corner_) throw Fault{s.at(), in_quotes(s.keyword().text) + " stands between two curves"};
+  if (outline.curves.empty() || corner_)
+    throw Fault{s.at(), in_quotes(s.keyword().text) + " has no curve directly before it, expected it between two curves"};
   const std::string name = curve_name(s);
   if (!s.accept(round ? "radius" : "cut")) s.missing(round ? "radius and a value" : "cut and a value");
-  corner_ = Corner{round, name, s.positive(round ? "the radius" : "the length that is cut off"), s.at()};
+  corner_ = Corner{round, name, s.positive(round ? "the radius" : "the length cut off each curve"), s.at()};
 }
 
-// The curves so far, seen in a mirror and run through backwards, close the outline.
+// Appends the reflected curves of the outline in reverse order and direction.
 void Reader::mirror(Statement& s) {
   Outline& outline = current_outline(s);
   const size_t axis = s.choice({"x", "y"});
-  const Motion motion = reflection(axis, s.number("the place of the mirror"));
+  const Motion motion = reflection(axis, s.number("the coordinate of the line of reflection"));
   for (size_t i = outline.curves.size(); i-- > 0;) {
     const Curve own = outline.curves[i];
     outline.curves.push_back({own.name, moved(part(own.shape, 1, 0), motion), own.at});
   }
-  if (outline.curves.empty()) s.fail("expected curves before it");
+  if (outline.curves.empty()) s.fail("the outline has no curve to reflect, expected curves before 'mirror'");
   here_ = outline.curves.back().shape->at(1);
 }
 
@@ -297,16 +298,16 @@ Motion Reader::motion(Statement& s) {
     Motion m;
     const size_t kind = s.choice({"shift", "turn", "mirror"});
     if (kind == 0) {
-      m.x0 = s.number("how far along x"), m.y0 = s.number("how far along y");
+      m.x0 = s.number("the shift along x"), m.y0 = s.number("the shift along y");
     } else if (kind == 1) {
       const double angle = s.number("the angle in degrees") * kHalfTurn / 180;
-      const Point about = s.accept("about") ? s.point("the point to turn about") : Point{};
+      const Point about = s.accept("about") ? s.point("the centre of rotation") : Point{};
       m = {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle), 0, 0};
       const Point off = about - m(about);
       m.x0 = off.x, m.y0 = off.y;
     } else {
       const size_t axis = s.choice({"x", "y"});
-      m = reflection(axis, s.number("the place of the mirror"));
+      m = reflection(axis, s.number("the coordinate of the line of reflection"));
     }
     const Point o = m(out({0, 0}));
     out = {
@@ -367,12 +368,13 @@ void Reader::end_body() {
   const bool broken = broken_;
   try {
     end_outline();
-  } catch (const Fault& fault) { // of a corner at the outline's end; the statement behind it stands
+  } catch (const Fault& fault) { // of a fillet or chamfer at the end of the outline; the next statement is still read
     faults_.push_back(fault);
   }
   in_body_ = false;
   const Body& body = s_.bodies.back();
-  if (body.outlines.empty() && !broken) faults_.push_back({body.at, "body " + in_quotes(body.name) + " has no outline"});
+  if (body.outlines.empty() && !broken)
+    faults_.push_back({body.at, "body " + in_quotes(body.name) + " has no outline, expected curves after its statement"});
 }
 
 } // namespace sketch

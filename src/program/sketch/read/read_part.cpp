@@ -1,4 +1,4 @@
-// The statement that gives a part of a curve a name of its own, so that a side may end amid a curve.
+// The statement `part`: names a part of a curve, so that a side may end within a curve.
 #include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
 
@@ -8,9 +8,9 @@
 namespace sketch {
 namespace {
 
-constexpr int kSamples = 720; // in which a coordinate or an angle is looked for; a spline has more
+constexpr int kSamples = 720; // samples in the search for a coordinate; a spline has more
 
-// The only u where a function that rises or falls through zero does so; a fault at the last word for none or several.
+// The only zero of a function of u, where it changes sign; an error at the last word if there are none or several.
 template <class Function> double only_root(const Statement& s, int samples, const Function& f, const std::string& what) {
   std::vector<double> roots;
   const auto add = [&roots](double u) {
@@ -32,11 +32,11 @@ template <class Function> double only_root(const Statement& s, int samples, cons
   if (roots.empty()) s.fail("the curve has no point with " + what);
   if (roots.size() > 1)
     s.fail("the curve has " + std::to_string(roots.size()) + " points with " + what +
-           ", expected one: a length, a share of it, or an angle tells which");
+           ", expected one: give a length, a percentage of the length, or an angle");
   return roots[0];
 }
 
-// Where a curve has a coordinate, which an end of it may have up to round-off.
+// The place of a curve with a given coordinate; its ends match up to round-off.
 double coordinate(const Statement& s, const Shape& shape, size_t axis, double value) {
   const auto off = [&](double u) {
     const Point p = shape.at(u);
@@ -50,9 +50,9 @@ double coordinate(const Statement& s, const Shape& shape, size_t axis, double va
   return only_root(s, kSamples + 4 * shape.pieces(), rounded, (axis == 0 ? "x = " : "y = ") + show(value));
 }
 
-// Where an arc is seen from its centre under an angle.
+// The place of an arc at a given angle about its centre.
 double angle(const Statement& s, const Shape& arc, double degrees) {
-  if (arc.form() != Form::kArc) s.fail("expected an arc or a circle, which an angle belongs to");
+  if (arc.form() != Form::kArc) s.fail("the curve has no centre, expected an arc or a circle for an angle");
   const double degree = std::acos(-1.0) / 180, bend = arc.curvature(0);
   const double sweep = length(arc.local(0).d) * bend / degree;
   const Point out = (-1 / bend) * turned_left(arc.tangent(0)); // from the centre
@@ -62,7 +62,7 @@ double angle(const Statement& s, const Shape& arc, double degrees) {
   if (std::fabs(way - turn) < 1e-9) way = 0;
   if (std::fabs(way) > std::fabs(sweep) + 1e-9)
     s.fail("the arc goes from " + rounded(begin) + " to " + rounded(begin + sweep) + " degrees, " + show(degrees) +
-           " is not on it");
+           " degrees is not on it");
   return std::min(way / sweep, 1.0);
 }
 
@@ -75,35 +75,36 @@ double place(Statement& s, const ShapePtr& curve, const std::string& which) {
     if (s.accept(axis == 0 ? "x" : "y")) return coordinate(s, *curve, axis, s.number("the coordinate"));
   const Measure measure(curve);
   const bool is_share = s.is_share();
-  const double value = s.share(which + ": a length along the curve, a share such as 25 %, x, y, angle, start or end");
+  const double value = s.share(which + ": a length along the curve, a percentage such as 25 %, x, y, angle, start or end");
   const double at = is_share ? value * measure.length() : value;
   if (at < 0 || at > measure.length() * (1 + 1e-9))
-    s.fail(show(at) + " from its start: the curve is " + rounded(measure.length()) + " long");
+    s.fail("the length " + show(at) + " is not on the curve, expected a length from 0 to " + rounded(measure.length()));
   return measure.u_at(at);
 }
 
 Curve piece_of(const Curve& curve, const ShapePtr& whole, const std::string& name, double first, double last) {
   Curve out{name, part(whole, first, last), curve.at};
-  if (name == curve.name) out.drawn = whole, out.first = first, out.last = last; // what is left may be cut again
+  if (name == curve.name) out.drawn = whole, out.first = first, out.last = last; // the rest may be cut again
   return out;
 }
 
 } // namespace
 
-// The curves of the body that is drawn which have a name: one, or what is left of one.
+// The curves of the current body with a name: one curve, or the remaining pieces of one.
 std::vector<Curve*> Reader::pieces_named(Statement& s, const std::string& name) {
   std::vector<Curve*> out;
   for (Outline& outline : current_body(s).outlines)
     for (Curve& curve : outline.curves)
       if (curve.name == name) out.push_back(&curve);
-  if (out.empty()) s.fail("body " + in_quotes(s_.bodies.back().name) + " has no curve " + in_quotes(name) + " yet");
+  if (out.empty())
+    s.fail("body " + in_quotes(s_.bodies.back().name) + " has no curve " + in_quotes(name) + " before this statement");
   for (const Curve* curve : out)
     if (out.size() > 1 && (!curve->drawn || curve->drawn != out[0]->drawn))
-      s.fail("several curves are called " + in_quotes(name) + ", expected one");
+      s.fail("several curves are called " + in_quotes(name) + ", expected a name of one curve");
   return out;
 }
 
-// Gives what lies between two places the name `name`, and leaves the rest its own.
+// Names the part between two places `name`; the rest keeps its name.
 void Reader::cut(Statement& s, const std::string& name, const std::string& of, double first, double last) {
   constexpr double kNothing = 1e-9;
   for (Outline& outline : current_body(s).outlines)
@@ -120,18 +121,19 @@ void Reader::cut(Statement& s, const std::string& name, const std::string& of, d
       outline.curves.insert(at, pieces.begin(), pieces.end());
       return;
     }
-  s.fail("a part of this has another name already");
+  s.fail("this range contains a part with another name, expected a range without one");
 }
 
-// part tip of face from angle -135 to angle -45: places are seen along the curve as it was drawn; a part of a closed one may
-// go round its begin.
+// part tip of face from angle -135 to angle -45: places refer to the curve as drawn. A part of a closed curve may pass its
+// start.
 void Reader::part_of(Statement& s) {
   current_body(s);
-  if (corner_) throw Fault{s.at(), "'part' stands between a corner and the curve behind it, expected it behind that"};
+  if (corner_)
+    throw Fault{s.at(), "'part' stands between a fillet or chamfer and its second curve, expected it after that curve"};
   const std::string name = s.name("the name of the part");
   if (!s.accept("of")) s.missing("of and the name of a curve");
   const std::string of = s.name("the name of a curve");
-  if (name == of) s.fail("expected another name than that of the part");
+  if (name == of) s.fail("the part has the name of its curve, expected another name");
   const std::vector<Curve*> pieces = pieces_named(s, of);
   const ShapePtr whole = pieces[0]->drawn ? pieces[0]->drawn : pieces[0]->shape;
   if (!s.accept("from")) s.missing("from and where the part begins");
@@ -141,7 +143,7 @@ void Reader::part_of(Statement& s) {
   if (last - first > 1e-9) return cut(s, name, of, first, last);
   const bool is_closed = length(whole->at(0) - whole->at(1)) <= kJoint * Measure(whole).length();
   if (!is_closed || first - last < 1e-9)
-    s.fail("the part ends where it begins or before, expected it to go on along the curve");
+    s.fail("the end of the part is not after its start, expected places in the direction of the curve");
   if (last > 0) cut(s, name, of, 0, last);
   if (first < 1) cut(s, name, of, first, 1);
 }

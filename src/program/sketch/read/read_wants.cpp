@@ -1,4 +1,4 @@
-// Statements that say what is wanted, how accurately, and what it may cost.
+// Statements of requested results, tolerances and limits.
 #include "program/sketch/read/reader.hpp"
 
 #include <algorithm>
@@ -6,32 +6,33 @@
 namespace sketch {
 namespace {
 
-// In the order of Want::Kind, and one more.
+// In the order of Want::Kind, then `cycle`.
 constexpr std::initializer_list<const char*> kWants = {"pressure",    "edges",  "forces", "approach",
                                                        "dissipation", "stress", "hoop",   "cycle"};
 
-// A number that is not the name of what is wanted next; a parameter may be called so.
+// Is the next word a number and not the name of a result? A parameter may have such a name.
 bool is_number(const Statement& s, size_t ahead = 0) {
   const auto is_next = [&](const char* word) { return s.is_next(word, ahead); };
   return s.is_number(ahead) && std::none_of(kWants.begin(), kWants.end(), is_next);
 }
 
-// A tolerance as it stands there, 1 for 1, would be a hundred per cent.
+// A tolerance of 1 without % would be 100 %: an error.
 double tolerance_of(Statement& s, double value) {
-  if (!(value > 0 && value <= 0.5)) s.fail(show(value) + ": expected a tolerance above 0, at most 50 %, such as 1 % or 0.01");
+  if (!(value > 0 && value <= 0.5))
+    s.fail(show(value) + ": expected a tolerance above 0 and at most 50 %, such as 1 % or 0.01");
   return value;
 }
 
 } // namespace
 
 void Reader::steps(Statement& s) {
-  once(s, "a statement of steps");
+  once(s, "the statement 'steps'");
   s_.steps.clear();
   do s_.steps.push_back(s.whole("the number of steps of each piece of the history", 1, 100000));
   while (s.has_more());
 }
 
-// Where displacements and stresses are printed.
+// Points where displacements and stresses are printed.
 void Reader::stress(Statement& s) {
   end_body();
   const int body = body_named(s.take("the name of a body"));
@@ -59,7 +60,7 @@ void Reader::want_one(Statement& s) {
   s_.wants.push_back(want);
 }
 
-// Points, and a tolerance where the last number is in percent or has no partner: a want of each.
+// Adds one want per point. A last number without a partner, or in percent, is their tolerance.
 void Reader::want_points(Statement& s, Want want) {
   const size_t first = s_.wants.size();
   do want.where = s.point("a point"), s_.wants.push_back(want);
@@ -84,7 +85,7 @@ void Reader::want_pressure_at(Statement& s, Want want) {
 }
 
 void Reader::tolerance(Statement& s) {
-  once(s, "a statement of tolerance");
+  once(s, "the statement 'tolerance'");
   if (s.accept("off"))
     s_.adapts = false;
   else
@@ -95,14 +96,14 @@ void Reader::limit(Statement& s) {
   do {
     switch (s.choice({"seconds", "elements", "work"})) {
     case 0:
-      once(s, "a limit of seconds");
-      s_.most_seconds = s.positive("how many seconds");
+      once(s, "the limit 'seconds'");
+      s_.most_seconds = s.positive("the number of seconds");
       break;
     case 1:
-      once(s, "a limit of elements");
-      s_.most_elements = s.whole("how many elements", 1, 1000000);
+      once(s, "the limit 'elements'");
+      s_.most_elements = s.whole("the number of elements", 1, 1000000);
       break;
-    default: once(s, "a limit of work"); s_.most_work = s.positive("how many multiplications");
+    default: once(s, "the limit 'work'"); s_.most_work = s.positive("the number of multiplications");
     }
   } while (s.has_more());
 }

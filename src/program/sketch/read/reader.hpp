@@ -1,4 +1,4 @@
-// What reads statements: those that draw, and those that say what acts, in files of their own.
+// The reader of statements; its functions are in several files, by topic.
 #pragma once
 
 #include "program/sketch/read/read.hpp"
@@ -13,7 +13,7 @@ public:
   using File = std::function<bool(const std::string& name, std::string& text)>;
   Reader(const Parameters& given, const File& file) : given_(given), file_(file) {}
   void read(const std::string& text);
-  static std::vector<std::string> words(); // that statements begin with
+  static std::vector<std::string> words(); // first words of statements
   Reading take() { return {std::move(s_), std::move(faults_), std::move(used_)}; }
 
 private:
@@ -114,23 +114,23 @@ private:
   void require(Statement& s);
 
   const Parameters& given_;
-  std::set<std::string> told_; // what may stand once
-  std::set<std::string> used_; // names of parameters that a statement has made
+  std::set<std::string> once_; // statements allowed once that have been read
+  std::set<std::string> used_; // names of parameters defined by statements
   const File& file_;
   Sketch s_;
   std::vector<Fault> faults_;
 
   // The outline that is being drawn.
-  struct Corner { // a fillet or a chamfer that waits for the curve behind it
+  struct Corner { // a fillet or a chamfer before its second curve is read
     bool round;
     std::string name;
     double size;
     Place at;
   };
   bool in_body_ = false, in_outline_ = false, has_start_ = false;
-  std::set<int> broken_bodies_; // whose curves are not all there
-  bool is_lost_ = false;        // a statement could not be told: one that begins a body, perhaps
-  bool broken_ = false;         // a curve of the outline could not be read: what follows from that is not told
+  std::set<int> broken_bodies_; // bodies with missing curves
+  bool is_lost_ = false;        // an unknown statement was read, perhaps one that begins a body
+  bool broken_ = false;         // a curve of the outline could not be read: errors that follow from this are not reported
   Point start_, here_;
   std::optional<Corner> corner_;
   int case_ = 0;

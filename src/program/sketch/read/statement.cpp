@@ -20,7 +20,7 @@ bool Statement::accept(const char* word) {
   return true;
 }
 
-// A word that arithmetic may begin with: a digit, a sign, a bracket, or a parameter.
+// May a word begin an expression: a digit, a sign, a bracket, a parameter or a function?
 bool Statement::begins_number(const Word& word) const {
   if (word.quoted || word.text.empty()) return false;
   const char c = word.text[0];
@@ -72,8 +72,9 @@ Expression Statement::arithmetic(const std::string& what, const Expression::Vari
 double Statement::finite(const Expression& expression, const std::string& what) const {
   const double value = expression.value();
   if (!std::isfinite(value)) fail(in_quotes(words_[next_ - 1].text) + " is not a finite number, expected " + what);
-  if (std::fabs(value) >= kMostInDeck) fail(in_quotes(words_[next_ - 1].text) + " is not less than 1e100 in size: " + what);
-  return std::fabs(value) < std::numeric_limits<double>::min() ? 0.0 : value; // as cards are read
+  if (std::fabs(value) >= kMostInDeck)
+    fail(in_quotes(words_[next_ - 1].text) + " is too large, expected a magnitude below 1e100: " + what);
+  return std::fabs(value) < std::numeric_limits<double>::min() ? 0.0 : value; // as in decks
 }
 
 double Statement::positive(const std::string& what) {
@@ -130,7 +131,8 @@ std::string Statement::rest() {
 }
 
 void Statement::end() const {
-  if (has_more()) throw Fault{words_[next_].at, in_quotes(words_[next_].text) + ": expected nothing more"};
+  if (has_more())
+    throw Fault{words_[next_].at, in_quotes(words_[next_].text) + " is not expected here: the statement is complete before it"};
 }
 
 void Statement::missing(const std::string& expected) const {

@@ -1,4 +1,4 @@
-// A statement that is being read: its words in turn, and what is expected where one is missing or wrong.
+// The words of a statement being read, with errors for missing and wrong ones.
 #pragma once
 
 #include "program/sketch/shape.hpp"
@@ -16,26 +16,26 @@ public:
 
   bool has_more() const { return next_ < words_.size(); }
   bool is_next(const char* word, size_t ahead = 0) const;
-  bool accept(const char* word);          // takes it if it is next
-  bool is_number(size_t ahead = 0) const; // is the next word one, or one behind it?
+  bool accept(const char* word);          // takes the word if it is next
+  bool is_number(size_t ahead = 0) const; // may the next word, or a later one, begin an expression?
   bool accept_number(double& value);
   const Word& take(const std::string& expected);
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
   double number(const std::string& what, bool may_be_infinite = false);
   double positive(const std::string& what);
   int whole(const std::string& what, int least, int most);
-  bool is_share() const;                 // is the next word a number in percent?
-  double share(const std::string& what); // a number, or one in percent: `1 %`, `1%`, 0.01
+  bool is_share() const;                 // is the next value in percent?
+  double share(const std::string& what); // a number or a percentage: `1 %`, `1%`, 0.01
   Point point(const std::string& what);
   Expression formula(const std::string& what, const std::string& variable);
-  Expression field(const std::string& what); // a number, or a formula of x and y, unless parameters are called so
-  // One of these words, by its index.
+  Expression field(const std::string& what); // a number or a formula of x and y; parameters of these names take precedence
+  // The index of the next word among these.
   size_t choice(std::initializer_list<const char*> words);
-  std::string rest(); // what is left, as it was written, with a blank between two words
-  void end() const;   // nothing more is expected
+  std::string rest(); // the remaining words, separated by blanks
+  void end() const;   // error if words remain
 
-  [[noreturn]] void missing(const std::string& expected) const; // at the next word, or where the statement ends
-  [[noreturn]] void fail(const std::string& text) const;        // at the last word that was taken
+  [[noreturn]] void missing(const std::string& expected) const; // at the next word, or at the end of the statement
+  [[noreturn]] void fail(const std::string& text) const;        // at the last word taken
   const Parameters& parameters() const { return parameters_; }
 
 private:

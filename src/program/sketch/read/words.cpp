@@ -13,14 +13,15 @@ bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '='
 
 int column_of(size_t at) { return static_cast<int>(at) + 1; }
 
-// The end of what begins at `at` with a quote.
+// The end of a quoted word that begins at `at`.
 size_t end_of_quote(std::string_view text, size_t at, int line) {
   const size_t end = text.find('"', at + 1);
-  if (end == std::string_view::npos) throw Fault{{line, column_of(at), column_of(at)}, "a quote that is not closed"};
+  if (end == std::string_view::npos)
+    throw Fault{{line, column_of(at), column_of(at)}, "the quote is not closed, expected a second '\"'"};
   return end + 1;
 }
 
-// The end of a word that begins at `at`: brackets may hold separators.
+// The end of a word that begins at `at`; brackets may contain separators.
 size_t end_of_word(std::string_view text, size_t at, int line) {
   std::vector<size_t> open;
   size_t i = at;
@@ -30,16 +31,16 @@ size_t end_of_word(std::string_view text, size_t at, int line) {
     if (c == '(' || c == '{') open.push_back(i);
     if (c != ')' && c != '}') continue;
     if (open.empty() || (text[open.back()] == '(') != (c == ')'))
-      throw Fault{{line, column_of(i), column_of(i)}, std::string("a '") + c + "' that closes nothing"};
+      throw Fault{{line, column_of(i), column_of(i)}, std::string("the bracket '") + c + "' has no matching opening bracket"};
     open.pop_back();
   }
   if (!open.empty())
     throw Fault{{line, column_of(open.back()), column_of(open.back())},
-                std::string("a '") + text[open.back()] + "' that is not closed"};
+                std::string("the bracket '") + text[open.back()] + "' is not closed"};
   return i;
 }
 
-// What is left of a line, as it stands there, but for blanks around it.
+// The rest of a line, unchanged except for blanks around it.
 Word text_of(std::string_view text, size_t at, int line) {
   const std::string_view rest = text.substr(0, text.find('!', at));
   const size_t last = rest.find_last_not_of(" \t\r");
@@ -82,7 +83,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
   std::string best;
   size_t least = std::min<size_t>(3, word.size() / 2 + 1);
   for (const std::string& other : words) {
-    std::vector<size_t> row(other.size() + 1); // letters to change in the begin of `word` to have that of `other`
+    std::vector<size_t> row(other.size() + 1); // edit distances between the first letters of both words
     for (size_t j = 0; j <= other.size(); ++j) row[j] = j;
     for (size_t i = 0; i < word.size(); ++i) {
       size_t corner = row[0]++;
