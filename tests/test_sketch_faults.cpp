@@ -48,7 +48,7 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   CHECK(read("parameter y 3\n" + std::string(kSquare) + "fix b.n x y\n").faults.empty());
   tells(std::string(kSquare) + "body b E 1 nu 0\n", "another body is called 'b', expected a new name");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius");
-  tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc");
+  tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected points of an arc");
   tells("body b E 1 nu 0\nspline file nothing.csv closed\n", "the file 'nothing.csv' cannot be read");
   tells("title nothing\n", "the sketch has no body, expected at least one");
   CHECK(read(kSquare, {{"mu", 1}}).parameters.empty());
