@@ -160,7 +160,7 @@ format-check:
 clean:
 	rm -rf $(addprefix $(BUILD)/,obj tests demo bench convergence chapter9 embedded fuzz sanitize sanitize-library threads hostile \
 	  small cross amalgamation api deb reproducible web times proof)
-	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
+	rm -f $(LIBRARY) $(POST) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 
 -include $(wildcard $(BUILD)/web/obj/*.d $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/tests/only/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)
