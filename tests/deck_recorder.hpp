@@ -107,10 +107,11 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
                                {double(body), double(element), double(local), v[0], v[1], v[2], v[3], double(load_case)});
   };
   sink.clear_paths = [](c2d_solver* s) -> c2d_status { return recorder(s)->record("clear paths", {}); };
-  sink.add_path = [](c2d_solver* s, int32_t increments, const double* factors, int32_t cases) -> c2d_status {
-    std::vector<double> numbers = {double(increments)};
-    numbers.insert(numbers.end(), factors, factors + cases);
-    return recorder(s)->record("path", numbers);
+  sink.add_factors = [](c2d_solver* s, int32_t increments, int32_t given, const double* factors, int32_t count,
+                        bool) -> c2d_status {
+    std::vector<double> numbers = {double(given == 0 ? increments : given)};
+    numbers.insert(numbers.end(), factors, factors + count);
+    return recorder(s)->record(given == 0 ? "path" : "more factors", numbers);
   };
   sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});

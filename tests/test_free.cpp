@@ -142,8 +142,8 @@ TEST_CASE("what may differ from card to card in the free form") {
   is_unchanged(1, "*Free ! gr\xc3\xbc\xc3\x9f"
                   "e"); // any bytes in a remark
   is_unchanged(6, "  0,1 !" + std::string(400, 'x'));
-  is_unchanged(6, ", 1");                         // nothing before the comma: 0
-  is_unchanged(6, std::string(157, ' ') + "0,1"); // up to the last of 160 columns
+  is_unchanged(6, ", 1");                                           // nothing before the comma: 0
+  is_unchanged(6, std::string(c2d::kFreeColumns - 3, ' ') + "0,1"); // up to the last column
 }
 
 TEST_CASE("coefficients of friction on as many cards as one likes") {
@@ -156,6 +156,15 @@ TEST_CASE("coefficients of friction on as many cards as one likes") {
   const Reading many = read(joined(deck));
   REQUIRE(many.status == C2D_OK);
   CHECK(is_same_model(one.model, many.model));
+  std::string row = "70";
+  for (int i = 1; i <= 70; ++i) row += (i % 20 == 0 ? " &\n" : " ") + std::to_string(i); // more than are split at a time
+  deck[13] = row;
+  const Reading broken = read(joined(deck));
+  REQUIRE(broken.status == C2D_OK);
+  deck[13] = "70";
+  for (int i = 1; i <= 70; ++i) deck[13] += " " + std::to_string(i);
+  CHECK(is_same_model(read(joined(deck)).model, broken.model));
+  CHECK(broken.sizes.coefficients == 70);
   List fixed = squares();
   fixed[10] = "    9       0.1       0.2       0.3       0.4       0.5       0.6       0.7\n"
               "            0.8       0.9";
@@ -227,7 +236,9 @@ TEST_CASE("what may not stand in a free deck") {
   CHECK(r.faults[0].column == 1);
   CHECK(r.faults[0].column_end == 4);
   check_fault(12, "*UNITS mm N", 1, 6, "found a keyword card, expected the card with the elastic constants");
-  check_fault(6, std::string(160, ' ') + "0,1", 161, 163, "the card extends beyond column 160");
+  constexpr int kColumns = c2d::kFreeColumns;
+  check_fault(6, std::string(kColumns, ' ') + "0,1", kColumns + 1, kColumns + 3,
+              ("the card extends beyond column " + std::to_string(kColumns)).c_str());
   CHECK(the_fault(6, "0 1 \x80").text.find("contains the byte 128, expected plain ASCII text") != std::string::npos);
   for (size_t cards = 1; cards < free_squares().size(); ++cards) {
     deck = free_squares();

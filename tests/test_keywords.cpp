@@ -14,7 +14,8 @@ namespace {
 
 c2d::Words split(const char* text) {
   c2d::Words words = {};
-  CHECK(c2d::split_words(text, static_cast<int32_t>(std::strlen(text)), words));
+  c2d::split_words(text, static_cast<int32_t>(std::strlen(text)), words);
+  CHECK(!words.is_part);
   return words;
 }
 
@@ -81,10 +82,25 @@ TEST_CASE("fields between blanks and commas") {
   std::string many;
   for (int i = 0; i < c2d::kMaximumWords; ++i) many += "1 ";
   c2d::Words all = {};
-  CHECK(c2d::split_words(many.c_str(), static_cast<int32_t>(many.size()), all));
-  many += "1";
-  CHECK(!c2d::split_words(many.c_str(), static_cast<int32_t>(many.size()), all));
+  const auto split_all = [&](int32_t from) { c2d::split_words(many.c_str(), static_cast<int32_t>(many.size()), all, from); };
+  split_all(0);
+  CHECK(!all.is_part);
+  many += ",,2 3"; // the empty field behind the 32nd is not lost
+  split_all(0);
+  CHECK(all.is_part);
   CHECK(all.count == c2d::kMaximumWords);
+  split_all(all.end - 1);
+  CHECK(!all.is_part);
+  REQUIRE(all.count == 3);
+  CHECK(all.word[0].column_end < all.word[0].column);
+  CHECK(c2d::word_is(all, 2, "3"));
+  many = "1 2 &";
+  split_all(0);
+  CHECK(all.is_part);
+  CHECK(all.count == 2);
+  split_all(all.end - 1);
+  CHECK(all.is_part);
+  CHECK(all.count == 0);
 }
 
 TEST_CASE("units") {
@@ -158,18 +174,63 @@ TEST_CASE("wrong fields on a keyword card") {
 }
 
 TEST_CASE("lines too long and too many fields") {
-  CHECK(with_cards({"*UNITS mm" + std::string(150, ' ') + "N"}).status == C2D_OK); // column 160
-  const Fault f = the_fault({"*UNITS mm" + std::string(149, ' ') + "cwt"});
-  CHECK(f.text.find("the card extends beyond column 160") == 0);
-  CHECK(f.column == 161);
-  CHECK(f.column_end == 161);
-  CHECK(with_cards({"*UNITS mm N" + std::string(300, ' ')}).status == C2D_OK);
-  CHECK(with_cards({"*UNITS mm N !" + std::string(300, 'x')}).status == C2D_OK);
+  constexpr size_t kColumns = c2d::kFreeColumns;
+  CHECK(with_cards({"*UNITS mm" + std::string(kColumns - 10, ' ') + "N"}).status == C2D_OK); // the last column
+  const Fault f = the_fault({"*UNITS mm" + std::string(kColumns - 11, ' ') + "cwt"});
+  CHECK(f.text.find("the card extends beyond column " + std::to_string(kColumns)) == 0);
+  CHECK(f.column == static_cast<int>(kColumns) + 1);
+  CHECK(f.column_end == static_cast<int>(kColumns) + 1);
+  CHECK(with_cards({"*UNITS mm N" + std::string(kColumns + 140, ' ')}).status == C2D_OK);
+  CHECK(with_cards({"*UNITS mm N !" + std::string(kColumns + 140, 'x')}).status == C2D_OK);
   std::string many = "*UNITS";
   for (int i = 0; i < 40; ++i) many += " 1";
   const Reading r = with_cards({many});
   REQUIRE(!r.faults.empty());
   CHECK(r.faults[0].text == "the card has more than 32 fields");
+}
+
+// Of each path segment the increments, then its factors.
+std::vector<std::vector<double>> segments(const Reading& reading) {
+  std::vector<std::vector<double>> list;
+  for (const Call& call : reading.model.calls) {
+    if (call.name == "path") list.push_back(call.numbers);
+    if (call.name != "more factors") continue;
+    CHECK(call.numbers[0] == static_cast<double>(list.back().size() - 1)); // those given before
+    list.back().insert(list.back().end(), call.numbers.begin() + 1, call.numbers.end());
+  }
+  list.erase(list.begin()); // the load card
+  return list;
+}
+
+TEST_CASE("load factors go on over fields and lines of any number") {
+  for (const int cases : {2, 31, 32, 33, 64, 400}) {
+    CAPTURE(cases);
+    std::string one_line = "7", many_lines = "7 &\n! not yet\n&\n";
+    std::vector<double> expected = {7};
+    for (int k = 1; k <= cases; ++k) {
+      one_line += (k % 3 == 0 ? "," : " ") + std::to_string(k);
+      many_lines += std::to_string(k) + (k < cases && k % 5 == 1 ? " &\n" : " ");
+      expected.push_back(k);
+    }
+    List cards = {"*CASES " + std::to_string(cases), "*PATH", many_lines, many_lines};
+    if (one_line.size() <= c2d::kFreeColumns) cards.push_back(one_line);
+    cards.push_back("*UNITS mm N");
+    const Reading r = with_cards(cards);
+    REQUIRE(r.status == C2D_OK);
+    CHECK(segments(r) == std::vector<std::vector<double>>(cards.size() - 3, expected));
+  }
+}
+
+TEST_CASE("what is wrong with a card that goes on") {
+  Fault f = the_fault({"*PATH", "1 1 &", "x"});
+  CHECK(f.text == "column 1 contains 'x', expected a number: load factor");
+  CHECK(f.line == 3);
+  f = the_fault({"*PATH", "1 &"});
+  CHECK(f.text == "the deck ends here, expected the fields that follow '&'");
+  const Reading other = with_cards({"*UNITS mm &", "N"});
+  REQUIRE(!other.faults.empty());
+  CHECK(other.faults[0].text.find("the card ends in '&', expected that only where a list goes on") == 0);
+  CHECK(other.faults[0].column == 11);
 }
 
 TEST_CASE("scanning walks the keyword cards too") {

@@ -68,8 +68,7 @@ bool next_line(Cards& cards) {
   const int32_t used = fetch(cards);
   cards.ended = used < 0 || !is_text(cards, used);
   if (cards.ended) return false;
-  const size_t end = static_cast<size_t>(used);
-  memset(cards.text + end, ' ', sizeof cards.text - end);
+  if (used < kPadded) memset(cards.text + used, ' ', static_cast<size_t>(kPadded - used));
   cards.refused = false;
   cards.length = used;
   return true;
@@ -147,12 +146,12 @@ void tell_comment(Cards& cards, const Words& words) {
 
 } // namespace
 
-bool next_card(Cards& cards, const char* what) {
+bool next_card(Cards& cards, const char* what, FieldList list) {
   const bool was_ended = cards.ended;
   const int32_t old_faults = cards.faults;
-  if (cards.free_form ? next_free_card(cards, cards.words) : next_fixed_card(cards)) {
+  if (cards.free_form ? next_free_card(cards, cards.words, list) : next_fixed_card(cards)) {
     cards.taken = 0;
-    if (!cards.free_form || cards.text[cards.words.word[0].column - 1] != '*') return true;
+    if (!cards.free_form || cards.words.count == 0 || cards.text[cards.words.word[0].column - 1] != '*') return true;
     word_fault(cards, cards.words, 0, "found a keyword card, expected ", what);
     cards.ended = true;
     return false;
@@ -161,27 +160,57 @@ bool next_card(Cards& cards, const char* what) {
   return false;
 }
 
-bool next_free_card(Cards& cards, Words& words) {
+namespace {
+
+// The fields of a line stand within the columns that are read; only a list goes on.
+void check_extent(Cards& cards, const Words& words, FieldList list) {
+  const int32_t used = words.count > 0 ? words.word[words.count - 1].column_end : 1;
+  if (used > kFreeColumns)
+    fault(cards, kFreeColumns + 1, used, "the card extends beyond column ", kFreeColumns,
+          ", expected all fields within these columns");
+  else if (words.is_part && words.count == kMaximumWords && list == FieldList::none)
+    fault(cards, 0, 0, "the card has more than ", kMaximumWords, " fields");
+  else if (words.is_part && list == FieldList::none)
+    fault(cards, words.end, words.end,
+          "the card ends in '&', expected that only where a list goes on: load factors below *PATH ",
+          "and coefficients of friction");
+}
+
+} // namespace
+
+bool next_free_card(Cards& cards, Words& words, FieldList list) {
   cards.free_form = true;
   if (cards.reread) { // its faults have been reported
     cards.reread = false;
     split_words(cards.text, cards.length, words);
     return !cards.ended;
   }
-  bool complete;
   do {
     if (!next_line(cards)) return false;
-    complete = split_words(cards.text, cards.length, words);
+    split_words(cards.text, cards.length, words);
     tell_comment(cards, words);
-  } while (words.count == 0 || is_free_comment(cards));
+  } while ((words.count == 0 && !words.is_part) || is_free_comment(cards));
   if (cards.in_extensions) tell_field(cards, C2D_CARD_EXTENSION, 0, 0, cards.text, cards.length, 0);
-  const int32_t used = words.word[words.count - 1].column_end;
-  if (used > kFreeColumns)
-    fault(cards, kFreeColumns + 1, used, "the card extends beyond column ", kFreeColumns,
-          ", expected all fields within these columns");
-  else if (!complete)
-    fault(cards, 0, 0, "the card has more than ", kMaximumWords, " fields");
+  check_extent(cards, words, list);
   return !cards.ended;
+}
+
+bool next_words(Cards& cards, Words& words) {
+  while (words.is_part) {
+    split_words(cards.text, cards.length, words, words.end - 1);
+    if (words.count > 0) {
+      check_extent(cards, words, FieldList::allowed);
+      return !cards.ended;
+    }
+    if (!words.is_part) return false;
+    const int32_t faults = cards.faults;
+    if (!next_free_card(cards, words, FieldList::allowed)) {
+      if (cards.faults == faults) missing_card(cards, "the fields that follow '&'");
+      return false;
+    }
+    if (words.count > 0) return true;
+  }
+  return false;
 }
 
 void reread_card(Cards& cards) { cards.reread = true; }

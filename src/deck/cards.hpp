@@ -7,7 +7,8 @@
 namespace c2d {
 
 constexpr int32_t kCardColumns = 80;
-constexpr int32_t kMaximumFaults = 100; // after that many the reading ends
+constexpr int32_t kPadded = kCardColumns + 8; // beyond all fields of the fixed form
+constexpr int32_t kMaximumFaults = 100;       // after that many the reading ends
 
 // Which cards with a C in column 1 are comments among those of the free form.
 enum class CComment : int32_t {
@@ -17,7 +18,8 @@ enum class CComment : int32_t {
 };
 
 // Only the first 80 columns of a line are the card; what stands further right is ignored, as a card reader
-// would. The buffer is wider so that carriage returns and stray bytes just behind the card are still seen.
+// would. The buffer is wider so that carriage returns and stray bytes just behind the card are still seen, and for the free
+// form.
 struct Cards {
   c2d_read_line read;
   void* context;
@@ -44,9 +46,9 @@ struct Cards {
   Text text_of_entry;
   c2d_card_fn card; // receives every field; may be null
   void* card_context;
-  char text[168];            // the card, blank-padded
-  Words words;               // of a card of the free form
-  Word place[kMaximumWords]; // the columns of the fixed form that each of the words taken stands for
+  char text[kFreeColumns + 8]; // the card, with blanks up to kPadded
+  Words words;                 // of a card of the free form
+  Word place[kMaximumWords];   // the columns of the fixed form that each of the words taken stands for
 };
 
 void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context);
@@ -54,11 +56,15 @@ void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report rep
 // The next card as it stands, comments included (heading cards). False: the deck has ended or reading must stop, which has
 // been reported; `what` names the missing card, as in "the card with the number of bodies".
 bool next_heading(Cards& cards, const char* what);
+// Has a card of the free form a list of any length, of which next_words gives the fields after the first?
+enum class FieldList : int32_t { none, allowed };
 // The next card that is not a comment; in the free form it is split into cards.words.
-bool next_card(Cards& cards, const char* what);
+bool next_card(Cards& cards, const char* what, FieldList list = FieldList::none);
 // The next free-form card, split; lines without fields are skipped. The deck may end here: then
 // false without a fault.
-bool next_free_card(Cards& cards, Words& words);
+bool next_free_card(Cards& cards, Words& words, FieldList list = FieldList::none);
+// The next fields of the same card in the place of those in `words`. False: there are none.
+bool next_words(Cards& cards, Words& words);
 // Makes the next read return the current card again.
 void reread_card(Cards& cards);
 

@@ -160,9 +160,16 @@ bool read_elastic_constants(Deck& deck, int b) {
   return !cards.ended;
 }
 
+// In the free form: further fields of the card, or a further card.
+bool more_coefficients(Cards& cards) {
+  const bool more = next_words(cards, cards.words);
+  if (more) cards.taken = 0;
+  return more || (!cards.ended && next_card(cards, "a further card with coefficients of friction", FieldList::allowed));
+}
+
 // Is coefficient i on a further card? In the fixed form after every seventh, in the free form where the card ends.
 bool go_to_coefficient(Cards& cards, int32_t i) {
-  if (cards.free_form) return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
+  if (cards.free_form) return words_left(cards) > 0 || more_coefficients(cards);
   if (i == 0 || i % kCoefficientsPerCard != 0) return true;
   if (!next_card(cards, "a further card with coefficients of friction")) return false;
   int32_t nothing;
@@ -175,7 +182,7 @@ bool go_to_coefficient(Cards& cards, int32_t i) {
 
 bool read_friction(Deck& deck) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the coefficients of friction")) return false;
+  if (!next_card(cards, "the card with the coefficients of friction", FieldList::allowed)) return false;
   if (!count(cards, 1, "number of coefficients of friction", 1, &deck.sizes.coefficients)) return false;
   for (int32_t i = 0; i < deck.sizes.coefficients; ++i) {
     if (!go_to_coefficient(cards, i)) return false;

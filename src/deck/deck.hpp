@@ -29,7 +29,6 @@ struct DeckSink {
   decltype(&c2d_add_friction) add_friction = c2d_add_friction;
   decltype(&c2d_set_values) set_values = c2d_set_values;
   decltype(&c2d_clear_paths) clear_paths = c2d_clear_paths;
-  decltype(&c2d_add_path) add_path = c2d_add_path;
   decltype(&c2d_set_zone_friction) set_zone_friction = c2d_set_zone_friction;
   decltype(&c2d_set_units) set_units = c2d_set_units;
   decltype(&c2d_set_interference) set_interference = c2d_set_interference;
@@ -38,6 +37,8 @@ struct DeckSink {
   decltype(&c2d_tie_zone) tie_zone = c2d_tie_zone;
   decltype(&c2d_set_name) set_name = c2d_set_name;
   c2d_status (*add_load_card)(c2d_solver*, int32_t increments, double load); // factor of case 1, all others zero
+  // Like c2d_add_path, with `count` of the factors after the first `given`; `last`: the segment has no more.
+  c2d_status (*add_factors)(c2d_solver*, int32_t increments, int32_t given, const double* load, int32_t count, bool last);
   // for keywords whose part of the library may not be linked: null or false
   decltype(&c2d_set_symmetry) set_symmetry;
   decltype(&c2d_set_rigid) set_rigid;

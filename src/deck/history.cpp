@@ -4,7 +4,8 @@
 //                                                 all ends; known quantities only, the codes are the deck's
 //   load body x y fx fy                           a point load, in global coordinates
 // *PATH: replaces the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
-//   a straight path segment, which begins at the end of the last one (the first at zero).
+//   a straight path segment, which begins at the end of the last one (the first at zero). The factors may be any number:
+//   they are read a few at a time.
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
@@ -115,23 +116,39 @@ void read_cases(Deck& deck, const Words& keyword_card) {
   }
 }
 
+namespace {
+
+// The factors behind the number of increments, all those that the card has.
+void read_factors(Deck& deck, Words& words, int32_t increments, bool sound) {
+  bool last = false;
+  for (int32_t given = 0, count, first = 1; !last && !deck.cards.ended; given += count, first = 0) {
+    double factor[kMaximumWords];
+    count = 0;
+    for (int32_t i = first; i < words.count; ++i)
+      sound = real_word(deck.cards, words, i, "load factor", &factor[count++]) && sound;
+    if (deck.sink != nullptr && sound) place_words(deck, words);
+    last = !next_words(deck.cards, words);
+    if (last && given + count == 0 && !deck.cards.ended)
+      word_fault(deck.cards, words, 0, "no load factors, expected one per load case");
+    if (deck.sink != nullptr && sound && given + count > 0)
+      sound = accept(deck, deck.sink->add_factors(deck.sink->solver, increments, given, factor, count, last));
+  }
+}
+
+} // namespace
+
 void read_path(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
   const int32_t line = cards.line;
   int32_t pieces = 0;
-  for (Words words; next_data_card(deck, words);) {
+  for (Words words; next_data_card(deck, words, FieldList::allowed);) {
     int32_t increments = 0;
-    double factor[kMaximumWords];
-    bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
-    const int32_t factors = words.count - 1;
-    for (int32_t k = 0; k < factors; ++k) sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
-    if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one per load case");
+    const bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
     ++pieces;
-    if (!sound || factors == 0 || deck.sink == nullptr) continue;
-    place_words(deck, words);
-    if (pieces == 1 && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
-    accept(deck, deck.sink->add_path(deck.sink->solver, increments, factor, factors));
+    if (pieces == 1 && deck.sink != nullptr && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
+    read_factors(deck, words, increments, sound);
+    if (cards.ended) break;
   }
   if (pieces == 0) no_cards(cards, line, "*PATH without cards, expected at least one: increments f1 ... fn");
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;

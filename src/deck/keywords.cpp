@@ -56,7 +56,7 @@ static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
 constexpr int32_t kMaximumName = 24;
 
 bool is_keyword_card(const Words& words) {
-  if (C2D_NEVER(words.count == 0)) return false; // cards without words are skipped
+  if (words.count == 0) return false; // nothing but `&`
   return words.text[words.word[0].column - 1] == '*';
 }
 
@@ -181,8 +181,8 @@ void read_keyword(Deck& deck, Words& words) {
 
 } // namespace
 
-bool next_data_card(Deck& deck, Words& words) {
-  if (!next_free_card(deck.cards, words)) return false;
+bool next_data_card(Deck& deck, Words& words, FieldList list) {
+  if (!next_free_card(deck.cards, words, list)) return false;
   if (!is_keyword_card(words)) return true;
   reread_card(deck.cards);
   return false;

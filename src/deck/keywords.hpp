@@ -12,7 +12,7 @@ namespace c2d {
 using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
 
 // The next card below the current keyword; false at the next keyword and at the end of the deck.
-bool next_data_card(Deck& deck, Words& words);
+bool next_data_card(Deck& deck, Words& words, FieldList list = FieldList::none);
 
 // Counts a zone of this kind with so many elements: its sizes, as far as the deck determines which elements face each other.
 void count_zone(Deck& deck, int32_t elements, int32_t kind); // free_zones.cpp

@@ -21,13 +21,15 @@ int32_t before_comment(const char* text, int32_t length) {
   return i;
 }
 
-bool split_words(const char* text, int32_t length, Words& words) {
+void split_words(const char* text, int32_t length, Words& words, int32_t from) {
   words.text = text;
   words.count = 0;
-  words.end = 1;
+  words.end = from + 1;
+  words.is_part = false;
   length = before_comment(text, length);
-  bool ended = false; // a field has been read since the last comma: the next comma belongs to it
-  for (int32_t i = 0; i < length;) {
+  // A field has been read since the last comma: the next comma belongs to it.
+  bool ended = from > 0 && text[from - 1] != ',';
+  for (int32_t i = from; i < length;) {
     if (is_gap(text[i])) {
       ++i;
       continue;
@@ -36,11 +38,17 @@ bool split_words(const char* text, int32_t length, Words& words) {
     while (i < length && text[i] != ',' && !is_gap(text[i])) ++i;
     const bool is_comma = i == first;
     if (is_comma) ++i;
-    if (!(is_comma && ended) && !add_word(words, first, is_comma ? first : i)) return false;
+    if (!(is_comma && ended) && !add_word(words, first, is_comma ? first : i)) {
+      words.is_part = true;
+      return;
+    }
     words.end = i + 1;
     ended = !is_comma;
   }
-  return true;
+  if (words.count > 0 && word_is(words, words.count - 1, "&")) {
+    words.is_part = true;
+    words.end = words.word[--words.count].column;
+  }
 }
 
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }

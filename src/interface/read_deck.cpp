@@ -63,6 +63,7 @@ c2d_status walk(Reading& reading) {
   sink.refused = model_refused;
   sink.context = &reading;
   sink.add_load_card = add_load_card;
+  sink.add_factors = add_factors;
   sink.set_symmetry = kSymmetryPart.set_symmetry;
   sink.set_rigid = kRigidPart.set_rigid;
   sink.set_rigid_load = kRigidPart.set_rigid_load;

@@ -59,13 +59,19 @@ double energy_unit(const Session& session) {
   return head.stress_unit * head.length_unit * head.length_unit;
 }
 
-// U and R of every case out of values (with gaps and load factors) or rates (without gaps, along the direction).
-void evaluate(const Session& session, const EnergyBook& book, bool values) {
+// Does load case k do work now? One whose factor is 0, and stays 0, does none: of a path through many cases all but a few.
+bool works(const Follower& f, int32_t k) { return f.load[k] != 0.0 || f.direction[k] != 0.0 || f.origin[k] != 0.0; }
+
+// U and R of the cases that do work, or of all (whose factors may change before the values are used), out of values (with gaps
+// and load factors) or rates (without gaps, along the direction).
+void evaluate(const Session& session, const EnergyBook& book, bool values, bool all = false) {
   const Follower& f = session.follower;
   const int64_t size = 2 * static_cast<int64_t>(book.m);
   const double* factor = values ? f.load : f.direction;
   const int32_t fit = session.model.head->interference;
   for (int32_t k = 0; k < book.cases; ++k) {
+    book.u[k] = book.r[k] = 0.0;
+    if (!all && !works(f, k)) continue;
     const double* load_part = book.of_loads + 2 * static_cast<int64_t>(k) * book.cases;
     const Real* work = book.of_contact + 2 * k * size;
     const Real* reaction = work + size;
@@ -157,7 +163,7 @@ static double elastic_energy(const Session& session, const EnergyBook& book) {
 void before_jump(Session& session) {
   const Follower& f = session.follower;
   const EnergyBook book = energy_book(session.solver);
-  evaluate(session, book, true);
+  evaluate(session, book, true, true);
   session.solver->elastic = elastic_energy(session, book);
   for (int32_t k = 0; k < book.cases; ++k) {
     book.u0[k] = book.u[k];

@@ -214,6 +214,7 @@ double load_work(const Session& session, int b, const double* direction, const d
   double work = 0.0;
   *size = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
+    if (direction[k] == 0.0) continue; // of many cases a segment of a path moves two
     double force[3], magnitude;
     case_resultant(session.model, b, k, force, &magnitude);
     for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * motion[i];

@@ -4,24 +4,52 @@
 #include "memory/math.hpp"
 #include "model/validate/validate.hpp"
 
+#include <string.h>
+
 namespace c2d {
 
 namespace {
 
 // Common part of both calls; `status`: result of their checks.
+// Of path segment i, by load case.
+double* factors_of(c2d_solver* s, int32_t i) {
+  return array_of<double>(s, kPathLoads) + static_cast<int64_t>(i) * s->sizes.load_cases;
+}
+
+c2d_status check_factors(c2d_solver* s, const double* load, int32_t count) {
+  for (int32_t k = 0; k < count; ++k)
+    if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
+  return C2D_OK;
+}
+
+c2d_status refuse_cases(c2d_solver* s, int32_t cases) {
+  return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors (one per load case, that of an interference too)", cases,
+                       s->sizes.load_cases, s->sizes.load_cases);
+}
+
 c2d_status append_path(c2d_solver* s, c2d_status status, int32_t increments, const double* load, int32_t given) {
   if (status != C2D_OK) return status;
   if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
-  for (int32_t k = 0; k < given; ++k)
-    if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
+  status = check_factors(s, load, given);
+  if (status != C2D_OK) return status;
   if (s->model.paths >= s->sizes.paths) return refuse_limit(s, "paths", s->sizes.paths, s->model.paths + 1);
-  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
+  double* factors = factors_of(s, s->model.paths);
   for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k < given ? load[k] : 0.0;
   array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load[0]};
   return built(s);
 }
 
 } // namespace
+
+c2d_status add_factors(c2d_solver* s, int32_t increments, int32_t given, const double* load, int32_t count, bool last) {
+  const int32_t cases = s->sizes.load_cases, total = given + count;
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK && (total > cases || (last && total < cases))) status = refuse_cases(s, total);
+  if (status != C2D_OK || given == 0) return append_path(s, status, increments, load, count);
+  status = check_factors(s, load, count);
+  if (status == C2D_OK) memcpy(factors_of(s, s->model.paths - 1) + given, load, static_cast<size_t>(count) * sizeof *load);
+  return status;
+}
 
 c2d_status add_load_card(c2d_solver* s, int32_t increments, double load) {
   return append_path(s, enter_building(s), increments, &load, 1);
@@ -79,9 +107,7 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
 
 extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
   c2d_status status = enter_building(s);
-  if (status == C2D_OK && cases != s->sizes.load_cases)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors (one per load case, that of an interference too)", cases,
-                         s->sizes.load_cases, s->sizes.load_cases);
+  if (status == C2D_OK && cases != s->sizes.load_cases) return refuse_cases(s, cases);
   if (status == C2D_OK) status = check_pointers(s, {{"load", load}});
   return append_path(s, status, increments, load, cases);
 }

@@ -63,6 +63,9 @@ c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
 // A load card of the deck: a path segment that ends at `load` in case 1 and at zero in all others.
 c2d_status add_load_card(c2d_solver* solver, int32_t increments, double load); // load_calls.cpp
+// A part of the factors of a path segment: the first part adds the segment, the last one checks that there is one per load
+// case.
+c2d_status add_factors(c2d_solver* solver, int32_t increments, int32_t given, const double* load, int32_t count, bool last);
 
 // Numbers and limits of the interface have 32 bits, whatever type stores them (interface/create.cpp).
 template <class Value, class First, class Last>

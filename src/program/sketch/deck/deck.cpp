@@ -267,6 +267,9 @@ size_t Writer::interference_case() const {
   return !s_.interference ? 0 : alone ? 1 : s_.cases.size() + 1;
 }
 
+// After so many columns a card of load factors goes on on the next line.
+constexpr size_t kFactorColumns = 120;
+
 void Writer::history() {
   card("*PATH");
   const std::string fitted = interference_case() > s_.cases.size() ? " 1" : "";
@@ -277,7 +280,13 @@ void Writer::history() {
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
     std::string text = std::to_string(s_.steps[std::min(piece, s_.steps.size() - 1)]);
-    for (const LoadCase& c : s_.cases) text += number(c.factors[piece]);
+    for (const LoadCase& c : s_.cases) {
+      if (text.size() > kFactorColumns) {
+        card(text + " &");
+        text.clear();
+      }
+      text += number(c.factors[piece]);
+    }
     card(text + fitted);
   }
 }
