@@ -256,7 +256,7 @@ TEST_CASE("deck edges: every number of a body force is told by its name") {
 
 TEST_CASE("deck edges: a body force is given once for a body and a load case, the first included") {
   for (const char* card : {"*BODY FORCE 1 1 0 -1", "*BODY FORCE 2 1 0 -1", "*BODY FORCE 1 2 0 -1", "*BODY FORCE 2 2 0 -1"})
-    CHECK(the_fault(behind({"*BODY FORCE 1 3 0 -1", card, card})).text.find("twice") != std::string::npos);
+    CHECK(the_fault(behind({"*BODY FORCE 1 3 0 -1", card, card})).text.find("two body forces") != std::string::npos);
   CHECK(behind({"*BODY FORCE 1 1 0 -1", "*BODY FORCE 2 1 0 -1", "*BODY FORCE 1 2 0 -1", "*BODY FORCE 2 2 0 -1"}).status ==
         C2D_OK);
 }
@@ -271,8 +271,8 @@ TEST_CASE("deck edges: free motions are told as they are named, all of them if n
 
 TEST_CASE("deck edges: bodies and zones are named apart") {
   CHECK(behind({"*NAME BODY 1 a", "*NAME BODY 2 b", "*NAME ZONE 1 c"}).status == C2D_OK);
-  CHECK(the_fault(behind({"*NAME BODY 2 b", "*NAME BODY 2 c"})).text.find("body 2 is named twice") != std::string::npos);
-  CHECK(the_fault(behind({"*NAME ZONE 1 b", "*NAME ZONE 1 c"})).text.find("zone 1 is named twice") != std::string::npos);
+  CHECK(the_fault(behind({"*NAME BODY 2 b", "*NAME BODY 2 c"})).text.find("body 2 has two names") != std::string::npos);
+  CHECK(the_fault(behind({"*NAME ZONE 1 b", "*NAME ZONE 1 c"})).text.find("zone 1 has two names") != std::string::npos);
 }
 
 TEST_CASE("deck edges: ranges of elements have digits and one dash between them, nothing else") {
@@ -314,9 +314,9 @@ TEST_CASE("deck edges: a number is as bad below -1e100 as above 1e100") {
 }
 
 TEST_CASE("deck edges: a second body force is told for the first numbers of bodies and cases, beyond them none is") {
-  CHECK(the_fault(behind({"*BODY FORCE 1 2 0 -1", "*BODY FORCE 1 2 0 -1"})).text.find("twice") != std::string::npos);
+  CHECK(the_fault(behind({"*BODY FORCE 1 2 0 -1", "*BODY FORCE 1 2 0 -1"})).text.find("two body forces") != std::string::npos);
   CHECK(behind({"*BODY FORCE 1 200 0 -1", "*BODY FORCE 1 200 0 -1"}).status == C2D_OK);
-  CHECK(the_fault(behind({"*BODY FORCE 2 128 0 -1", "*BODY FORCE 2 128 0 -1"})).text.find("twice") != std::string::npos);
+  CHECK(the_fault(behind({"*BODY FORCE 2 128 0 -1", "*BODY FORCE 2 128 0 -1"})).text.find("two body forces") != std::string::npos);
   CHECK(behind({"*BODY FORCE 1 129 0 -1", "*BODY FORCE 1 129 0 -1"}).status == C2D_OK);
 }
 
