@@ -136,7 +136,7 @@ TEST_CASE("drawing: blocks, their copies, and which of them are passed over") {
   // 101 copies of 100 of 100.
   const std::string deep = section("BLOCKS", "0 BLOCK 2 a 0 ENDBLK 0 BLOCK 2 b 0 INSERT 2 a 10 0 20 0 70 10000 0 ENDBLK");
   CHECK(fault_of(deep + section("ENTITIES", "0 INSERT 2 b 10 0 20 0 70 101")) ==
-        "INSERT: more than 1000000 copies of blocks in all");
+        "INSERT: more than 1000000 copies of blocks in total");
 }
 
 TEST_CASE("drawing: units, and files that are cut off") {

@@ -90,7 +90,7 @@ TEST_CASE("options: what --out leaves to names that are given") {
 
 TEST_CASE("options: what is asked of a run, and how it may be told") {
   app::Options o;
-  CHECK(fault_of({"run", "deck", "--response", "max nothing"}, o).find("--response 'max nothing': expected max or min tn") ==
+  CHECK(fault_of({"run", "deck", "--response", "max nothing"}, o).find("--response 'max nothing': expected max or min of tn") ==
         0);
   CHECK(fault_of({"run", "deck", "--response", " ; "}, o).find("--response no response is given") == 0);
   for (const char* none :

@@ -347,7 +347,7 @@ TEST_CASE("report: convergence of changes alone, of one of them, with errors of 
   };
   Picture both = draw();
   CHECK((contains(both.svg, ">tractions</text>") && contains(both.svg, ">energy</text>")));
-  CHECK_FALSE(contains(both.caption, "Right: the stated errors"));
+  CHECK_FALSE(contains(both.caption, "Right: stated errors"));
   loop.rounds[1].pressure = loop.rounds[2].pressure = NAN; // as where nothing touches
   Picture energy = draw();
   CHECK((!contains(energy.svg, ">tractions</text>") && contains(energy.svg, ">energy</text>")));
@@ -358,7 +358,7 @@ TEST_CASE("report: convergence of changes alone, of one of them, with errors of 
   loop.rounds[2].stated = {peak};
   Picture stated = draw();
   CHECK(contains(stated.svg, ">peak pressure</text>"));
-  CHECK(contains(stated.caption, "Right: the stated errors"));
+  CHECK(contains(stated.caption, "Right: stated errors"));
   loop.rounds[2].energy = NAN; // two meshes alone do not converge
   CHECK(hand.draw(draw_convergence).empty());
 }
@@ -548,7 +548,7 @@ TEST_CASE("report: places in free zones as they are printed, with others and wit
   append_contact_zone(text, c, ends, s);
   CHECK(contains(text, "       1       3  0.000  5.00000e-01"));
   CHECK(contains(text, "       1       3 -0.432  5.00000e-01"));
-  CHECK(times(text, "in zones between meshes that do not match") == 2); // of both bodies
+  CHECK(times(text, "in zones of non-matching meshes") == 2); // of both bodies
   s.pairs = 0;
   text.clear();
   append_contact_zone(text, c, ends, s);
