@@ -56,7 +56,7 @@ double distance_to(const std::vector<Pair>& places, const double* at) {
   return least;
 }
 
-bool is_place(const app::Stated& s) { return s.name == "contact edge" || s.name == "stick border"; }
+bool is_place(const app::Stated& s) { return s.what == app::Measure::kContactEdge || s.what == app::Measure::kStickBorder; }
 
 // The numbers of the same model on a mesh with elements half as long.
 std::vector<app::Stated> numbers_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const estimate::Demand& demand) {
@@ -73,7 +73,7 @@ std::vector<app::Stated> numbers_of(const sketch::Sketch& sketch, const sketch::
 
 double error_by(const std::vector<app::Stated>& reference, const app::Stated& s) {
   for (const app::Stated& r : reference)
-    if (r.name == s.name && r.zone == s.zone && r.body == s.body && r.item == s.item && s.name != estimate::kTractions)
+    if (r.what == s.what && r.of == s.of && r.zone == s.zone && r.body == s.body && r.item == s.item && s.has_value())
       return is_place(s) ? std::hypot(r.at[0] - s.at[0], r.at[1] - s.at[1]) : std::fabs(r.value - s.value);
   return NAN;
 }
@@ -99,13 +99,13 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
   for (const app::Stated& s : found.loop.stated) {
     if (s.zone > 1) continue;
     Row row;
-    row.name = s.name, row.item = s.item, row.wanted = !std::isnan(s.tolerance);
+    row.name = s.name(), row.item = s.item, row.wanted = !std::isnan(s.tolerance);
     row.value = s.value, row.asked = row.wanted ? s.tolerance : tolerance;
     double error = NAN;
     for (const Known& k : problem.known)
-      if (k.name == s.name) // the nearest of several
+      if (k.name == s.name()) // the nearest of several
         error = std::fmin(error, k.places.empty() ? std::fabs(s.value - k.value) : distance_to(k.places, s.at));
-    if (s.name == estimate::kTractions && problem.tractions) error = off_tractions(problem, found.mesh, trial);
+    if (!s.has_value() && problem.tractions) error = off_tractions(problem, found.mesh, trial);
     if (by_mesh) error = error_by(reference, s);
     row.error = error / s.scale, row.stated = s.error / s.scale;
     if (!std::isnan(error)) out.rows.push_back(row);

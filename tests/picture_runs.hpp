@@ -183,7 +183,13 @@ inline void check_page(const Shown& shown) {
   CHECK(page.compare(0, 15, "<!DOCTYPE html>") == 0);
   CHECK(contains(page, "</html>"));
   CHECK(contains(page, "@media print"));
-  for (const char* never : {"<script", "src=", "href=", "@import"}) CHECK_MESSAGE(!contains(page, never), never);
+  for (const char* never : {"<script", "src=", "@import", "url(http"}) CHECK_MESSAGE(!contains(page, never), never);
+  // Links lead to a place of the page alone.
+  const std::string link = "href=\"";
+  for (size_t at = page.find(link); at != std::string::npos; at = page.find(link, at + 1)) {
+    const std::string to = page.substr(at + link.size(), page.find('"', at + link.size()) - at - link.size());
+    CHECK_MESSAGE((to[0] == '#' && contains(page, " id=\"" + to.substr(1) + "\"")), to);
+  }
   size_t inline_pictures = 0;
   for (size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++inline_pictures;
   CHECK(inline_pictures == shown.figures.size());

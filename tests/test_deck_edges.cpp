@@ -316,7 +316,8 @@ TEST_CASE("deck edges: a number is as bad below -1e100 as above 1e100") {
 TEST_CASE("deck edges: a second body force is told for the first numbers of bodies and cases, beyond them none is") {
   CHECK(the_fault(behind({"*BODY FORCE 1 2 0 -1", "*BODY FORCE 1 2 0 -1"})).text.find("two body forces") != std::string::npos);
   CHECK(behind({"*BODY FORCE 1 200 0 -1", "*BODY FORCE 1 200 0 -1"}).status == C2D_OK);
-  CHECK(the_fault(behind({"*BODY FORCE 2 128 0 -1", "*BODY FORCE 2 128 0 -1"})).text.find("two body forces") != std::string::npos);
+  CHECK(the_fault(behind({"*BODY FORCE 2 128 0 -1", "*BODY FORCE 2 128 0 -1"})).text.find("two body forces") !=
+        std::string::npos);
   CHECK(behind({"*BODY FORCE 1 129 0 -1", "*BODY FORCE 1 129 0 -1"}).status == C2D_OK);
 }
 

@@ -117,16 +117,23 @@ TEST_CASE("elsewhere: a parent of CMake keeps its names, its build type and its 
                  kRoot +
                  "/examples/static_array.c\")\n"
                  "target_link_libraries(user contact2d::contact2d)\n"
+                 "add_library(headers OBJECT headers.c)\n" // without waiting for the library
+                 "target_include_directories(headers PRIVATE "
+                 "$<TARGET_PROPERTY:contact2d::contact2d,INTERFACE_INCLUDE_DIRECTORIES>)\n"
                  "message(STATUS \"type (${CMAKE_BUILD_TYPE}) flags (${CMAKE_CXX_FLAGS_RELEASE})\")\n"
                  "get_property(targets DIRECTORY \"" +
                  kRoot +
                  "\" PROPERTY BUILDSYSTEM_TARGETS)\n"
                  "message(STATUS \"targets ${targets};\")\n");
+  std::string headers = "#include <contact2d.h>\n";
+  for (const char* port : {"memory", "posix", "stdio", "threads"}) headers += std::string("#include <c2d_") + port + ".h>\n";
+  write_file(folder / "headers.c", headers);
   const std::string configure = "cd '" + folder.path() + "' && env -u PREFIX -u LIBDIR -u CXXFLAGS cmake -S . -B build";
   const std::string told = must(configure).out;
   CHECK_MESSAGE(contains(told, "type () flags (-O3 -DNDEBUG)"), told);
   CHECK_MESSAGE(contains(told, "targets contact2d_core;contact2d_ports;contact2d;contact2d_shared;\n"), told);
   CHECK_FALSE(fs::exists(folder / "build/contact2d/contact2dConfig.cmake"));
+  must("cmake --build '" + (folder / "build") + "' --target headers"); // those of the ports are found as where it is installed
   const std::string on = must(configure + " -DCONTACT2D_PROGRAM=ON -DCONTACT2D_INSTALL=ON").out;
   CHECK_MESSAGE(contains(on, ";contact2d_program;"), on);
   CHECK(fs::exists(folder / "build/contact2d/contact2dConfig.cmake"));

@@ -51,7 +51,7 @@ TEST_CASE("estimate: a number is met in two rounds, or by what it changed in the
   estimate::Trial trial;
   estimate::Round before;
   app::Stated number;
-  number.name = "force x", number.value = number.scale = 1, number.tolerance = 0.01, number.error = 0.005;
+  number.what = app::Measure::kForceX, number.value = number.scale = 1, number.tolerance = 0.01, number.error = 0.005;
   const auto is_met = [&](const estimate::Round* round) {
     std::vector<app::Stated> all{number};
     estimate::confirm(all, trial, round);

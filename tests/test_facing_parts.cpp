@@ -211,7 +211,7 @@ app::Stated stated(const sketch::Reading& drawn, const std::string& name) {
   REQUIRE_MESSAGE(found.status == C2D_OK, found.why);
   CHECK_MESSAGE(found.loop.stopped.empty(), found.loop.stopped);
   for (const app::Stated& s : found.loop.stated)
-    if (s.name == name) return s;
+    if (s.name() == name) return s;
   FAIL("no number is called " << name);
   return {};
 }

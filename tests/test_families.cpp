@@ -30,9 +30,11 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
     const char *arguments, *said;
   };
   const Wrong wrong[] = {{"", "needs the name of a family"},
-                         {"herz", "'herz' is not a known family, expected one of bearing "},
+                         {"herz", "'herz' is not a known family, did you mean 'hertz'?"},
+                         {"wheel", "'wheel' is not a known family, expected one of bearing "},
                          {"--list hertz", "not a known family"},
                          {"hertz m=20", "'m' is not a key of this family"},
+                         {"punch muu=0.3", "'muu' is not a key of this family, did you mean 'mu'?"},
                          {"hertz n", "'n': expected key=value"},
                          {"hertz =20", "'' is not a key"},
                          {"hertz n=10 n=20", "n is given twice"},

@@ -103,7 +103,7 @@ TEST_CASE("families: receding layer, twice the block and a third of the strip ch
 
 // ------------------------------------------------------------------ layers clamped
 TEST_CASE("families: layer lifted") {
-  const double unit = 2 * 0.91 / 1000; // A1 pe h
+  const double unit = 2 * 0.91 / 1e4; // A1 pe h
   const struct {
     const char *lambda, *p, *lift;
     double a, peak, u0;
@@ -126,7 +126,7 @@ TEST_CASE("families: layer lifted") {
 }
 
 TEST_CASE("families: layer pressed") {
-  const double unit = 2 * 0.91 / 1000;
+  const double unit = 2 * 0.91 / 1e6;
   const Solution s = solve("layer_pressed");
   const std::vector<Row>& rows = solved(s);
   CHECK(std::fabs(first_with(rows, C2D_OPEN) - 1.228462713443854) < 0.05); // measured 0.022

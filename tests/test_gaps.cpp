@@ -24,7 +24,7 @@ estimate::Adapted adapt(const std::string& text, const sketch::Parameters& given
 
 app::Stated number(const estimate::Adapted& a, const std::string& name, size_t which = 0) {
   for (const app::Stated& s : a.loop.stated)
-    if (s.name == name && which-- == 0) return s;
+    if (s.name() == name && which-- == 0) return s;
   FAIL("no " << name);
   return {};
 }
@@ -147,7 +147,7 @@ want forces 2 %
   const estimate::Adapted a = adapt(stamp);
   CHECK(is_met(a));
   double force = 0; // of one zone or two
-  for (const app::Stated& s : a.loop.stated) force += s.name == "force y" ? std::fabs(s.value) : 0;
+  for (const app::Stated& s : a.loop.stated) force += s.what == app::Measure::kForceY ? std::fabs(s.value) : 0;
   CHECK(force == doctest::Approx(5.2842).epsilon(0.02)); // by cubic functions to 0.05 %; 4.888 without the bump
 }
 
@@ -211,7 +211,7 @@ tolerance 5 %
     const estimate::Adapted a = adapt(std::string(text).replace(text.find("MU"), 2, mu));
     CHECK(is_met(a));
     for (const app::Stated& s : a.loop.stated) {
-      if (s.name != "dissipated") continue;
+      if (s.what != app::Measure::kDissipated) continue;
       CHECK((s.value > 0 || mu == "0"));
       CHECK((s.error > 0 || mu == "0"));
     }

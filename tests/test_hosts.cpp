@@ -100,6 +100,13 @@ TEST_CASE("hosts: Fortran 2008 through the module, whatever the default kinds ar
   const Result refused = run_shell(libraries.run("host") + " '" + kRoot + "/examples/raii.cpp'");
   CHECK(refused.status == 1);
   CHECK_MESSAGE(contains(refused.out, "deck: the deck or the model has faults"), refused.out << refused.err);
+  const Result without = run_shell(libraries.run("host")), missing = run_shell(libraries.run("host") + " no_such_deck");
+  CHECK(without.status == 1);
+  CHECK(without.out == "usage: contact DECK\n");
+  CHECK(missing.status == 1);
+  CHECK_MESSAGE(contains(missing.out, "contact: "), missing.out << missing.err);
+  CHECK_MESSAGE(contains(missing.out, "no_such_deck"), missing.out << missing.err);
+  for (const Result& run : {without, missing}) CHECK_MESSAGE(run.err == "STOP 1\n", run.err); // no backtrace
 }
 
 TEST_CASE("hosts: a legacy program whose COMMON block is the workspace, aligned or not, with traps") {

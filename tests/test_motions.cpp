@@ -2,6 +2,7 @@
 #include "callable.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/trial.hpp"
+#include "program/estimate/wanted.hpp"
 #include "sketches.hpp"
 
 #include <cmath>
@@ -106,13 +107,13 @@ TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's bea
   const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
   int wanted = 0, motions = 0;
   for (const app::Stated& number : found.loop.stated) {
-    if (number.name == "approach") {
+    if (number.what == Measure::kApproach) {
       ++wanted;
       CHECK(number.value == doctest::Approx(1.006).epsilon(0.004));
       CHECK(number.is_met());
       CHECK(number.error >= 0.8 * (std::fabs(number.value - 1.006) - 2e-3)); // the root is held in both directions
     }
-    if (number.name == "motion y" || number.name == "rotation") {
+    if (number.what == Measure::kMotionY || number.what == Measure::kRotation) {
       ++motions;
       CHECK(std::isfinite(number.error));
     }
@@ -120,4 +121,31 @@ TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's bea
   CHECK(wanted == 1);
   CHECK(motions == 2);
   CHECK(found.loop.stopped.empty());
+}
+
+TEST_CASE("motions: approach and shift of two points are wanted") {
+  // Uniform stress: u = -0.01 y below y = 1, and the upper block alike; points 1.5 apart along y, and inclined ones.
+  const std::string text = std::string(kLower) + kUpper + "traction upper.lid y -10\n";
+  const sketch::Sketch s =
+      sketches::sound(text + "want approach at lower 1 0.5 upper 1 2 1 %\n" + "want approach at upper 0.5 1.5 lower 1.5 0.5\n");
+  REQUIRE(s.wants.size() == 2);
+  CHECK((s.wants[0].of == sketch::WantOf::kPair && s.wants[0].tolerance == 0.01 && s.wants[1].other == 0));
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  const estimate::Adapted found = estimate::adapt(s, demand, [](const app::MeshRound&) {});
+  std::vector<app::Stated> numbers;
+  for (const app::Stated& number : found.loop.stated)
+    if (number.what == Measure::kApproachOf || number.what == Measure::kShiftOf) numbers.push_back(number);
+  REQUIRE(numbers.size() == 4);
+  const double root = std::sqrt(0.5), u = -0.01 * (1.5 - 0.5); // the first point relative to the second
+  const double expected[] = {0.015, 0, -u * root, u * root};
+  for (size_t i = 0; i < 4; ++i) {
+    CAPTURE(i);
+    CHECK(numbers[i].value == doctest::Approx(expected[i]).epsilon(1e-6));
+    CHECK(numbers[i].error < 1e-6);
+    CHECK(numbers[i].is_met());
+  }
+  sketches::tells(text + "want approach at lower 1 0.5 upper 1 0.5\n", "both points are the same, expected two points");
+  sketches::tells(text + "want approach at lower 1 0.5\n", "expected the name of the body of the second point");
+  sketches::tells(text + "want approach at lower 1 0.5 upper 1 2 200 %\n", "expected a tolerance");
 }

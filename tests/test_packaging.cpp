@@ -1,5 +1,7 @@
 // What is handed to others: the man page, and the library in one file.
 #include "paths.hpp"
+#include "program/commands/families.hpp"
+#include "program/commands/man_page.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -85,8 +87,14 @@ TEST_CASE("packaging: the man page has every option, command and exit status of 
   for (const std::string& name : options) CHECK_MESSAGE(contains(page, name), name);
   for (const char* command : {"run", "check", "sketch", "mesh", "resume", "convert", "make"})
     CHECK_MESSAGE(contains(page, std::string("\n.B contact2d ") + command), command);
-  for (const char* status : {"0", "1", "2", "3", "4", "64", "75", "130", "143"})
+  for (const char* status : {"0", "1", "2", "3", "4", "64", "75", "130", "141", "143"})
     CHECK_MESSAGE(contains(page, std::string("\n.TP\n.B ") + status + "\n"), status);
+  CHECK_MESSAGE(app::man_page("@VERSION@") == read_file(kRoot + "/port/packaging/contact2d.1.in"), "make man writes it anew");
+  const std::set<std::string> problems = matches(page, "\n\\.br\n\\\\fB[a-z_]+\\\\fR:"); // what make knows, and no others
+  CHECK(problems.size() == families::all_families().size());
+  for (const families::Family& family : families::all_families())
+    CHECK_MESSAGE(problems.count("\n.br\n\\fB" + std::string(family.name) + "\\fR:") == 1, family.name);
+  CHECK(run_shell("'" + paths::program() + "' help --man").out == app::man_page(c2d_version()));
   if (!has_command("man")) return;
   const Folder folder;
   write_file(folder / "contact2d.1", page);

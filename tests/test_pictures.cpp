@@ -38,12 +38,11 @@ TEST_CASE("pictures: captions say what the CSV says") {
       if (row.status == "slip") ++slipping;
     }
     const std::string caption = caption_of(shown, "tractions_" + std::to_string(++index));
-    CHECK(contains(caption, "the peak pressure is " + six(peak->tn) + " at x = "));
+    CHECK(contains(caption, "the largest pressure of a pair is " + six(peak->tn) + " at x = "));
     CHECK(contains(caption, "(pair " + std::to_string(peak->pair) + ")"));
     CHECK(contains(caption, std::to_string(touching) + " of 15 pairs touch"));
     CHECK(contains(caption, "contact half width " + six(half_width)));
     CHECK(contains(caption, std::to_string(slipping) + " pairs slip"));
-    CHECK(contains(shown.page, "<td>" + six(peak->tn) + "</td>"));
   }
 }
 
@@ -93,7 +92,7 @@ TEST_CASE("pictures: units of the deck stand at the axes") {
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
-  CHECK(contains(shown.figures["tractions_1"], "pressure tn [kN/cm&#178;]"));
+  CHECK(contains(shown.figures["tractions_1"], "contact pressure tn [kN/cm&#178;]"));
   CHECK(contains(shown.figures["model"], ">x [cm]<"));
   check_page(shown);
 }
@@ -217,9 +216,7 @@ TEST_CASE("pictures: where side 1 is straight along an axis that is the abscissa
   show(flat, made("mindlin"));
   show(round, made("disc_in_hole"));
   CHECK(contains(flat.figures["tractions"], ">x, along body 1"));
-  CHECK(contains(flat.page, "<td>x = "));
-  CHECK(contains(round.figures["tractions"], ">distance s from "));
-  CHECK(contains(round.page, "<td>s = "));
+  CHECK(contains(round.figures["tractions"], ">s from "));
 }
 
 TEST_CASE("pictures: where slip at the edges of contact is narrow it is drawn again, magnified") {

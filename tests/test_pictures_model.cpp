@@ -166,12 +166,12 @@ TEST_CASE("pictures: zones of meshes that do not match say what tractions are me
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
   check_page(shown);
-  CHECK(contains(shown.figures["tractions"], ">tn per length of body 2 [kN/mm&#178;]<"));
-  CHECK(contains(caption_of(shown, "tractions"), "tn and tt are per unit of length of body 2"));
+  CHECK(contains(shown.figures["tractions"], ">contact pressure tn [kN/mm&#178;]<"));
+  CHECK(contains(caption_of(shown, "tractions"), "Stresses are forces on body 2 per undeformed length of body 2"));
   CHECK(contains(caption_of(shown, "model"), "Zone 1 joins nodes of body 2 to points of body 1"));
   Shown matching;
   show(matching, example("hertz.dat"));
-  CHECK(!contains(matching.page, "length of body 2"));
+  CHECK(contains(caption_of(matching, "tractions_1"), "per undeformed length of body 1"));
 
   const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
   REQUIRE(run.status == 0);
@@ -220,7 +220,7 @@ TEST_CASE("pictures: energy of every coefficient, as the JSON says") {
   for (const auto& entry : last) {
     for (const char* key : {"work", "elastic", "dissipated"})
       CHECK_MESSAGE(contains(caption, six((*entry.second)[key].number)), caption << " lacks " << key);
-    CHECK(contains(shown.figures["energy"], "&#956; = " + six(entry.first) + ": dissipated by friction"));
+    CHECK(contains(shown.figures["energy"], "dissipated, &#956; = " + six(entry.first)));
   }
   check_page(shown);
 }
@@ -249,14 +249,6 @@ TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") 
   CHECK(bottom - pressure[144].y > 0.05 * 210.0); // the middle stands clear of the axis
 }
 
-TEST_CASE("pictures: a flat zone is stretched, so that its gap is seen") {
-  Shown shown;
-  show(shown, made("mindlin"));
-  REQUIRE(shown.result.status == 0);
-  CHECK(contains(shown.figures["deformed"], "Contact zone, not magnified, y stretched"));
-  check_page(shown);
-}
-
 TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {
   const std::string ring = quoted(example("thick_ring.dat"));
   const Result images = contact2d("check " + ring + " --symmetry images"), plain = contact2d("check " + ring);
@@ -268,8 +260,8 @@ TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {
   CHECK(contact2d("check " + quoted(example("plate_tension.dat")) + " --symmetry images").status == 0);
   const Result listing = contact2d("run " + ring + " --symmetry images --listing -");
   CHECK(contains(listing.out, "symmetry by images ....................... x = 0, y = 0\n"));
-  CHECK(contains(listing.out, "forces across the lines of symmetry are not in it"));
-  CHECK_FALSE(contains(contact2d("run " + ring + " --listing -").out, "across the lines of symmetry"));
+  CHECK(contains(listing.out, "totals of a body that a line of symmetry cuts cover the modelled part"));
+  CHECK_FALSE(contains(contact2d("run " + ring + " --listing -").out, "a line of symmetry"));
   const Json json = JsonReader::read(contact2d("run " + ring + " --symmetry images --json -").out);
   REQUIRE(json["symmetry"].items.size() == 2);
   CHECK(json["symmetry"].items[0]["axis"].text == "x");

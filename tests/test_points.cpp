@@ -49,16 +49,16 @@ std::vector<Row> rows_of(const std::string& csv) {
   return rows;
 }
 
-// Lame's ring: a = 1, b = 2, pressure 100 inside, E = 1000, nu = 0.3, plane strain.
+// Lame's ring: a = 1, b = 2, pressure 100 inside, E = 1e5, nu = 0.3, plane strain.
 constexpr double kA = 100.0 / 3, kB = 400.0 / 3;
 
 // The largest error of a row: stresses over the pressure, displacement over the largest.
 double error_of(const Row& p) {
   const double r = std::hypot(p.x, p.y), c = p.x / r, s = p.y / r;
-  const double rr = kA - kB / (r * r), tt = kA + kB / (r * r), ur = 1.3e-3 * (0.4 * kA * r + kB / r);
+  const double rr = kA - kB / (r * r), tt = kA + kB / (r * r), ur = 1.3e-5 * (0.4 * kA * r + kB / r);
   const double exact[] = {rr * c * c + tt * s * s, rr * s * s + tt * c * c, (rr - tt) * s * c, 0.6 * kA, (tt - rr) / 2};
   const double found[] = {p.sxx, p.syy, p.sxy, p.szz, p.max_shear};
-  double worst = std::max(std::fabs(p.ux - ur * c), std::fabs(p.uy - ur * s)) / 0.19;
+  double worst = std::max(std::fabs(p.ux - ur * c), std::fabs(p.uy - ur * s)) / 1.9e-3;
   for (int k = 0; k < 5; ++k) worst = std::max(worst, std::fabs(found[k] - exact[k]) / 100);
   const double zz = 0.6 * kA, mises = std::sqrt(0.5 * ((rr - tt) * (rr - tt) + (tt - zz) * (tt - zz) + (zz - rr) * (zz - rr)));
   return std::max(worst, std::fabs(p.von_mises - mises) / 100);
@@ -86,7 +86,7 @@ TEST_CASE("points: a file of points in the ring against Lame, in both stores") {
   const std::string run = "run " + quoted(kRing) + " --memory 64K --points " + quoted(folder / "p") + " --interior ";
   const Result memory = contact2d(run + quoted(folder / "a") + " --listing /dev/null --store memory");
   CHECK(memory.status == 0);
-  CHECK(lines_of(memory.err).size() == 1); // the ring's strains are not small
+  CHECK(memory.err == "");
   CHECK(contact2d(run + quoted(folder / "b") + " --listing /dev/null --store file:" + quoted(folder / "tapes")).status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));
   const std::vector<Row> rows = rows_of(read_file(folder / "a"));
@@ -139,7 +139,7 @@ TEST_CASE("points: outside, on the boundary, and next to it") {
   CHECK(json["interior"]["points"].number == 8);
   CHECK(json["interior"]["boundary"].number == 2);
   CHECK(json["interior"]["outside"].number == 4);
-  CHECK(json["warnings"].items.size() == 5); // one of them of large strains
+  CHECK(json["warnings"].items.size() == 4);
 }
 
 TEST_CASE("points: more points outside than anyone would read") {
@@ -150,7 +150,7 @@ TEST_CASE("points: more points outside than anyone would read") {
   const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior -");
   CHECK(result.status == 0);
   CHECK(rows_of(result.out).size() == 51);
-  CHECK(lines_of(result.err).size() == 22); // rows are not shown
+  CHECK(lines_of(result.err).size() == 21); // rows are not shown
   CHECK(contains(result.err, "p: warning: 30 more points lie outside their body\n"));
 }
 
@@ -160,8 +160,7 @@ TEST_CASE("points: a point, a line and a clipped grid in the deck") {
   const Result result = contact2d("run " + quoted(folder / "d") + " --interior - --listing " + quoted(folder / "l") +
                                   " --json " + quoted(folder / "j") + " --vtk " + quoted(folder / "v"));
   CHECK(result.status == 0);
-  CHECK(lines_of(result.err).size() == 1);
-  CHECK(contains(result.err, "warning: load factor 1, mu 0: strains reach 0.19 at element 20 of body 1"));
+  CHECK(result.err == "");
   const std::vector<Row> rows = rows_of(result.out);
   REQUIRE(rows.size() > 5);
   CHECK(rows[0].x == 1.5);

@@ -104,6 +104,40 @@ TEST_CASE("program: bad usage ends with 64 and says why") {
   }
 }
 
+TEST_CASE("program: what a misspelt word may have been, and where the words of a command are explained") {
+  const std::string deck = " " + quoted(kHertz), roller = quoted(paths::root() + "/examples/roller.c2s");
+  const struct {
+    std::string arguments, said;
+  } misspelt[] = {
+      {"rn" + deck, "unknown command rn, did you mean 'run'?\ncontact2d: --help lists commands"},
+      {"walk" + deck, "unknown command walk: expected a file, run, check, "},
+      {"help chekc", "help: unknown command chekc, did you mean 'check'?"},
+      {"run --lisitng l" + deck, "run takes no option --lisitng, did you mean '--listing'?\ncontact2d: run --help"},
+      {"check --memory 1M" + deck, "check takes no option --memory\ncontact2d: check --help explains this command\n"},
+      {"run " + roller + " muu=1", "no parameter of this sketch is called 'muu', did you mean 'mu'?\n"},
+      {"run " + roller + " p=1", "no parameter of this sketch is called 'p', did you mean 'P'?\n"},
+      {"run " + roller + " weight=1", "is called 'weight', expected one of P R mu\n"}};
+  for (const auto& each : misspelt) {
+    const Result result = contact2d(each.arguments);
+    CHECK_MESSAGE(result.status == 64, each.arguments);
+    CHECK_MESSAGE(contains(result.err, each.said), result.err);
+  }
+}
+
+TEST_CASE("program: a file in the place of a command is run") {
+  const Folder folder;
+  fs::copy(kHertz, folder / "sample");
+  const auto here = [&](const std::string& words) {
+    return run_shell("cd " + quoted(folder.path()) + " && '" + paths::program() + "' " + words);
+  };
+  const std::string whole = here("run sample --quiet --csv -").out;
+  CHECK(here("sample --quiet --csv -").out == whole);
+  CHECK(here("./sample --quiet --csv -").out == whole);
+  const Result missing = here("sample.dat");
+  CHECK(missing.status == 2);
+  CHECK_MESSAGE(contains(missing.err, "sample.dat: error: cannot be read"), missing.err);
+}
+
 TEST_CASE("program: an unreadable deck ends with 2 and leaves no output") {
   const Folder in, out;
   write_file(in / "empty", "");
@@ -160,7 +194,7 @@ TEST_CASE("program: the sample is solved, with every output in its format") {
                 " --json " + quoted(folder / "j") + " --listing " + quoted(folder / "l"));
   CHECK_MESSAGE(result.status == 0, result.err);
   CHECK(result.out.empty());
-  CHECK(folder.names().size() == 4);
+  CHECK(folder.names().size() == 6); // beside each table its inputs
 
   const std::vector<std::string> rows = lines_of(read_file(folder / "c"));
   REQUIRE(rows.size() == 1 + 2 * 28 * 15); // two coefficients, 14 cards of 2 increments, 15 pairs
@@ -307,15 +341,23 @@ TEST_CASE("program: outputs that cannot be written end with 3, and none of the o
   if (fs::exists("/dev/full")) CHECK(run_shell("'" + paths::program() + "' --help >/dev/full").status == 3);
 }
 
-TEST_CASE("program: a file size limit and a closed pipe end with 3, not with a signal") {
+TEST_CASE("program: a file size limit ends with 3; a closed pipe quietly with 141, and the other outputs are written") {
   const Folder folder;
   const std::string run = "'" + paths::program() + "' run " + quoted(kHertz) + " --listing /dev/null --csv ";
   // ulimit counts in blocks of 512 or 1024 bytes; the CSV has more than 60 KiB.
   const Result limited = run_shell("ulimit -f 8; " + run + quoted(folder / "c") + " 2>/dev/null");
   CHECK(limited.status == 3);
   CHECK(folder.names().empty());
-  const Result piped = run_shell("{ " + run + "- 2>/dev/null; echo $? >" + quoted(folder / "status") + "; } | true");
-  CHECK(read_file(folder / "status") == "3\n");
+  for (const std::string& words :
+       {"run " + quoted(kHertz) + " --quiet --json " + quoted(folder / "json") + " --csv -",
+        "check " + quoted(paths::root() + "/examples/plate_tension.dat"), std::string("make hertz"), std::string("--help")}) {
+    INFO(words);
+    run_shell("cd " + quoted(folder.path()) + "; rm -f closed; mkfifo closed; { read word <closed; '" + paths::program() +
+              "' " + words + " 2>said; echo $? >status; } | { exec 0<&-; echo now >closed; }"); // once nobody reads its output
+    CHECK(read_file(folder / "status") == "141\n");
+    CHECK(read_file(folder / "said") == "");
+  }
+  CHECK(contains(read_file(folder / "json"), "\"outcome\""));
 }
 
 TEST_CASE("program: an old output is replaced only by a complete one") {
@@ -332,7 +374,7 @@ TEST_CASE("program: an old output is replaced only by a complete one") {
   CHECK(read_file(folder / "c").compare(0, kCsvHeader.size(), kCsvHeader) == 0);
   CHECK(fs::is_symlink(folder / "link"));
   CHECK(fs::status(folder / "c").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
-  CHECK(folder.names().size() == 3);
+  CHECK(folder.names().size() == 4); // the inputs stand beside the link
 }
 
 TEST_CASE("program: devices and pipes are written to, never replaced") {

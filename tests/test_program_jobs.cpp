@@ -114,7 +114,7 @@ TEST_CASE("drawn decks: settings and files that are wrong, told in a word") {
   const std::string square =
       "parameter mu 1\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 1 1\nline to 0 mu\nline close\nfix b.s\n"
       "tolerance off\n";
-  for (const char* wrong : {"mu", "=3", "mu=", "mu=1e999", "mu=inf", "mu=1x"}) {
+  for (const char* wrong : {"mu", "=3", "mu=", "mu=1e999", "mu=1x"}) {
     CAPTURE(wrong);
     CHECK(taken(square, {wrong}, reason) == app::kExitUsage);
     CHECK(reason == std::string(wrong) + ": expected the name of a parameter, = and a number");
@@ -220,7 +220,7 @@ TEST_CASE("jobs: those of other versions, that are damaged within, or that anoth
   const std::string store = folder / "contact2d.store";
   fs::create_directory(store);
   std::string error;
-  REQUIRE(app::write_sealed(store + "/job", "contact2d job 3", "junk", error));
+  REQUIRE(app::write_sealed(store + "/job", "contact2d job 4", "junk", error));
   CHECK(resume(folder.path()).exit == 3);
   CHECK(resume(folder.path()).reason == store + "/job: has another version");
   app::Job job;
@@ -273,9 +273,9 @@ TEST_CASE("jobs: what the steps have left is of another model, and tapes are cut
   std::string error, text;
   int records = 0;
   for (const char* name : {"path0", "path1"}) {
-    if (app::read_sealed(store + name, "contact2d path 2", text, error) != app::Sealed::kWhole) continue;
+    if (app::read_sealed(store + name, "contact2d path 3", text, error) != app::Sealed::kWhole) continue;
     ++records;
-    REQUIRE(app::write_sealed(store + name, "contact2d path 2", text.substr(0, text.find('\n') + 1) + "junk", error));
+    REQUIRE(app::write_sealed(store + name, "contact2d path 3", text.substr(0, text.find('\n') + 1) + "junk", error));
   }
   REQUIRE(records > 0);
   for (const char* cut : {"", "tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d"}) {
@@ -351,9 +351,9 @@ TEST_CASE("jobs: one that goes on has its meshes and its files, with every mesh 
     REQUIRE(fs::exists(store + "/mesh1"));
     std::string error, text;
     if (foreign) {
-      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 2", text, error) == app::Sealed::kWhole);
+      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 3", text, error) == app::Sealed::kWhole);
       for (const std::string& other : {std::string("junk"), "1\nx\n" + text}) {
-        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 2", other, error));
+        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 3", other, error));
         estimate::TrialKeeper keeper;
         keeper.begin(store, "job", 0);
         estimate::Trial trial;

@@ -88,6 +88,47 @@ TEST_CASE("python: pip builds a wheel without network, and it works where it is 
   }
 }
 
+TEST_CASE("python: an editable install names the tree, and a relative CONTACT2D_BUILD is found where pip was called") {
+  if (!can_host("python3")) return;
+  const Folder folder;
+  const std::string place = folder / "tree/port/python";
+  fs::create_directories(place);
+  for (const char* each : {"contact2d", "build_contact2d.py", "wheel_tag.py", "README.md"})
+    fs::copy(kPackage + "/" + each, place + "/" + each, fs::copy_options::recursive);
+  fs::create_directories(folder / "tree/include");
+  for (const char* each : {"include/contact2d.h", "LICENSE"}) fs::copy(kRoot + "/" + each, folder / "tree/" + each);
+  fs::create_directories(folder / "there/built");
+  fs::create_symlink(paths::shared(), folder / "there/built/libcontact2d.so.0.2.0");
+  fs::create_symlink(paths::program(), folder / "there/built/contact2d");
+  const auto build = [&](const std::string& settings, const std::string& what) {
+    return run_shell("cd '" + place + "' && " + settings +
+                     " PYTHONDONTWRITEBYTECODE=1 \"$(python3 -c 'import sys; print(sys.executable)')\" "
+                     "-c \"import build_contact2d as b; print(b." +
+                     what + "('" + folder.path() + "'))\"");
+  };
+  const std::string from_there = "PWD='" + (folder / "there") + "' CONTACT2D_BUILD=built";
+  const Result made = build(from_there, "build_editable");
+  REQUIRE_MESSAGE(made.out == "contact2d-0.2.0-py3-none-any.whl\n", made.err);
+  const Result run =
+      run_shell("cd '" + folder.path() +
+                "' && python3 -m zipfile -e *-any.whl site && env -u CONTACT2D_LIBRARY "
+                "-u CONTACT2D_PROGRAM PYTHONDONTWRITEBYTECODE=1 python3 -c \"import site; site.addsitedir('site'); "
+                "import contact2d; print(contact2d.__file__, contact2d.lib._name, contact2d.library.program())\"");
+  CHECK_MESSAGE(run.out == place + "/contact2d/__init__.py " + (folder / "tree/build/libcontact2d.so.0.2.0") + " " +
+                               (folder / "tree/build/contact2d") + "\n",
+                run.out << run.err);
+  const Result wheel = build(from_there, "build_wheel");
+  CHECK_MESSAGE(contains(wheel.out, "contact2d-0.2.0-py3-none-"), wheel.err);
+  const Result files = run_shell("cd '" + folder.path() + "' && python3 -m zipfile -l " + wheel.out);
+  for (const char* file : {"contact2d/py.typed", "contact2d/methods.pyi", "contact2d/tables.py", "contact2d/bin/contact2d"})
+    CHECK_MESSAGE(contains(files.out, file), files.out);
+  const Result none = build("CONTACT2D_BUILD=nowhere", "build_wheel");
+  CHECK(none.status == 1);
+  CHECK_MESSAGE(
+      contains(none.err, "CONTACT2D_BUILD=nowhere: expected libcontact2d.so.0.2.0 and contact2d of `make python` in "),
+      none.err);
+}
+
 TEST_CASE("python: what is taken from the tree is built by a target of its own, which is named where it is missing") {
   const Folder folder;
   const Result made =

@@ -355,9 +355,9 @@ TEST_CASE("quantities: lengths along a curved side") {
 TEST_CASE("quantities: friction of a contact that sticks up to its edge") {
   std::string deck, error;
   REQUIRE(families::make_deck("mindlin", {"n=20", "steps=1", "Q=0.9", "move=0.0005"}, deck, error));
-  const std::string card = "*FRICTION\n1 0.3\n";
+  const std::string card = "! coefficients of friction\n1 0.3\n";
   REQUIRE(deck.find(card) != std::string::npos);
-  deck.replace(deck.find(card), card.size(), "*FRICTION\n1 1E6\n");
+  deck.replace(deck.find(card), card.size(), "1 1E6\n");
   many::Machine machine(deck);
   const Run run = follow(machine);
   const std::vector<Quantity> K = Run::all(run.record.steps.at(1).quantities, Measure::kEdgeFriction);
@@ -446,14 +446,14 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
   const std::vector<std::string> rows = test::lines_of(test::read_file(folder / "s"));
-  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error,s,load2");
+  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along,load2");
   size_t row = 1;
   std::vector<std::pair<double, double>> peaks;
   for (const test::Json& step : json["steps_detail"].items)
     for (const test::Json& q : step["quantities"].items) {
       const std::vector<std::string> f = fields_of(rows.at(row++));
-      REQUIRE(f.size() == 13);
-      CHECK(std::stod(f[12]) == step["loads"][1].number);
+      REQUIRE(f.size() == 14);
+      CHECK(std::stod(f[13]) == step["loads"][1].number);
       CHECK(std::stod(f[1]) == step["step"].number);
       CHECK(f[3] == std::to_string(static_cast<int>(q["zone"].number)));
       CHECK(f[4] == (f[3] == "1" ? "pad, left" : ""));
@@ -465,7 +465,7 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
       CHECK(f[10].empty());
       CHECK(!q.has("error"));
       CHECK(f[11].empty() == !q.has("s"));
-      if (q.has("s")) CHECK(std::stod(f[11]) == q["s"].number);
+      if (q.has("s")) CHECK((std::stod(f[11]) == q["s"].number && std::stod(f[12]) == q["along"].number));
       if (f[5] == "contact edge" || f[5] == "stick border") CHECK(std::stod(f[11]) == std::stod(f[7]));
       if (f[5] == "peak pressure") // side 2 is flat, and s grows as x or against it
         peaks.emplace_back(q["x"].number, q["s"].number);
@@ -484,7 +484,7 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   CHECK(!test::contains(listing, "+-"));
   REQUIRE(test::run_shell(program + "run '" + deck + "' --listing /dev/null --report '" + (folder / "r") + "'").status == 0);
   const std::string page = test::read_file(folder / "r");
-  for (const test::Json& q : last.items) CHECK(test::contains(page, "<td>" + q["quantity"].text));
+  for (const test::Json& q : last.items) CHECK(test::contains(page, ">" + q["quantity"].text + "</a>"));
 }
 
 TEST_CASE("quantities: stated errors go to the first coefficient's last step, and are shown") {
@@ -502,7 +502,7 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
     }
   }
   Stated stated;
-  stated.name = name_of(Measure::kContactEdge), stated.zone = 1, stated.item = 2, stated.error = 0.0125;
+  stated.what = Measure::kContactEdge, stated.zone = 1, stated.item = 2, stated.error = 0.0125;
   record.meshes.stated = {stated};
   stated.zone = 7; // there is none
   record.meshes.stated.push_back(stated);
@@ -520,7 +520,7 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
   append_quantities(listing, record, summary);
   CHECK(test::contains(listing, "2.5  +- 0.013"));
   append_summary(table, record, summary);
-  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125,2.5\n"));
+  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125,2.5,\n"));
   RunRecord empty;
   empty.take_stated_errors(); // nothing to state of nothing
   CHECK(empty.coefficients.empty());

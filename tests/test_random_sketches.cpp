@@ -35,7 +35,7 @@ TEST_CASE("random sketches: no fault, none ends without a word, and what was met
     for (const Compared& c : j.numbers) {
       ++compared;
       if (!j.stopped.empty() || std::isnan(c.stated.tolerance)) continue;
-      CAPTURE(c.stated.name);
+      CAPTURE(c.stated.name());
       CHECK(c.off <= c.stated.tolerance * c.stated.scale); // what was asked for
     }
   }
@@ -55,7 +55,7 @@ TEST_CASE("random sketches: what was stated far too small") {
     CHECK(j.stopped == "");
     size_t compared = 0;
     for (const Compared& c : j.numbers) {
-      if (c.stated.name != kind.name) continue;
+      if (c.stated.name() != kind.name) continue;
       ++compared;
       CAPTURE(c.off);
       CHECK((c.off <= 1e-6 * c.stated.scale || c.ratio() >= 0.8));

@@ -124,7 +124,7 @@ TEST_CASE("refine: elements at places that are not met are marked, with their ne
   Levels levels;
   for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
   app::Stated edge;
-  edge.name = app::name_of(app::Measure::kContactEdge);
+  edge.what = app::Measure::kContactEdge;
   edge.zone = 1, edge.tolerance = 0.01, edge.scale = 1;
   for (const app::Quantity& q : trial.states.back().quantities)
     if (q.what == app::Measure::kContactEdge) edge.at[0] = q.at[0], edge.at[1] = q.at[1];
@@ -146,7 +146,7 @@ TEST_CASE("loop: a contact takes few pairs, with an end of an element at each ed
   CHECK(a.loop.rounds[a.loop.taken].pairs <= 100);
   int edges = 0;
   for (const app::Stated& edge : a.loop.stated) {
-    if (edge.name != app::name_of(app::Measure::kContactEdge)) continue;
+    if (edge.what != app::Measure::kContactEdge) continue;
     ++edges;
     double nearest = HUGE_VAL;
     for (const MeshedCurve& curve : a.mesh.bodies[1][0].curves)
@@ -164,8 +164,8 @@ TEST_CASE("loop: a stress that has no bound is given up, and said") {
   CAPTURE(a.loop.stopped);
   CHECK(a.loop.stopped.find("it may be unbounded") != std::string::npos);
   for (const app::Stated& s : a.loop.stated) {
-    CAPTURE(s.name);
-    CHECK((s.is_met() || s.name.find("stress along left") != std::string::npos));
+    CAPTURE(s.name());
+    CHECK((s.is_met() || s.name().find("stress along left") != std::string::npos));
   }
 }
 

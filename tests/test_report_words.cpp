@@ -259,7 +259,7 @@ TEST_CASE("report: what a run that came to nothing leaves") {
   CHECK(std::string(record.outcome()) == "checked");
 
   Summary summary;
-  const std::string heading = "mu,step,load,zone,name,quantity,item,value,x,y,error,s\n";
+  const std::string heading = "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along\n";
   std::string out;
   append_summary(out, RunRecord(), summary);
   CHECK(out == heading);

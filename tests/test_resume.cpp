@@ -296,7 +296,7 @@ TEST_CASE("resume: what a loop over meshes found, as a text and back") {
   loop.rounds[1].seconds = 1.0 / 3, loop.rounds[1].curves = {{2, true, {{0.1, -1e300}, {HUGE_VAL, 5e-324}}}, {}};
   loop.taken = 1, loop.stopped = "a\nb\n";
   app::Stated number;
-  number.name = "range of stress along top", number.zone = 3, number.body = 1, number.value = -2.0 / 3;
+  number.what = app::Measure::kRangeAlong, number.of = "top", number.zone = 3, number.body = 1, number.value = -2.0 / 3;
   loop.stated = loop.rounds[1].stated = {number, app::Stated()};
   const std::string text = estimate::text_of(loop);
   app::MeshLoop back;
@@ -306,7 +306,8 @@ TEST_CASE("resume: what a loop over meshes found, as a text and back") {
   CHECK((back.rounds[0].elements == 12 && back.rounds[0].pressure == 0.1 && back.rounds[0].adapted));
   CHECK((back.rounds[1].curves[0].closed && back.rounds[1].curves[0].ends == loop.rounds[1].curves[0].ends));
   CHECK((back.rounds[1].seconds == 1.0 / 3 && std::isnan(back.rounds[1].pressure) && !back.rounds[1].adapted));
-  CHECK((back.stated[0].name == number.name && back.stated[0].value == -2.0 / 3 && std::isnan(back.stated[0].error)));
+  CHECK((back.stated[0].name() == "range of stress along top" && back.stated[0].value == -2.0 / 3 &&
+         std::isnan(back.stated[0].error)));
   CHECK((back.taken == 1 && back.stopped == loop.stopped));
   for (size_t length = 0; length < text.size(); ++length) {
     CAPTURE(length);

@@ -176,7 +176,7 @@ TEST_CASE("resume in the path: killed at any operation, with several coefficient
 
 TEST_CASE("resume in the path: with the increments of the deck, and little memory") {
   if (kSanitized) return; // whose run-time must be loaded first
-  const Whole whole("deck.dat", cyclic_deck(), "--save-every 0 --stepping deck --memory 160K");
+  const Whole whole("deck.dat", cyclic_deck(), "--save-every 0 --stepping deck --memory 180K");
   kill_and_resume(whole, "path", effort<size_t>(1, 3), kInPath, 1);
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("sketch: parts of curves whose words are missing, or that cannot be") 
            {{"part p s from start to end\n", "expected of and the name of a curve"},
             {"part p of e start to end\n", "expected from and where the part begins"},
             {"part p of e from start end\n", "expected to and where the part ends"},
-            {"part p of s from start to end\n", "several curves are called 's', expected one"},
+            {"part p of s from start to end\n", "several curves are called 's', expected a name of one curve"},
             {"part p of e from -0.5 to end\n", "the length -0.5 is not on the curve, expected a length from 0 to 1"},
             {"part p of e from start to 1.5\n", "the length 1.5 is not on the curve, expected a length from 0 to 1"},
             {"part p of e from end to start\n", "the end of the part is not after its start"},

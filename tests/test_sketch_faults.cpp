@@ -18,9 +18,9 @@ const std::string kTwo = kHeld + "copy c of b shift 0 1\ncontact b.n c.s\n"; // 
 } // namespace
 
 TEST_CASE("sketch: what is wrong is told at its place") {
-  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement, perhaps 'body'");
-  tells("Title x\n" + kHeld, "perhaps 'title'");
-  tells("parameters a 1\n" + kHeld, "perhaps 'parameter'");
+  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement, did you mean 'body'?");
+  tells("Title x\n" + kHeld, "did you mean 'title'?");
+  tells("parameters a 1\n" + kHeld, "did you mean 'parameter'?");
   tells("load a 1\n" + kHeld, "'load': expected a statement, such as body");
   // What follows from a fault is not told.
   tells("boddy b E 1 nu 0\nfrom 0 0\nline s to 1 0\nfix b.s\n", "1:1");
@@ -279,7 +279,8 @@ TEST_CASE("sketch: the program tells faults at their places, and takes parameter
   test::write_file(file, "boddy b E 1 nu 0\n");
   const test::Result wrong = test::run_shell(command + "check '" + file + "'");
   CHECK(wrong.status == 2);
-  CHECK(test::contains(wrong.err, "a.c2s:1:1: error: 'boddy': expected a statement, perhaps 'body'\nboddy b E 1 nu 0\n^~~~~"));
+  CHECK(test::contains(wrong.err,
+                       "a.c2s:1:1: error: 'boddy': expected a statement, did you mean 'body'?\nboddy b E 1 nu 0\n^~~~~"));
   test::write_file(file, "parameter a 2 b 3*a\n" + kHeld + "pressure b.n b\nstress b 0.5 a/10\n");
   const test::Result five = test::run_shell(command + "mesh --set a=5 '" + file + "'");
   CHECK(five.status == 0);

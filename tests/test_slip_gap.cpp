@@ -67,7 +67,7 @@ estimate::Adapted adapt(const std::string& text, const sketch::Parameters& given
 
 app::Stated number(const estimate::Adapted& a, const std::string& name, size_t which = 0) {
   for (const app::Stated& s : a.loop.stated)
-    if (s.name == name && which-- == 0) return s;
+    if (s.name() == name && which-- == 0) return s;
   FAIL("no " << name);
   return {};
 }

@@ -373,7 +373,7 @@ TEST_CASE("sweep: faults of a table have their places") {
   CHECK_MESSAGE(contains(none.err, ":1:1: error: no parameter load\n"), none.err);
   const Result setting = contact2d("sweep '" + (folder / "table") + "' '" + (folder / "deck") + "' --response 'max tn' nope=1");
   CHECK(setting.status == 64);
-  CHECK_MESSAGE(contains(setting.err, "deck: no parameter nope\n"), setting.err);
+  CHECK_MESSAGE(contains(setting.err, "deck: no parameter nope, expected one of load steps\n"), setting.err);
   CHECK(contact2d("sweep t d").status == 64);
   CHECK(contact2d("sweep t").status == 64);
   CHECK(contact2d("sweep t d --response 'max tn' --resume").status == 2); // no such table

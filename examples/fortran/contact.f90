@@ -71,10 +71,13 @@ program contact
   type(c_ptr) :: solver
   integer(c_int32_t), target :: unit
   integer(c_int64_t) :: minimum, in_core
-  character(1000) :: deck
+  character(1000) :: deck, reason
+  integer :: status
 
+  if (command_argument_count() /= 1) call refuse('usage: contact DECK')
   call get_command_argument(1, deck)
-  open (newunit=unit, file=trim(deck), status='old', action='read')
+  open (newunit=unit, file=trim(deck), status='old', action='read', iostat=status, iomsg=reason)
+  if (status /= 0) call refuse('contact: ' // trim(reason))
   limits%bodies = 2
   limits%body = c_loc(bodies)
   call check(c2d_scan_deck(c_funloc(next_card), c_loc(unit), limits, why), 'deck')
@@ -97,6 +100,12 @@ program contact
   close (unit)
 
 contains
+
+  subroutine refuse(text)
+    character(*), intent(in) :: text
+    print '(a)', text
+    stop 1
+  end subroutine
 
   subroutine check(status, what)
     integer(c_int32_t), intent(in) :: status

@@ -11,12 +11,19 @@ DOCDIR     ?= $(PREFIX)/share/doc/contact2d
 HEADERS := $(wildcard include/*.h port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
 # Pages keep their places, and with them the links from one to another.
-PAGES := $(wildcard *.md src/*.md src/*/*.md src/program/*/*.md include/*.md port/*.md port/*/*.md tests/*.md examples/*.md examples/*/*.md examples/*.svg)
+PAGES := $(wildcard *.md src/*.md src/*/*.md src/program/*/*.md include/*.md port/*.md port/*/*.md tests/*.md)
 PAGES := $(sort $(PAGES))
+EXAMPLES := $(sort $(shell find examples -type f)) # what the pages run
+# Where shells look for completions, and how `contact2d completion` calls each.
+BASHDIR ?= $(PREFIX)/share/bash-completion/completions
+ZSHDIR  ?= $(PREFIX)/share/zsh/site-functions
+FISHDIR ?= $(PREFIX)/share/fish/vendor_completions.d
+COMPLETIONS := bash:$(BASHDIR)/contact2d zsh:$(ZSHDIR)/_contact2d fish:$(FISHDIR)/contact2d.fish
 INSTALLED := $(BINDIR)/contact2d $(MANDIR)/man1/contact2d.1 $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so \
   $(addprefix $(INCLUDEDIR)/,$(notdir $(HEADERS))) $(LIBDIR)/pkgconfig/contact2d.pc \
-  $(CMAKEDIR)/contact2dConfig.cmake $(CMAKEDIR)/contact2dConfigVersion.cmake $(addprefix $(DOCDIR)/,$(PAGES))
+  $(CMAKEDIR)/contact2dConfig.cmake $(CMAKEDIR)/contact2dConfigVersion.cmake $(addprefix $(DOCDIR)/,$(PAGES) $(EXAMPLES)) \
+  $(foreach c,$(COMPLETIONS),$(lastword $(subst :, ,$(c))))
 # From the folder of CMake's configuration to the headers, so that both can be moved with their prefix.
 below = $(if $(and $(filter $(PREFIX)/%,$(1)),$(PREFIX)),$(patsubst $(PREFIX)/%,%,$(1)))
 INCLUDE_FROM_CONFIG := $(if $(and $(call below,$(CMAKEDIR)),$(call below,$(INCLUDEDIR))),\
@@ -38,7 +45,10 @@ install: all $(SHARED)
 	$(fill) port/packaging/contact2d.pc.in > '$(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc'
 	$(fill) port/packaging/contact2dConfig.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake'
 	$(fill) port/packaging/contact2dConfigVersion.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake'
-	for page in $(PAGES); do mkdir -p '$(DESTDIR)$(DOCDIR)'/$$(dirname $$page) && \
+# (a program for another machine cannot say its completions here: they are left out, as the next line tells)
+	for pair in $(COMPLETIONS); do file='$(DESTDIR)'$${pair#*:}; mkdir -p "$$(dirname $$file)" && \
+	  $(PROGRAM) completion $${pair%%:*} > $$file || { rm -f $$file; echo "no completion for $${pair%%:*}: $(PROGRAM) does not run here"; }; done
+	for page in $(PAGES) $(EXAMPLES); do mkdir -p '$(DESTDIR)$(DOCDIR)'/$$(dirname $$page) && \
 	  install -m 644 $$page '$(DESTDIR)$(DOCDIR)'/$$page || exit 1; done
 
 uninstall:

@@ -1,7 +1,8 @@
 # One file for those who vendor the library, and a Debian package: included by the Makefile.
 #: make amalgamation, api, deb      one source file, one page of the interface, Debian packages
 #: make reproducible                check that a build in another folder gives the same bytes
-.PHONY: amalgamation api deb reproducible
+#: make release                     the files of a release: the program as a web page, one source file, the interface
+.PHONY: amalgamation api deb reproducible release
 
 # ---------------------------------------------------------------- make amalgamation
 # The core and the block store in memory as one contact2d.cpp, and the headers beside it.
@@ -28,12 +29,34 @@ api: $(BUILD)/obj/header_page
 	@mv $(BUILD)/api/contact2d.html.new $(BUILD)/api/contact2d.html
 	@echo 'The C interface: $(BUILD)/api/contact2d.html (open it with a browser)'
 
+# ---------------------------------------------------------------- make release
+# Files with the version in their names, and their checksums. The page runs from a disk: those who have no compiler need nothing else.
+# The archive has no times, owners or order of its own: the same bytes anywhere.
+RELEASE := $(BUILD)/release
+release: web amalgamation api
+	@rm -rf $(RELEASE)
+	@mkdir -p $(RELEASE)
+	@cp $(BUILD)/web/contact2d.html $(RELEASE)/contact2d-$(VERSION).html
+	@cp $(BUILD)/web/contact2d.js $(RELEASE)/contact2d-$(VERSION).js
+	@cp $(BUILD)/api/contact2d.html $(RELEASE)/contact2d-$(VERSION)-interface.html
+	@tar -C $(AMALGAMATION) --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=a+r,u+w,go-w -cf - . | gzip -9n \
+	  > $(RELEASE)/contact2d-$(VERSION)-one-file.tar.gz
+	@cd $(RELEASE) && sha256sum contact2d-* > SHA256SUMS && cat SHA256SUMS
+
+# ---------------------------------------------------------------- make man
+# The page for man, from the tables of the program.
+#: make man                         rewrite port/packaging/contact2d.1.in
+.PHONY: man
+man: $(PROGRAM)
+	$(PROGRAM) help --man | sed 's/"contact2d $(VERSION)"/"contact2d @VERSION@"/' > port/packaging/contact2d.1.in.new
+	mv port/packaging/contact2d.1.in.new port/packaging/contact2d.1.in
+
 # ---------------------------------------------------------------- make deb
 # Needs dpkg-dev and debhelper, and lintian to look at the outcome (none of them reaches for a network). All in a
 # folder of its own, made anew: the sources as they stand there, then the packages beside them.
 DEB := $(BUILD)/deb
 DEB_TREE := $(DEB)/contact2d-$(VERSION)
-DEB_SOURCES := CMakeLists.txt LICENSE Makefile README.md examples include port src tests
+DEB_SOURCES := CITATION.cff CMakeLists.txt LICENSE Makefile README.md examples include port src tests
 deb:
 	@command -v dpkg-buildpackage >/dev/null && command -v dh >/dev/null || \
 	  { echo 'make deb needs dpkg-buildpackage and dh (Debian: dpkg-dev debhelper)'; exit 1; }

@@ -1,8 +1,9 @@
-"""Builds the Python package: a backend for pip (PEP 517) that needs a C++17 compiler and nothing else.
+"""Builds the Python package: a backend for pip (PEP 517, PEP 660) that needs a C++17 compiler and nothing else.
 
 Compiles the library and the program from src/sources.mk, as the Makefile does, and puts them into the package beside its
-modules. CXX, CPPFLAGS, CXXFLAGS and LDFLAGS are those of the environment. CONTACT2D_BUILD names a folder in which `make python` has
-built both already: nothing is compiled then. CONTACT2D_ONE_FILE names what `make amalgamation` has made of the core: one file to
+modules; for `pip install -e` into the build folder of the project, where `make python` renews them. CXX, CPPFLAGS, CXXFLAGS and
+LDFLAGS are those of the environment. CONTACT2D_BUILD names a folder in which `make python` has built both already: nothing is
+compiled then. A relative one is looked for where pip was called, and in the project. CONTACT2D_ONE_FILE names what `make amalgamation` has made of the core: one file to
 compile.
 """
 
@@ -17,10 +18,11 @@ import re
 import shlex
 import shutil
 import subprocess
-import sysconfig
 import tarfile
 import tempfile
 import zipfile
+
+import wheel_tag
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE / "source" if (HERE / "source").exists() else HERE.parents[1]  # in the archive of the package; in the project
@@ -116,12 +118,29 @@ def compile_all(folder):
         run(link)
 
 
+def built_files(folder):
+    """Library and program in a build folder of make, by their names in the package."""
+    return {"libcontact2d.so": folder / ("libcontact2d.so." + version()), "contact2d": folder / "contact2d"}
+
+
+def given_build():
+    """The folder that CONTACT2D_BUILD names; None: there is none named."""
+    name = os.environ.get("CONTACT2D_BUILD")
+    if not name:
+        return None
+    places = [pathlib.Path(begin) / name for begin in (os.environ.get("PWD", "."), ROOT, ".")]
+    for place in places:
+        if all(path.exists() for path in built_files(place).values()):
+            return place
+    raise RuntimeError("contact2d: CONTACT2D_BUILD=%s: expected libcontact2d.so.%s and contact2d of `make python` in %s" %
+                       (name, version(), " or ".join(dict.fromkeys(str(place.absolute()) for place in places))))
+
+
 def binaries(folder):
     """The files that belong into contact2d/bin, by name."""
-    built = os.environ.get("CONTACT2D_BUILD")
-    if built:
-        return {"libcontact2d.so": pathlib.Path(built) / ("libcontact2d.so." + version()),
-                "contact2d": pathlib.Path(built) / "contact2d"}
+    built = given_build()
+    if built is not None:
+        return built_files(built)
     compile_all(folder)
     return {name: folder / name for name in ("libcontact2d.so", "contact2d")}
 
@@ -144,22 +163,54 @@ class Wheel:
         self.archive.close()
 
 
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    tag = "py3-none-" + re.sub(r"[-.]", "_", sysconfig.get_platform())
-    name = "%s-%s-%s.whl" % (NAME, version(), tag)
+MODULES = ("*.py", "*.pyi", "py.typed")
+
+
+def modules():
+    return sorted(path for pattern in MODULES for path in (HERE / NAME).glob(pattern))
+
+
+def finish(wheel, tag, is_pure):
+    """What a wheel says of itself; its name."""
     info = "%s-%s.dist-info" % (NAME, version())
-    wheel = Wheel(pathlib.Path(wheel_directory) / name)
-    for module in sorted((HERE / NAME).glob("*.py")):
-        wheel.add("%s/%s" % (NAME, module.name), module.read_bytes())
-    with tempfile.TemporaryDirectory() as folder:
-        for binary, path in binaries(pathlib.Path(folder)).items():
-            wheel.add("%s/bin/%s" % (NAME, binary), path.read_bytes(), 0o755)
     wheel.add(info + "/METADATA", metadata().encode("utf-8"))
-    wheel.add(info + "/WHEEL", ("Wheel-Version: 1.0\nGenerator: build_contact2d\nRoot-Is-Purelib: false\nTag: %s\n" %
-                                tag).encode())
+    wheel.add(info + "/WHEEL", ("Wheel-Version: 1.0\nGenerator: build_contact2d\nRoot-Is-Purelib: %s\nTag: %s\n" %
+                                (str(is_pure).lower(), tag)).encode())
     wheel.add(info + "/entry_points.txt", ENTRY_POINTS.encode())
     wheel.add(info + "/LICENSE", (ROOT / "LICENSE").read_bytes())
     wheel.close(info)
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    with tempfile.TemporaryDirectory() as folder:
+        found = binaries(pathlib.Path(folder))
+        tag = "py3-none-" + wheel_tag.platform_tag(found.values(), os.environ.get("CXXFLAGS", ""))
+        files = {name: path.read_bytes() for name, path in found.items()}
+    name = "%s-%s-%s.whl" % (NAME, version(), tag)
+    wheel = Wheel(pathlib.Path(wheel_directory) / name)
+    for module in modules():
+        wheel.add("%s/%s" % (NAME, module.name), module.read_bytes())
+    for binary, data in files.items():
+        wheel.add("%s/bin/%s" % (NAME, binary), data, 0o755)
+    finish(wheel, tag, False)
+    return name
+
+
+def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
+    """A wheel that names the folder of the modules; library and program lie where these look for them."""
+    if ROOT == HERE / "source":
+        targets = {name: HERE / NAME / "bin" / name for name in built_files(ROOT)}
+    else:
+        targets = built_files(ROOT / "build")
+    if not all(path.exists() for path in targets.values()):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, path in binaries(pathlib.Path(folder)).items():
+                targets[name].parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(str(path), str(targets[name]))
+    name = "%s-%s-py3-none-any.whl" % (NAME, version())
+    wheel = Wheel(pathlib.Path(wheel_directory) / name)
+    wheel.add("__editable__.%s.pth" % NAME, (str(HERE) + "\n").encode("utf-8"))
+    finish(wheel, "py3-none-any", True)
     return name
 
 
@@ -167,9 +218,9 @@ def build_sdist(sdist_directory, config_settings=None):
     """The package with the sources that it is compiled from."""
     base = "%s-%s" % (NAME, version())
     with tarfile.open(str(pathlib.Path(sdist_directory) / (base + ".tar.gz")), "w:gz", format=tarfile.PAX_FORMAT) as archive:
-        for name in ("pyproject.toml", "build_contact2d.py", "README.md"):
+        for name in ("pyproject.toml", "build_contact2d.py", "wheel_tag.py", "README.md"):
             archive.add(str(HERE / name), base + "/" + name)
-        for module in sorted((HERE / NAME).glob("*.py")):
+        for module in modules():
             archive.add(str(module), "%s/%s/%s" % (base, NAME, module.name))
         kept = ["LICENSE", "port/packaging/contact2d.map"]
         for pattern in ("include/*.h", "src/sources.mk", "src/**/*.[ch]pp", "src/**/*.inc", "port/*/*.[ch]*"):

@@ -1,9 +1,12 @@
-"""Writes contact2d/header.py from the C headers: every constant, struct, callback and function, with its comment.
+"""Writes contact2d/header.py from the C headers: every constant, struct, callback and function, with its comment; and
+contact2d/methods.pyi, the methods of Solver and Model for type checkers.
 
-    python3 port/python/generate.py          writes it
-    python3 port/python/generate.py --check  says whether it is up to date (exit status 1: no)
+    python3 port/python/generate.py          writes them
+    python3 port/python/generate.py --check  says whether they are up to date (exit status 1: no)
 """
 
+import ast
+import keyword
 import pathlib
 import re
 import sys
@@ -11,6 +14,8 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 OUTPUT = HERE / "contact2d" / "header.py"
+METHODS = HERE / "contact2d" / "methods.pyi"
+MODEL = ("set_", "add_", "tie_", "clear_")  # how calls that make a model begin (contact2d/model.py)
 FIRST = ["include/contact2d_codes.h", "include/contact2d.h"]  # which the others need
 LEFT_OUT = ["include/contact2d_memory.h"]  # constants of the preprocessor for arrays: c2d_memory_need and c2d_tape_need tell
 HEADERS = FIRST + sorted(name for pattern in ("include/*.h", "port/[!c]*/c2d_*.h")  # (port/cortex-m is not in the library)
@@ -181,6 +186,80 @@ def made():
     return reader.text()
 
 
+# ---- the methods, for type checkers
+PLAIN = {"c_int32": "int", "c_uint32": "int", "c_int64": "int", "c_uint64": "int", "c_size_t": "int", "c_double": "float",
+         "c_char_p": "Union[str, bytes]", "c_void_p": "Any"}
+COUNTS = ("cases", "zones")  # of the list before them, as contact2d/calls.py has it
+PYI = '''"""Made by port/python/generate.py from the headers; do not edit."""
+
+from types import SimpleNamespace
+from typing import Any, Iterable, List, Optional, Tuple, Union
+
+Numbers = Any  # a number, a list of numbers or an array of numpy
+
+
+'''
+
+
+def written_methods():
+    """Those of class Solver that contact2d/solver.py itself has."""
+    tree = ast.parse((HERE / "contact2d" / "solver.py").read_text(encoding="utf-8"))
+    solver = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Solver")
+    return {node.name for node in solver.body if isinstance(node, ast.FunctionDef)}
+
+
+def hint_of(kind, length):
+    """(type, may it be left out?) of what is given for an argument."""
+    pointed = re.match(r"POINTER\((\w+)\)", kind)
+    if not pointed:
+        return PLAIN.get(kind, "Any"), False
+    if pointed.group(1).startswith("c2d_"):
+        return "Any", True
+    hint = "Iterable[int]" if pointed.group(1) == "c_int32" else "Numbers"
+    return "Optional[%s]" % hint if length else hint, length is not None
+
+
+def returned(kind, length):
+    value = PLAIN.get(re.match(r"POINTER\((\w+)\)", kind).group(1), "SimpleNamespace")
+    return "List[%s]" % value if length else value
+
+
+def stub(name, described, returns=None):
+    """The declaration of one method; outputs are what it returns unless `returns` says so."""
+    words, out, is_last = [], [], True
+    for argument_name, kind, is_const, length in reversed(described[1:]):
+        if kind.startswith("POINTER") and not is_const:
+            out.insert(0, returned(kind, length))
+        elif argument_name not in COUNTS:
+            hint, is_optional = hint_of(kind, length)
+            is_last = is_last and is_optional
+            words.insert(0, "%s: %s%s" % (argument_name, hint, " = ..." if is_last else ""))
+    if any(is_const and kind.startswith("POINTER(c2d_") for _, kind, is_const, _ in described):
+        words.append("**members: Any")
+    if any(keyword.iskeyword(word.split(":")[0]) for word in words):
+        words = ["*given: Any", "**named: Any"]
+    result = returns or (out[0] if len(out) == 1 else "Tuple[%s]" % ", ".join(out) if out else "None")
+    return "    def %s(%s) -> %s: ...\n" % (name, ", ".join(["self"] + words), result)
+
+
+def made_methods():
+    functions = {}
+    for header in HEADERS:
+        text = (ROOT / header).read_text(encoding="utf-8")
+        for _, code in statements(text):
+            if re.match(r"(?!typedef|enum).*\w+\(", code) and "{" not in code:
+                head, given = code[: code.index("(")], code[code.index("(") + 1 : code.rindex(")")]
+                described = [(name, "POINTER(%s)" % kind if length else kind, is_const, length)
+                             for name, kind, is_const, length in arguments(given)]
+                functions[re.search(r"(\w+)$", head).group(1)] = described
+    own = {name[4:]: described for name, described in functions.items() if described and described[0][0] == "solver"}
+    out, written = [PYI, "class SolverCalls:\n"], written_methods()
+    out += [stub(name, described) for name, described in own.items() if name not in written]
+    out += ["\n\nclass ModelCalls:\n"]
+    out += [stub(name, described, "None") for name, described in own.items() if name.startswith(MODEL) and name != "set_nodes"]
+    return "".join(out) + "    def set_nodes(self, body: int, first: int, xy: Any) -> None: ...\n"
+
+
 def write(words, output, text):
     """The command: writes the text, or with --check says whether it stands there; the exit status."""
     if words == ["--check"]:
@@ -192,4 +271,4 @@ def write(words, output, text):
 
 
 if __name__ == "__main__":
-    sys.exit(write(sys.argv[1:], OUTPUT, made()))
+    sys.exit(write(sys.argv[1:], OUTPUT, made()) or write(sys.argv[1:], METHODS, made_methods()))

@@ -83,7 +83,7 @@ function sketchParameters(text) {
 function readFamilies(text) {
   let family = null;
   for (const each of text.split("\n")) {
-    const head = each.match(/^(\w+): (.*)$/), key = each.match(/^ {2}(\w+)=(\S+)\s+(.*)$/);
+    const head = each.match(/^(?!usage:)(\w+): (.*)$/), key = each.match(/^ {2}(\w+)=(\S+)\s+(.*)$/);
     if (head) page.families.set(head[1], family = {name: head[1], summary: head[2], keys: []});
     else if (key && family) family.keys.push({name: key[1], value: key[2], meaning: key[3]});
   }
@@ -134,7 +134,22 @@ function showParameters(list) {
   page.parameters = list;
 }
 
-const settings = () => page.parameters.filter((each) => each.chosen !== undefined && String(each.chosen) !== String(each.value)).map((each) => `${each.name}=${each.chosen}`);
+const changed = () => page.parameters.filter((each) => each.chosen !== undefined && String(each.chosen) !== String(each.value));
+const settings = () => changed().map((each) => `${each.name}=${each.chosen}`);
+
+const familyParameters = (family) => family.keys.map((key) => ({...key, value: Number.isFinite(Number(key.value)) ? Number(key.value) : key.value}));
+
+function takeCompanions() {
+  for (const [file, text] of Object.entries(page.examples)) if (file.endsWith(".csv")) page.companions[file] = text;
+}
+
+// A value as if it had been typed, without solving.
+function setParameter(parameter, value) {
+  parameter.chosen = value;
+  const field = $(`value-${parameter.name}`), slider = field.parentElement.querySelector("input[type=range]");
+  field.value = value;
+  if (slider !== null) slider.value = value;
+}
 
 async function choose(name) {
   const [group, which] = name.split(":");
@@ -142,10 +157,10 @@ async function choose(name) {
   page.family = group === "family" ? page.families.get(which) : null;
   page.kind = group;
   if (page.family) {
-    showParameters(page.family.keys.map((key) => ({...key, value: Number.isFinite(Number(key.value)) ? Number(key.value) : key.value})));
+    showParameters(familyParameters(page.family));
   } else {
     $("editor").value = page.examples[which];
-    for (const [file, text] of Object.entries(page.examples)) if (file.endsWith(".csv")) page.companions[file] = text;
+    takeCompanions();
     showParameters(sketchParameters($("editor").value));
   }
   page.full = null, page.drawn = null;
@@ -160,10 +175,44 @@ function taken(text, kind) { // from a file or the editor
   solve(true);
 }
 
+// ---------------------------------------------------------------- what a reload finds
+// The problem as it stands: which it is, its text, the values chosen. A browser that keeps nothing (a private window, a full
+// disk) loses it as before.
+const KEPT = "contact2d problem";
+
+function keep() {
+  const values = Object.fromEntries((page.parameters || []).filter((each) => each.chosen !== undefined).map((each) => [each.name, each.chosen]));
+  const kept = {example: $("example").value, kind: page.kind, family: page.family && page.family.name, text: $("editor").value,
+    companions: Object.keys(page.companions).length > 0, values, seek: $("seek").checked};
+  try { localStorage.setItem(KEPT, JSON.stringify(kept)); } catch (why) { /* not kept */ }
+}
+
+function kept() {
+  try {
+    const found = JSON.parse(localStorage.getItem(KEPT));
+    return found !== null && typeof found.text === "string" && (!found.family || page.families.has(found.family)) ? found : null;
+  } catch (why) { return null; }
+}
+
+// The problem of an earlier visit, if there is one; true: it is solved.
+async function restore() {
+  const found = kept();
+  if (found === null) return false;
+  page.kind = found.kind, page.family = found.family ? page.families.get(found.family) : null;
+  if ([...$("example").options].some((each) => each.value === found.example)) $("example").value = found.example;
+  $("editor").value = found.text, $("seek").checked = found.seek === true;
+  if (found.companions) takeCompanions();
+  showParameters(page.family ? familyParameters(page.family) : sketchParameters(found.text));
+  for (const each of page.parameters) if (Object.hasOwn(found.values || {}, each.name)) setParameter(each, found.values[each.name]);
+  await solve(true);
+  return true;
+}
+
 // ---------------------------------------------------------------- solving
 // Whatever is asked for while a run is at work is done after it, once, as it stands then.
 async function solve(whole) {
   page.wanted = {whole: whole || (page.wanted !== null && page.wanted.whole)};
+  keep();
   if (page.busy) return;
   page.busy = true;
   $("stop").disabled = false;
@@ -226,8 +275,10 @@ async function solveOnce(whole) {
   if (pictures) showPictures(run.files);
   const peak = page.result.rows.reduce((most, row) => Math.max(most, row.tn), 0);
   const outcome = page.result.json.outcome;
+  const stated = ((page.result.json.accuracy || {}).stated || []).filter((each) => each.relative_error !== undefined && each.tolerance !== undefined);
+  const errors = stated.map((each) => `${each.name} ${short(100 * each.relative_error, 2)} %${each.met === false ? " (not met)" : ""}`).join(", ");
   state(`${run.status === 0 ? "Solved" : `Ended early: ${outcome}`} in ${run.seconds < 0.1 ? Math.max(1, Math.round(run.seconds * 1000)) + " ms" : run.seconds.toFixed(1) + " s"}` +
-    `${peak > 0 ? `; largest pressure ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : ""}.`, run.status !== 0);
+    `${peak > 0 ? `; largest pressure ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : errors ? `; stated errors: ${errors}` : ""}.`, run.status !== 0);
 }
 
 // The first mesh as it is; lines keep their numbers.
@@ -378,8 +429,8 @@ function htmlTable(names, rows) {
 }
 
 function showNumbers() {
-  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(each.value, 6), each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
-  $("numbers").innerHTML = htmlTable(["quantity", "zone", "mu", "value", "x", "y"], rows);
+  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(each.value, 6), each.error === undefined ? "" : `± ${short(each.error, 2)}`, each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
+  $("numbers").innerHTML = htmlTable(["quantity", "zone", "mu", "value", "stated error", "x", "y"], rows);
 }
 
 function showPairs(rows) {
@@ -390,7 +441,7 @@ function showPairs(rows) {
 function showPictures(files) {
   $("dark").textContent = files["report.html"].split("\n").filter((each) => each.startsWith("svg [")).join("\n");
   const names = Object.keys(files).filter((name) => name.startsWith("figures/")).sort();
-  const stress = names.filter((name) => /\/(stress(_zone)?|deformed)\.svg$/.test(name)).reverse(); // the zone, the whole, the shape
+  const stress = names.filter((name) => /\/(contact[^/]*|stress(_zone)?|deformed)\.svg$/.test(name)); // the contact, the shape, stress
   $("stress").innerHTML = stress.map((name) => files[name]).join("");
   const draw = () => { $("pictures").innerHTML = $("more").open ? names.map((name) => files[name]).join("") : ""; };
   $("more").ontoggle = draw;
@@ -406,9 +457,23 @@ function download(name, text, type = "text/plain") {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
+// The text of a sketch whose parameters have the values that are chosen. (That of a family is the deck made of them.)
+function withValues(text) {
+  const chosen = new Map(page.parameters.filter((each) => each.chosen !== undefined).map((each) => [each.name, each.chosen]));
+  return text.split("\n").map((each) => {
+    const end = each.indexOf("!"), words = end < 0 ? each : each.slice(0, end);
+    if (!/^\s*parameter\b/.test(words)) return each;
+    const value = (match, name, between, old) => (chosen.has(name) ? name + between + chosen.get(name) : match);
+    const head = words.match(/^\s*parameter\b/)[0];
+    return head + words.slice(head.length).replace(/([^\s,=]+)([\s,=]+)(\{[^}]*\}|[^\s,=]+)/g, value) + each.slice(words.length);
+  }).join("\n");
+}
+
 async function save(output) {
   if (output === "problem") {
-    download(isSketch($("editor").value) ? "model.c2s" : "model.dat", $("editor").value);
+    const sketch = isSketch($("editor").value);
+    const seen = (text) => ($("seek").checked ? text : withoutSeeking(text)); // run again, it gives the numbers of the page
+    download(sketch ? "model.c2s" : "model.dat", sketch ? seen(withValues($("editor").value)) : $("editor").value);
     return;
   }
   await solve(true);
@@ -481,15 +546,19 @@ async function begin() {
     $("example").append(out);
   };
   const title = (text) => (text.match(/^\s*title\s+(.*?)\s*(!.*)?$/m) || ["", ""])[1];
-  const names = Object.keys(page.examples).sort();
+  const lesson = (name) => Number((name.match(/^t(\d+)_/) || [0, 0])[1]), all = Object.keys(page.examples).sort();
+  const names = all.filter((name) => !lesson(name)), lessons = all.filter(lesson).sort((a, b) => lesson(a) - lesson(b));
+  group("Tutorial", lessons.map((name) => [`${name.endsWith(".dat") ? "deck" : "sketch"}:${name}`,
+    `${lesson(name)} ${title(page.examples[name]) || name}`]));
   group("Sketches", names.filter((name) => name.endsWith(".c2s")).map((name) => [`sketch:${name}`, title(page.examples[name]) || name]));
   group("Families of problems", [...page.families.values()].map((family) => [`family:${family.name}`, `${family.name}: ${family.summary}`]));
   group("Decks", names.filter((name) => name.endsWith(".dat")).map((name) => [`deck:${name}`, name]));
-  $("example").onchange = () => choose($("example").value);
+  $("example").onchange = $("reset").onclick = () => choose($("example").value);
   let typing = 0;
   $("editor").oninput = () => {
     showGutter();
     clearTimeout(typing);
+    keep();
     typing = setTimeout(() => {
       const text = $("editor").value;
       page.kind = page.family ? "deck" : page.kind, page.family = null;
@@ -512,8 +581,10 @@ async function begin() {
   $("step").oninput = $("magnify").oninput = () => show();
   addEventListener("resize", () => { if (page.result) show(); });
   const start = "sketch:roller.c2s";
-  $("example").value = start;
-  await choose(start);
+  if (!await restore()) {
+    $("example").value = start;
+    await choose(start);
+  }
   document.body.dataset.ready = "yes";
 }
 

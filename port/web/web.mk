@@ -33,7 +33,7 @@ $(WEB)/contact2d.wasm: $(foreach s,$(WEB_CORE) $(WEB_REST),$(call web_object,$(s
 	  -lwasi-emulated-signal -lwasi-emulated-mman
 
 # ---------------------------------------------------------------- packed into text
-WEB_EXAMPLES := $(wildcard examples/*.c2s) $(wildcard examples/*.dat) \
+WEB_EXAMPLES := $(wildcard examples/tutorial/t*) $(wildcard examples/*.c2s) $(wildcard examples/*.dat) \
   examples/gear_pinion.csv examples/gear_wheel.csv examples/rough_profile.csv
 # (lines that any awk takes)
 pack = gzip -9n | base64 -w 4096

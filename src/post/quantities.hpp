@@ -2,6 +2,7 @@
 // Edges and borders lie between nodes (METHOD 16.4). A number may carry a stated error, which is an estimate.
 #pragma once
 
+#include "post/measure.hpp"
 #include "post/summary.hpp"
 #include "post/zone_line.hpp"
 
@@ -13,27 +14,6 @@
 
 namespace app {
 
-enum class Measure {
-  kPeakPressure, // and where
-  kMeanPressure, // over what touches, by its length between the edges
-  kContactEdge,  // where contact ends: value is the length along side 2, from its first pair
-  kStickBorder,  // where stick meets slip, likewise
-  kForceX,
-  kForceY,
-  kMoment,        // on side 2, the moment about the origin
-  kApproach,      // c2d_zone_state; without a contact of a rigid body or platen, its item, along what drives it: zone 0
-  kShift,         // c2d_zone_state
-  kDissipated,    // since zero load; of zone 0 by the whole contact
-  kEdgePressure,  // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
-  kEdgeFriction,  // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
-  kSlipRange,     // the largest slip, in size, of what touches, since the loads last turned; and where
-  kFrictionForce, // of tt along the surface, on side 2
-  kMotionX,       // of zone 0: motion of the rigid body or platen with the number `item`, its point and rotation
-  kMotionY,
-  kRotation,
-};
-constexpr int kMeasures = 17;
-
 struct Quantity {
   Measure what = Measure::kPeakPressure;
   int32_t zone = 0; // from 1; 0: of all
@@ -41,8 +21,10 @@ struct Quantity {
   double value = 0;
   double at[2] = {NAN, NAN};
   double s = NAN;         // the length along side 2, from its first pair, of that place
+  double along = NAN;     // its distance along the second side of the statement: ZoneLine::along
   double spacing = NAN;   // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
   double error = NAN;     // stated, absolute; NaN: none
+  int32_t images = 1;     // of a width: how many images of an edge it counts
   bool at_corner = false; // an edge: contact ends at a body's corner
   double doubt = 0;       // difference from another method on the same mesh
   // Is it one of a rigid body or platen?
@@ -58,8 +40,5 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
                                     const std::vector<c2d_zone_state>& states, double dissipated,
                                     const std::vector<double>& slip_at_turn = {},
                                     const std::vector<c2d_body_state>& bodies = {});
-
-// "peak pressure", "contact edge", in the words of listing, JSON and CSV.
-const char* name_of(Measure what);
 
 } // namespace app

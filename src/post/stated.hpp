@@ -1,6 +1,8 @@
 // Result of mesh refinement: its rounds, and numbers with their stated errors.
 #pragma once
 
+#include "post/measure.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -10,25 +12,25 @@
 
 namespace app {
 
-// The name of the relative distance of tractions on two meshes, L1, which has an error but no value.
-constexpr char kTractions[] = "tractions";
-
 // A number of the last state of the history, or over all of it. An error is an estimate: METHOD 16.5.
 struct Stated {
-  std::string name;
+  Measure what = Measure::kTractions;
+  std::string of;                       // name of the curve that it is along or on, else empty
   int32_t zone = 0, body = 0, item = 0; // if applicable, else 0
   double value = 0, error = NAN;        // absolute
   double scale = 0;                     // reference of the tolerance
   double tolerance = NAN;               // NaN: not requested
   double at[2] = {NAN, NAN};
+  double along = NAN;    // Quantity::along of that place
+  int32_t images = 1;    // Quantity::images
   bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded
   bool confirmed = true; // confirmed by another round or another error estimate
   // For the next round: difference of the two meshes; error from the previous change; difference from another method
   // on the same mesh.
   double apart = NAN, error_by_before = NAN, doubt = 0;
-  int way = 0;            // method by which it was found: higher is better
-  bool is_inside = false; // a stress or displacement at a point inside a body
-  bool has_value() const { return name != kTractions; }
+  int way = 0; // method by which it was found: higher is better
+  std::string name() const { return name_of(what) + of; }
+  bool has_value() const { return what != Measure::kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
   bool is_within() const { return std::isnan(tolerance) || error <= tolerance * scale; }
   bool is_met() const { return is_within() && (confirmed || std::isnan(tolerance)); }

@@ -25,6 +25,45 @@ void ZoneLine::place(double at, double out[2]) const {
   for (int c = 0; c < 2; ++c) out[c] = told_place(out[c], length); // on an axis
 }
 
+namespace {
+
+// Least distance of a point from an element, and the length there from the begin of the element.
+double nearest_on(const ElementCurve& curve, const double at[2], double& run) {
+  double eta = 0, p[2], t[2];
+  for (int k = 0; k < 8; ++k) {
+    curve.point(eta, p), curve.slope(eta, t);
+    eta += ((at[0] - p[0]) * t[0] + (at[1] - p[1]) * t[1]) / (t[0] * t[0] + t[1] * t[1]);
+    eta = std::min(std::max(eta, -1.0), 1.0);
+  }
+  curve.point(eta, p);
+  run = eta > -1 ? curve.length(-1, eta) : 0;
+  return std::hypot(at[0] - p[0], at[1] - p[1]);
+}
+
+double nearest_length(const std::vector<ZoneLine::Piece>& pieces, const double at[2]) {
+  double least = HUGE_VAL, out = 0;
+  for (const ZoneLine::Piece& piece : pieces) {
+    double run = 0;
+    const double off = nearest_on(piece.curve, at, run);
+    if (off < least) least = off, out = piece.s + run;
+  }
+  return out;
+}
+
+} // namespace
+
+double ZoneLine::along(double at) const {
+  if (pieces.empty()) return NAN;
+  double run = pieces.front().up ? at - pieces.front().s : pieces.front().s + length - at;
+  if (turned) {
+    double point[2];
+    place(at, point);
+    run = nearest_length(faced, point);
+  }
+  const double out = from + run;
+  return told_place(around > 0 ? out - around * std::floor(out / around + 1e-10) : out, length);
+}
+
 void turn_forces(const std::vector<ZoneLine>& lines, std::vector<c2d_zone_state>& states) {
   for (size_t z = 0; z < lines.size() && z < states.size(); ++z)
     if (lines[z].turned)
@@ -49,6 +88,7 @@ private:
   Walk walk(const c2d_side& side) const;
   ZoneLine line_of(int32_t zone) const;
   void add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const;
+  void add_faced(ZoneLine& line, const c2d_side& side) const;
   void find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) const;
   void compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const;
   bool is_corner_pair(const c2d_zone& zone, size_t pair) const;
@@ -134,6 +174,18 @@ void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, b
     line.x.push_back(at[0]), line.y.push_back(at[1]);
     line.weight.push_back(weight);
     line.corner.push_back(is_corner_pair(s_.zone[static_cast<size_t>(line.zone) - 1], static_cast<size_t>(pair)) ? 1 : 0);
+  }
+}
+
+void PlaceFinder::add_faced(ZoneLine& line, const c2d_side& side) const {
+  if (curve(side.body).elements() == 0) return; // of a platen
+  Walk w = walk(side);
+  if (!w.up) std::reverse(w.elements.begin(), w.elements.end());
+  double s = 0;
+  for (const int32_t e : w.elements) {
+    if (e == 0) return line.faced.clear();
+    line.faced.push_back({s, true, curve(side.body).element(e)});
+    s += curve(side.body).element(e).length();
   }
 }
 
@@ -249,6 +301,8 @@ ZoneLine PlaceFinder::line_of(int32_t number) const {
   const int32_t region = curve(zone.side2.body).region_size(w.elements.front());
   line.round = curve(zone.side2.body).is_closed(w.elements.front()) && static_cast<int32_t>(w.elements.size()) == region;
   if (!line.round) find_ends(line, zone, w);
+  if (line.round) line.around = line.length;
+  add_faced(line, zone.side1);
   const double begin = line.s.empty() ? 0 : line.s.front(); // lengths are counted from the first pair
   for (double& s : line.s) s -= begin;
   for (ZoneLine::Piece& piece : line.pieces) piece.s -= begin;

@@ -43,6 +43,14 @@ struct ZoneLine {
   };
   std::vector<Piece> pieces;
 
+  // Distances along the second side of the contact statement from its fixed point, in the order of elements; of a deck along
+  // side 2 from its first element. They depend on neither the mesh nor the order of the pairs. A turned zone measures along
+  // side 1.
+  double from = 0;          // distance at the beginning of the side
+  double around = 0;        // length of the closed curve that the side is part of; 0: it is open
+  std::vector<Piece> faced; // side 1, in the order of elements
+  double along(double at) const;
+
   size_t size() const { return pair.size(); }
   // The point of side 2 at a length; of a round side any length.
   void place(double at, double out[2]) const;

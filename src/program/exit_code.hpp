@@ -15,6 +15,7 @@ enum ExitCode {
   kExitUsage = 64,
   kExitBusy = 75, // another process uses the store or runs the sweep
   kExitCancelled = 130,
+  kExitPipe = 141,   // the reader of an output has gone (head, a pager)
   kExitStopped = 143 // by SIGTERM; resume continues the run
 };
 

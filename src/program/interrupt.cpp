@@ -30,7 +30,7 @@ void catch_interrupts() {
     if (sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue; // nohup, background jobs
     sigaction(number, &action, nullptr);
   }
-  std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a full file is a failed write, reported as such
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a full file is a failed write
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

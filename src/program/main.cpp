@@ -7,7 +7,9 @@
 #include "program/commands/halve.hpp"
 #include "program/commands/job.hpp"
 #include "program/commands/make.hpp"
+#include "program/commands/man_page.hpp"
 #include "program/exit_code.hpp"
+#include "program/files/output_file.hpp"
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/option_table.hpp"
@@ -27,9 +29,11 @@
 
 namespace {
 
-int print(const char* text) {
-  const bool written = std::fputs(text, stdout) >= 0 && std::fflush(stdout) == 0;
-  return written ? app::kExitSolved : app::kExitFiles;
+int print(const std::string& text) {
+  std::string error;
+  if (app::write_output("-", text, error)) return app::kExitSolved;
+  app::say("contact2d: " + app::shown(error) + "\n");
+  return app::kExitFiles;
 }
 
 int resume(app::Options options) {
@@ -52,11 +56,11 @@ int run_command(const app::Options& options) {
   case app::Command::kSweep: return app::sweep_table(options);
   case app::Command::kConvert: return app::convert_deck(options);
   case app::Command::kResume: return resume(options);
-  case app::Command::kCompletion: return print(app::completion_text(options.topic).c_str());
-  case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
+  case app::Command::kCompletion: return print(app::completion_text(options.topic));
+  case app::Command::kVersion: return print(std::string("contact2d ") + c2d_version() + "\n");
   case app::Command::kHelp: break;
   }
-  return print(app::help_text(options.topic).c_str());
+  return print(options.topic == "--man" ? app::man_page(c2d_version()) : app::help_text(options.topic));
 }
 
 // Those of --params, before those of --set.
@@ -69,6 +73,14 @@ bool take_parameters(app::Options& options, std::string& error) {
   if (!error.empty()) error = options.params + ": " + error;
   options.settings.insert(options.settings.begin(), words.begin(), words.end());
   return error.empty();
+}
+
+// Where the words of a command are explained.
+std::string help_hint(app::Command command) {
+  for (const app::CommandRow& row : app::all_commands())
+    if (row.command == command && command != app::Command::kHelp)
+      return std::string(row.name) + " --help explains this command";
+  return "--help lists commands and options";
 }
 
 // Writes the failure to the requested response files, unless these exist: the unreadable options may have named another
@@ -91,14 +103,15 @@ int main(int argc, char** argv) {
     app::Options options;
     std::string error;
     if (!app::read_options(argc, argv, options, error)) {
-      app::say("contact2d: " + app::shown(error) + "\ncontact2d: --help lists commands and options\n");
+      app::say("contact2d: " + app::shown(error) + "\ncontact2d: " + help_hint(options.command) + "\n");
       return refuse(options, error, app::kExitUsage);
     }
     if (!take_parameters(options, error)) {
       app::say("contact2d: " + app::coloured(app::Colour::kError, "error:") + " " + app::shown(error) + "\n");
       return refuse(options, error, app::kExitInput);
     }
-    return run_command(options);
+    const int exit = run_command(options);
+    return exit == app::kExitSolved && app::pipe_is_broken() ? static_cast<int>(app::kExitPipe) : exit;
   } catch (const std::bad_alloc&) {
     std::fputs("contact2d: error: no memory left\n", stderr);
     return app::kExitMemory;

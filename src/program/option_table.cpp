@@ -1,5 +1,7 @@
 #include "program/option_table.hpp"
 
+#include "program/exit_code.hpp"
+
 #include <algorithm>
 
 namespace app {
@@ -11,7 +13,8 @@ constexpr uint32_t kRun = bit_of(Command::kRun), kCheck = bit_of(Command::kCheck
 
 const CommandRow kCommands[] = {
     {"run", Command::kRun, "DECK [NAME=VALUE ...]",
-     "solve a deck, or a sketch (shapes without a mesh). NAME=VALUE sets a parameter of a sketch, or the value of {NAME} in a "
+     "solve a deck, or a sketch (shapes without a mesh); the word run may be left out. NAME=VALUE sets a parameter of a "
+     "sketch, or the value of {NAME} in a "
      "deck"},
     {"check", Command::kCheck, "DECK ... [NAME=VALUE ...]", "read and validate decks and print the memory that they need"},
     {"sketch", Command::kSketch, "DRAWING", "make a sketch from a drawing (DXF or MSH, ASCII), to be completed"},
@@ -25,7 +28,8 @@ const CommandRow kCommands[] = {
     {"convert", Command::kConvert, "DECK", "convert a deck between fixed columns and free form without changing a number"},
     {"make", Command::kMake, "NAME key=value ...", "write the deck of a named problem to standard output"},
     {"completion", Command::kCompletion, "bash|zsh|fish", "write the completion script for this shell"},
-    {"help", Command::kHelp, "[COMMAND]", "print commands and options, of one command or of all"},
+    {"help", Command::kHelp, "[COMMAND|--man]",
+     "print commands and options, of one command or of all; --man: as a page for man"},
 };
 
 const OptionRow kOptions[] = {
@@ -101,10 +105,19 @@ const OptionRow kOptions[] = {
 };
 
 const char kNotes[] = "DECK and input FILEs may be - for standard input, output FILEs - for standard output.\n";
-const char kStatuses[] =
-    "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output file failed;\n"
-    "4 workspace too small; 5 results written, a wanted tolerance not met; 64 bad usage;\n"
-    "75 store or sweep in use by another process; 130 cancelled; 143 ended by SIGTERM, resume continues\n";
+const StatusRow kStatuses[] = {
+    {kExitSolved, "solved"},
+    {kExitNoSolution, "no further or no unique solution; rows up to the last load reached are written"},
+    {kExitInput, "bad deck, each error with its line; no output file is left"},
+    {kExitFiles, "block store or output file failed"},
+    {kExitMemory, "workspace too small; the message contains the size needed"},
+    {kExitInaccurate, "results written, a wanted tolerance not met"},
+    {kExitUsage, "bad usage"},
+    {kExitBusy, "store or sweep in use by another process"},
+    {kExitCancelled, "cancelled"},
+    {kExitPipe, "the reader of an output has gone"},
+    {kExitStopped, "ended by SIGTERM; resume continues the run"},
+};
 constexpr size_t kMargin = 23, kWidth = 110;
 
 // Appends `name`, and beside it `text`, broken into lines of at most kWidth characters.
@@ -160,6 +173,24 @@ const std::vector<OptionRow>& all_options() {
   return all;
 }
 
+const std::vector<StatusRow>& all_statuses() {
+  static const std::vector<StatusRow> all(std::begin(kStatuses), std::end(kStatuses));
+  return all;
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const CommandRow& row : kCommands) names.push_back(row.name);
+  return names;
+}
+
+std::vector<std::string> option_names(Command command) {
+  std::vector<std::string> names;
+  for (const OptionRow& row : kOptions)
+    if ((row.commands & bit_of(command)) != 0) names.push_back(row.name);
+  return names;
+}
+
 const CommandRow* find_command(const std::string& name) {
   for (const CommandRow& row : all_commands())
     if (name == row.name) return &row;
@@ -204,7 +235,9 @@ std::string help_text(const std::string& command) {
         append_option(out, option);
     }
   }
-  return out + "\n" + kNotes + kStatuses;
+  out += std::string("\n") + kNotes + "\nexit status:\n";
+  for (const StatusRow& row : kStatuses) append_row(out, std::to_string(row.status), row.meaning);
+  return out;
 }
 
 } // namespace app

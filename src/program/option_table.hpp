@@ -24,11 +24,19 @@ struct OptionRow {
   const char* help;
 };
 
+struct StatusRow { // an exit status
+  int status;
+  const char* meaning;
+};
+
 constexpr uint32_t bit_of(Command command) { return 1u << static_cast<unsigned>(command); }
 
 const std::vector<CommandRow>& all_commands();
 const std::vector<OptionRow>& all_options();
+const std::vector<StatusRow>& all_statuses();
 
+std::vector<std::string> command_names();
+std::vector<std::string> option_names(Command command); // the long ones
 // Null if there is no such command.
 const CommandRow* find_command(const std::string& name);
 // The option of `command` with this long or short name; null if it has none.

@@ -1,5 +1,6 @@
 #include "program/options.hpp"
 
+#include "program/near_word.hpp"
 #include "program/option_table.hpp"
 
 #include <c2d_threads.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <vector>
 
 namespace app {
@@ -115,7 +117,7 @@ bool read_option(const CommandRow& command, const std::vector<std::string>& word
   }
   const OptionRow* row = find_option(command.command, name);
   if (row == nullptr) {
-    error = std::string(command.name) + " takes no option " + name;
+    error = std::string(command.name) + " takes no option " + name + did_you_mean(name, option_names(command.command));
     return false;
   }
   if (joined && row->value == nullptr) {
@@ -246,7 +248,8 @@ bool read_own_words(const std::vector<std::string>& words, Options& options, std
   if (options.command == Command::kHelp || help) {
     options.topic = help ? words[0] : words.size() > 1 ? words[1] : "";
     options.command = Command::kHelp;
-    if (!options.topic.empty() && find_command(options.topic) == nullptr) error = "help: unknown command " + options.topic;
+    if (!options.topic.empty() && options.topic != "--man" && find_command(options.topic) == nullptr)
+      error = "help: unknown command " + options.topic + did_you_mean(options.topic, command_names());
   } else if (options.command == Command::kMake) {
     options.words.assign(words.begin() + 1, words.end());
     if (options.words.empty()) error = "make needs the name of a family, or --list";
@@ -258,12 +261,19 @@ bool read_own_words(const std::vector<std::string>& words, Options& options, std
   return error.empty();
 }
 
+// Is a word in the place of a command the deck or sketch to be run: a file that exists, or a path or a name with an extension?
+bool is_input(const std::string& word) {
+  if (word.empty() || word[0] == '-') return false;
+  std::error_code none;
+  return word.find_first_of("./") != std::string::npos || std::filesystem::is_regular_file(std::filesystem::u8path(word), none);
+}
+
 } // namespace
 
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
-  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   std::string known;
-  for (const CommandRow& row : all_commands()) known += std::string(row.name) + ", ";
+  for (const std::string& name : command_names()) known += name + ", ";
   known += "--version or --help";
   if (words.empty()) {
     error = "no command: expected " + known;
@@ -273,9 +283,11 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     options.command = asks_for_help(words[0]) ? Command::kHelp : Command::kVersion;
     return true;
   }
+  if (find_command(words[0]) == nullptr && is_input(words[0])) words.insert(words.begin(), "run");
   const CommandRow* command = find_command(words[0]);
   if (command == nullptr) {
-    error = "unknown command " + words[0] + ": expected " + known;
+    const std::string near = did_you_mean(words[0], command_names());
+    error = "unknown command " + words[0] + (near.empty() ? ": expected a file, " + known : near);
     return false;
   }
   options.command = command->command;

@@ -13,6 +13,17 @@
 namespace app {
 namespace {
 
+constexpr char kInputs[] = ".inputs";
+
+// Is the output a table in a regular file? The inputs go into a file beside it.
+bool has_inputs(size_t output, const std::string& name) {
+  const auto is = [&](Output which) { return output == static_cast<size_t>(which); };
+  if (name.empty() || name == "-" || is(Output::kListing) || is(Output::kJson) || is(Output::kReport) || is(Output::kVtk))
+    return false;
+  struct stat about = {};
+  return ::stat(name.c_str(), &about) != 0 || S_ISREG(about.st_mode);
+}
+
 // One spelling for names that lead to the same place, whether or not anything is there yet.
 std::string spelled_out(const std::string& name) {
   std::error_code error;
@@ -56,8 +67,11 @@ std::vector<Named> named_files(const Options& o, const std::vector<std::string>&
     if (!o.table.empty()) all.emplace_back(o.table, "the table", false);
   }
   for (const std::string& name : also_read) all.emplace_back(name, "the file " + name + " of the sketch", false);
-  for (size_t i = 0; i < kOutputs; ++i)
+  for (size_t i = 0; i < kOutputs; ++i) {
     if (!o.files[i].empty()) all.emplace_back(o.files[i], kOutputTable[i].option, true);
+    if (has_inputs(i, o.files[i]))
+      all.emplace_back(o.files[i] + kInputs, std::string("the inputs of ") + kOutputTable[i].option, true);
+  }
   if (!o.results.empty()) all.emplace_back(o.results, "--results", true);
   if (!o.row.empty()) all.emplace_back(o.row, "--row", true);
   return all;
@@ -108,8 +122,14 @@ bool Outputs::open(const Options& o, bool has_points, std::string& error) {
     const bool left_out =
         o.interior_if_any && !has_points && i == static_cast<size_t>(Output::kInterior) && !is_interior(o.files[i]);
     if (!o.files[i].empty() && !left_out && !files[i].open(o.files[i], error)) return false;
+    if (files[i].is_open() && has_inputs(i, o.files[i]) && !inputs[i].open(o.files[i] + kInputs, error)) return false;
   }
   return o.figures.empty() || figures.open(o.figures, error);
+}
+
+void Outputs::write_inputs(const std::string& all) {
+  for (OutputFile& file : inputs)
+    if (file.is_open()) file.text = all;
 }
 
 bool Outputs::flush(std::string& error) {
@@ -121,6 +141,7 @@ bool Outputs::flush(std::string& error) {
 bool Outputs::publish(std::string& error) {
   std::vector<OutputFile*> all = figures.files();
   for (OutputFile& file : files) all.push_back(&file);
+  for (OutputFile& file : inputs) all.push_back(&file);
   if (!publish_all(all, error)) return false;
   return figures.remove_earlier(error) && figures.keep(error) && out.keep(error);
 }

@@ -11,8 +11,9 @@
 namespace app {
 
 struct Outputs {
-  FigureFolder out;                       // that of --out; it is made before, and goes after, what is in it
-  std::array<OutputFile, kOutputs> files; // by Output
+  FigureFolder out;                        // that of --out; it is made before, and goes after, what is in it
+  std::array<OutputFile, kOutputs> files;  // by Output
+  std::array<OutputFile, kOutputs> inputs; // beside the tables: NAME.inputs
   FigureFolder figures;
   bool shows_end_alone = false; // only the summary of the listing: terminal, without --listing
 
@@ -23,6 +24,8 @@ struct Outputs {
   // Opens the requested outputs; the listing goes to standard output by default, unless another output
   // does.
   bool open(const Options& options, bool has_points, std::string& error);
+  // For the file beside every table.
+  void write_inputs(const std::string& all);
   // Writes what has gathered.
   bool flush(std::string& error);
   // As publish_all, and keeps the folders.

@@ -6,6 +6,7 @@
 #include "program/estimate/loop.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/path_keeper.hpp"
+#include "program/files/sha256.hpp"
 #include "program/files/store_choice.hpp"
 #include "program/interior_points.hpp"
 #include "program/interrupt.hpp"
@@ -75,6 +76,7 @@ private:
   int read_deck();
   int open_store(uint64_t budget);
   int keep_sketch(const std::vector<NamedText>& files);
+  void take_inputs();
   int read_points();
   bool keep(JobForm form, const std::vector<NamedText>& files = {});
   bool claim();
@@ -307,10 +309,19 @@ int Run::read_deck() {
   return session_.take_job(*options_.job, drawing);
 }
 
+// A resumed run has the inputs of the run that began.
+void Run::take_inputs() {
+  record_.inputs = options_.job != nullptr ? options_.job->inputs : session_.deck.inputs;
+  if (options_.job != nullptr) return;
+  record_.inputs.options = words_that_change_digits(options_);
+  if (!options_.points.empty()) record_.inputs.files.push_back(input_file(options_.points, interior_.file_text()));
+}
+
 int Run::keep_sketch(const std::vector<NamedText>& files) {
   constexpr double kWorthIt = 0.25; // seconds to solve a mesh
   if (options_.job == nullptr && !options_.points.empty() && !interior_.load(options_.points))
     return interrupted() ? kExitCancelled : kExitInput;
+  take_inputs();
   const int exit = open_store(0);
   if (exit != 0) return exit;
   if (!keep(JobForm::kSketch, files)) return file_failed();
@@ -328,6 +339,7 @@ int Run::read() {
   int exit = read_deck();
   record_.meshes = session_.meshes;
   if (exit == 0) exit = read_points();
+  take_inputs();
   const int32_t chosen =
       options_.touching < 0 && options_.deck == "-" ? 0 : options_.touching; // (no restart from standard input)
   session_.limits.touching = touching_of(session_.limits, chosen, options_.elimination, options_.stepping);
@@ -395,6 +407,7 @@ bool Run::keep(JobForm form, const std::vector<NamedText>& files) {
   job_.has_points = job_.has_points || !options_.points.empty();
   job_.points = interior_.file_text();
   job_.workspace = form == JobForm::kSketch ? options_.memory : session_.workspace.bytes;
+  job_.inputs = record_.inputs;
   job_.meshes = record_.meshes;
   kept_ = keep_job(store_.kept_folder(), job_, error_);
   return kept_ && (!had_meshes || remove_way(store_.kept_folder(), error_));
@@ -509,7 +522,7 @@ int Run::prepare() {
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
   if (status == C2D_OK) status = find_zone_lines(solver, summary_, lines_);
-  if (session_.deck.is_made()) mark_turned(session_.deck.text(), lines_);
+  if (session_.deck.is_made()) take_statements(session_.deck.text(), lines_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());
@@ -517,6 +530,8 @@ int Run::prepare() {
   for (int32_t i = 1; i <= summary_.zones && status == C2D_OK; ++i) {
     c2d_zone zone = C2D_INIT(c2d_zone);
     status = c2d_get_zone(solver, i, &zone);
+    record_.zone_friction.push_back(0.0);
+    if (status == C2D_OK) status = c2d_get_friction(solver, i, 1, &record_.zone_friction.back());
     record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
                                                                : zone.side1.body); // the first has nodes on side 2
   }
@@ -586,6 +601,7 @@ int Run::report() {
   c2d_status status = get_summary(solver, summary_);
   if (status != C2D_OK) return library_failed(status);
   record_.take_stated_errors();
+  outputs_.write_inputs(inputs_text(record_.inputs));
   if (outputs_.has(Output::kSummary)) append_summary(outputs_.text(Output::kSummary), record_, summary_);
   if (outputs_.has(Output::kRanges)) append_ranges(outputs_.text(Output::kRanges), record_, stressed_);
   if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);

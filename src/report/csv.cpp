@@ -158,10 +158,10 @@ void append_wanted(std::string& out, const RunRecord& record, const Summary& sum
     if (s.body == 0) continue;
     out += head + ',';
     add_name(out, summary.body_name[static_cast<size_t>(s.body) - 1]);
-    add_name(out, s.name);
+    add_name(out, s.name());
     out += ',';
     add(out, s.value);
-    for (const double number : {s.at[0], s.at[1], s.error, double{NAN}}) add_if_known(out, number);
+    for (const double number : {s.at[0], s.at[1], s.error, double{NAN}, double{NAN}}) add_if_known(out, number);
     out += tail_of(last);
   }
 }
@@ -175,7 +175,7 @@ std::string name_for(const Quantity& q, const Summary& summary) {
 } // namespace
 
 void append_summary(std::string& out, const RunRecord& record, const Summary& summary) {
-  out += "mu,step,load,zone,name,quantity,item,value,x,y,error,s";
+  out += "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along";
   end_heading(out, summary.load_cases);
   for (const CoefficientRecord& c : record.coefficients)
     for (size_t i = 0; i < c.steps.size(); ++i) {
@@ -187,7 +187,7 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
         add_name(out, name_of(q.what));
         add(out, int64_t{q.item});
         add(out, q.value);
-        for (const double number : {q.at[0], q.at[1], q.error, q.s}) add_if_known(out, number);
+        for (const double number : {q.at[0], q.at[1], q.error, q.s, q.along}) add_if_known(out, number);
         out += tail_of(c.steps[i]);
       }
     }

@@ -95,6 +95,7 @@ void append_quantity(std::string& out, const Quantity& q) {
     o.number("x", q.at[0]);
     o.number("y", q.at[1]);
     o.number("s", q.s);
+    o.number("along", q.along);
   }
   if (std::isfinite(q.error)) o.number("error", q.error);
   out += '}';
@@ -332,6 +333,31 @@ void append_unknowns(std::string& out, const Summary& s) {
   out += '}';
 }
 
+void append_json_inputs(std::string& out, const Inputs& inputs) {
+  Object o(out, "{", ", ");
+  o.word("build", build_text().c_str());
+  o.key("files") += '[';
+  for (size_t i = 0; i < inputs.files.size(); ++i) {
+    if (i > 0) out += ", ";
+    Object file(out, "{", ", ");
+    file.word("name", inputs.files[i].name.c_str());
+    file.word("sha256", inputs.files[i].sha256.c_str());
+    out += '}';
+  }
+  out += ']';
+  {
+    Object parameters(o.key("parameters"), "{", ", ");
+    for (const auto& [name, value] : inputs.parameters) parameters.word(name.c_str(), value.c_str());
+    out += '}';
+  }
+  o.key("options") += '[';
+  for (size_t i = 0; i < inputs.options.size(); ++i) {
+    if (i > 0) out += ", ";
+    Object::append_string(out, inputs.options[i].c_str());
+  }
+  out += "]}";
+}
+
 void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
   out += '[';
   for (size_t i = 0; i < record.measure.size(); ++i) {
@@ -344,6 +370,7 @@ void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
       zone.integer("body2", s.zone[i].side2.body);
     }
     zone.word("measure", ("body " + std::to_string(record.measure[i])).c_str());
+    if (i < record.zone_friction.size()) zone.number("mu", record.zone_friction[i]);
     out += '}';
   }
   out += ']';
@@ -354,6 +381,7 @@ void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
 void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   Object o(out, "{\n  ", ",\n  ");
   o.word("version", c2d_version());
+  if (!record.inputs.files.empty()) append_json_inputs(o.key("inputs"), record.inputs);
   o.word("outcome", record.outcome());
   if (const CoefficientRecord* stopped = record.incomplete()) append_incomplete(o.key("incomplete"), *stopped);
   o.word("title", s.title);

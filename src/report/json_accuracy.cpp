@@ -27,7 +27,7 @@ void append_json_rounds(std::string& out, const MeshLoop& loop) {
 
 void append_stated(std::string& out, const Stated& s) {
   Object o(out, "{", ", ");
-  o.word("name", s.name.c_str());
+  o.word("name", s.name().c_str());
   if (s.zone > 0) o.integer("zone", s.zone);
   if (s.body > 0) o.integer("body", s.body);
   if (s.item > 0) o.integer("item", s.item);
@@ -42,6 +42,7 @@ void append_stated(std::string& out, const Stated& s) {
     o.number("x", s.at[0]);
     o.number("y", s.at[1]);
   }
+  if (std::isfinite(s.along)) o.number("along", s.along);
   out += '}';
 }
 

@@ -1,39 +1,44 @@
 #include "report/page.hpp"
 
+#include "post/zone_line.hpp"
 #include "report/drawn/dark.hpp"
 #include "report/listing/key_table.hpp"
 #include "report/text.hpp"
+#include "report/totals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
 
-const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;color:#222;max-width:800px;margin:24px "
-                      "auto;"
-                      "padding:0 16px;line-height:1.4}\n"
-                      "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
-                      "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
-                      // A box that can be scrolled sideways has a shadow at the edges beyond which there is more.
-                      ":root{--paper:#fff;--shadow:#0005}.wide{overflow-x:auto;background:"
-                      "linear-gradient(90deg,var(--paper) 50%,transparent) 0/32px local,"
-                      "linear-gradient(270deg,var(--paper) 50%,transparent) 100%/32px local,"
-                      "linear-gradient(90deg,var(--shadow),transparent) 0/10px 98% scroll,"
-                      "linear-gradient(270deg,var(--shadow),transparent) 100%/10px 98% scroll;background-repeat:no-repeat}\n"
-                      "td{white-space:nowrap}\n"
-                      "table{border-collapse:collapse;font-size:13px;margin:8px 0}\n"
-                      "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}\n"
-                      "th:first-child,td:first-child{text-align:left;padding-left:0}th{border-bottom:1px solid #555}\n"
-                      ".outcome{padding:6px 12px;border-left:4px solid #007a5a;background:#f3f8f6}\n"
-                      ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
-                      "@media "
-                      "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
-                      "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n"
-                      // Tables may use the margin at the right.
-                      "@media screen and (min-width:852px){section>.wide,details>.wide{margin-right:calc(426px - 50vw)}}\n"
-                      // On a telephone pictures keep legible letters and are scrolled sideways, the text is not.
-                      "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}\n"
-                      ".wide svg{max-width:none;width:680px}th,td{padding:2px 6px}}\n";
+const char kStyle[] =
+    "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;color:#222;max-width:1240px;margin:24px auto;"
+    "padding:0 16px;line-height:1.4}\n"
+    "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
+    "section{min-width:0}figure{margin:0 0 8px}svg{display:block;width:100%;max-width:580px;height:auto}\n"
+    "figcaption{font-size:13px;color:#333;max-width:580px}a{color:#0060a8}nav{display:none}\n"
+    // Pictures flow in as many columns as there is room for.
+    ".pictures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,440px),1fr));column-gap:32px}\n"
+    // A box that can be scrolled sideways has a shadow at the edges beyond which there is more.
+    ":root{--paper:#fff;--shadow:#0005}.wide{overflow-x:auto;background:"
+    "linear-gradient(90deg,var(--paper) 50%,transparent) 0/32px local,"
+    "linear-gradient(270deg,var(--paper) 50%,transparent) 100%/32px local,"
+    "linear-gradient(90deg,var(--shadow),transparent) 0/10px 98% scroll,"
+    "linear-gradient(270deg,var(--shadow),transparent) 100%/10px 98% scroll;background-repeat:no-repeat}\n"
+    "table{border-collapse:collapse;font-size:13px;margin:8px 0}td{white-space:nowrap}\n"
+    "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}th{border-bottom:1px solid #555}\n"
+    "th:first-child,td:first-child{text-align:left;padding-left:0}th.group{padding-top:12px;white-space:normal}\n"
+    "dt{font-weight:bold;font-size:13px}dd{margin:0 0 6px;font-size:13px;max-width:70em}\n"
+    ".outcome{padding:6px 12px;border-left:4px solid #007a5a;background:#f3f8f6}\n"
+    ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
+    "@media print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
+    "svg{width:auto;max-width:100%;max-height:104mm}}@page{margin:18mm}\n"
+    // Beside the page its contents, which stay in sight.
+    "@media screen and (min-width:1000px){body{display:grid;grid-template-columns:190px minmax(0,1fr);column-gap:32px}\n"
+    "nav{display:block;position:sticky;top:16px;align-self:start;max-height:95vh;overflow:auto;font-size:13px}\n"
+    "nav ul{list-style:none;margin:4px 0;padding:0}nav li{margin:5px 0}}\n"
+    "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}th,td{padding:2px 6px}}\n";
 
 std::string whole(uint64_t value) { return std::to_string(value); }
 
@@ -68,80 +73,145 @@ void append_outcome(std::string& out, const Scene& scene) {
 }
 
 void append_picture(std::string& out, const Picture& picture) {
-  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n<div class=\"wide\">" + picture.svg +
-         "</div><figcaption>" + picture.caption + "</figcaption>\n</figure>\n</section>\n";
+  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n" + picture.svg + "<figcaption>" +
+         picture.caption + "</figcaption>\n</figure>\n</section>\n";
 }
 
-void append_key_numbers(std::string& out, const Scene& scene) {
-  if (scene.zones.empty() || scene.record->coefficients.empty()) return;
-  out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<div class=\"wide\"><table>\n";
-  append_row(out,
-             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit), with_unit("at", scene.length_unit),
-              "touch", "stick", "slip", with_unit("contact from", scene.length_unit), with_unit("to", scene.length_unit)},
-             "th");
-  for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
-    for (size_t z = 0; z < scene.zones.size(); ++z) {
-      const CoefficientRecord& c = scene.record->coefficients[i];
-      if (scene.zones[z].pairs == 0 || c.table.empty()) continue;
-      const ZoneFacts f = find_facts(scene, scene.zones[z], c.table);
-      const std::string zone =
-          zone_label(scene, z).substr(5) + (scene.summary.names_bodies() ? ": " + bodies_of(scene, scene.zones[z]) : "");
-      append_row(out, {figure(friction_of(scene, i, z)), zone, list_of(c.loads), figure(f.peak, 6),
-                       scene.zones[z].position + (" = " + figure(scene.pairs[f.peak_pair].s)), std::to_string(f.touching),
-                       std::to_string(f.sticking), std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
-                       f.touching > 0 ? figure(f.high) : "&#8211;"});
-    }
-  out += "</table></div>\n</section>\n";
+// "Zone 1: body 1 on body 2, mu = 0.3", without a coefficient for a tie.
+std::string zone_title(const Scene& scene, size_t coefficient, size_t zone) {
+  const bool tied = zone < scene.zones.size() && scene.zones[zone].tied;
+  std::string out = (tied ? "Tie, " : "") + zone_label(scene, zone);
+  if (!tied) out[0] = 'Z';
+  if (zone < scene.zones.size()) out += ": " + bodies_of(scene, scene.zones[zone]);
+  if (!tied) out += ", &#956; = " + figure(friction_of(scene, coefficient, zone));
+  return out;
 }
 
 std::string unit_of(Measure what, const Scene& scene) {
-  switch (what) {
-  case Measure::kPeakPressure:
-  case Measure::kMeanPressure: return scene.stress_unit;
-  case Measure::kContactEdge:
-  case Measure::kStickBorder:
-  case Measure::kApproach:
-  case Measure::kSlipRange:
-  case Measure::kMotionX:
-  case Measure::kMotionY:
-  case Measure::kShift: return scene.length_unit;
-  case Measure::kFrictionForce:
-  case Measure::kForceX:
-  case Measure::kForceY: return scene.force_unit;
-  case Measure::kMoment:
-  case Measure::kDissipated: return scene.work_unit;
-  default: return ""; // intensities have roots of lengths
+  if (what == Measure::kRotation) return "rad";
+  if (what == Measure::kEdgePressure)
+    return scene.stress_unit.empty() ? "" : scene.stress_unit + "/&#8730;" + scene.length_unit;
+  if (what == Measure::kEdgeFriction)
+    return scene.stress_unit.empty() ? "" : scene.stress_unit + " &#8730;" + scene.length_unit;
+  switch (row_of(what).unit) {
+  case Unit::kStress: return scene.stress_unit;
+  case Unit::kLength: return scene.length_unit;
+  case Unit::kForce: return scene.force_unit;
+  case Unit::kWork: return scene.work_unit;
+  case Unit::kNone: break;
   }
+  return "";
 }
 
-// Key numbers of the contact and their stated errors.
+// Words that name a quantity, as they end a link.
+std::string term_of(Measure what) {
+  std::string out = name_of(what);
+  std::replace(out.begin(), out.end(), ' ', '-');
+  return out;
+}
+
+// What the numbers of the page mean.
+const char* meaning_of(Measure what) {
+  switch (what) {
+  case Measure::kPeakPressure:
+    return "The largest pressure and its place. It is found between nodes where the pressure has a smooth top, and so may "
+           "exceed "
+           "the largest pressure of a pair that pictures show; at a sharp corner it is the value of the last pair, which grows "
+           "with every refinement.";
+  case Measure::kMeanPressure: return "The resultant of the pressure over the length in contact.";
+  case Measure::kContactEdge:
+    return "Where contact ends: the length along side 2 from the first pair of the zone, and the place.";
+  case Measure::kStickBorder:
+    return "The border between stick and slip: the length along side 2 from the first pair, and the place.";
+  case Measure::kContactWidth: return "The length in contact; where a line of symmetry cuts it, with its image.";
+  case Measure::kHalfWidth: return "Half the contact width.";
+  case Measure::kStuckWidth: return "The length that sticks; where a line of symmetry cuts it, with its image.";
+  case Measure::kEccentricity: return "The middle of the stick zone less that of the contact, along the second side.";
+  case Measure::kForceX:
+  case Measure::kForceY: return "A component of the force of the contact on side 2.";
+  case Measure::kMoment: return "The moment of the contact on side 2, about the origin.";
+  case Measure::kApproach: return "How far the bodies have approached each other, along the mean normal of the contact.";
+  case Measure::kShift: return "How far the bodies have moved against each other, along the mean tangent of the contact.";
+  case Measure::kDissipated: return "Energy that friction has dissipated since zero load.";
+  case Measure::kEdgePressure: return "L of the pressure L &#8730;d at an edge of contact, d the distance inside it.";
+  case Measure::kEdgeFriction:
+    return "K of the friction K/&#8730;d where a contact that sticks ends, d the distance inside it.";
+  case Measure::kSlipRange: return "The largest slip of what touches since the load last turned, and its place.";
+  case Measure::kFrictionForce: return "The resultant of the friction along the surface, on side 2.";
+  case Measure::kMotionX:
+  case Measure::kMotionY: return "Displacement of the point of a rigid body or platen.";
+  case Measure::kRotation: return "Rotation of a rigid body or platen, counter-clockwise.";
+  default: break; // a number that is wanted alone has its place in its name
+  }
+  return "";
+}
+
+using Numbers = std::vector<Quantity>;
+
+// Forces that are round-off beside the largest of the state are 0.
+double without_noise(const Quantity& q, const Numbers& all) {
+  if (q.what != Measure::kForceX && q.what != Measure::kForceY && q.what != Measure::kFrictionForce) return q.value;
+  double most = 0.0;
+  for (const Quantity& other : all)
+    if (other.what == Measure::kForceX || other.what == Measure::kForceY) most = std::max(most, std::fabs(other.value));
+  return std::fabs(q.value) < 1e-10 * most ? 0.0 : q.value;
+}
+
+void append_number_row(std::string& out, const Scene& scene, const Quantity& q, const Numbers& all, bool stated) {
+  const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
+  std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
+                               figure(without_noise(q, all), unit_of(q.what, scene), 6)};
+  if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none);
+  for (const double at : q.at) row.push_back(std::isfinite(at) ? figure(told_place(at, size_of(scene)), 6) : none);
+  append_row(out, row);
+}
+
+// Key numbers of the contact and their stated errors, by coefficient and zone.
 void append_numbers(std::string& out, const Scene& scene) {
-  if (scene.zones.empty() || scene.record->coefficients.empty()) return;
-  const std::string none = "&#8211;";
-  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table>\n";
-  bool stated = false;
+  bool stated = false, any = false;
   for (const CoefficientRecord& c : scene.record->coefficients)
     for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
-      stated = stated || std::isfinite(c.steps.back().quantities[k].error);
-  std::vector<std::string> heading{"&#956;", "zone", "quantity", "value"};
+      any = true, stated = stated || std::isfinite(c.steps.back().quantities[k].error);
+  if (!any) return;
+  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table>\n";
+  std::vector<std::string> heading{"quantity", "value"};
   if (stated) heading.emplace_back("stated error");
   for (const char* name : {"x", "y"}) heading.push_back(with_unit(name, scene.length_unit));
   append_row(out, heading, "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i) {
     const CoefficientRecord& c = scene.record->coefficients[i];
     if (c.steps.empty()) continue;
-    for (const Quantity& q : c.steps.back().quantities) {
-      const size_t z = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
-      const std::string zone = q.zone > 0 ? zone_label(scene, z).substr(5) : "all",
-                        item = q.item > 0 ? " " + std::to_string(q.item) : "";
-      std::vector<std::string> row{figure(friction_of(scene, i, z)), zone,
-                                   with_unit((name_of(q.what) + item).c_str(), unit_of(q.what, scene)), figure(q.value, 6)};
-      if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none);
-      for (const double at : q.at) row.push_back(std::isfinite(at) ? figure(at, 6) : none);
-      append_row(out, row);
+    const Numbers& all = c.steps.back().quantities;
+    for (size_t k = 0; k < all.size(); ++k) {
+      if (k == 0 || all[k].zone != all[k - 1].zone) {
+        const std::string group = all[k].zone > 0 ? zone_title(scene, i, static_cast<size_t>(all[k].zone) - 1)
+                                                  : "All zones, &#956; = " + figure(c.mu);
+        out += "<tr><th class=\"group\" colspan=\"" + std::to_string(heading.size()) + "\">" + group + "</th></tr>\n";
+      }
+      append_number_row(out, scene, all[k], all, stated);
     }
   }
-  out += "</table></div>\n</section>\n";
+  out += "</table></div>\n";
+  if (scene.summary.symmetry != 0) out += "<p>Forces and moments are those of the modelled part.</p>\n";
+  out += "</section>\n";
+}
+
+// The quantities above, explained.
+void append_terms(std::string& out, const Scene& scene) {
+  std::vector<Measure> terms;
+  for (const CoefficientRecord& c : scene.record->coefficients)
+    for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
+      terms.push_back(c.steps.back().quantities[k].what);
+  if (terms.empty()) return;
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  out += "<section id=\"terms\">\n<h2>What the numbers mean</h2>\n<dl>\n";
+  for (const Measure what : terms)
+    out += "<dt id=\"term-" + term_of(what) + "\">" + name_of(what) + "</dt><dd>" + meaning_of(what) + "</dd>\n";
+  out +=
+      "<dt>stated error</dt><dd>An estimate from meshes of different fineness, not a bound.</dd>\n"
+      "<dt>side 1, side 2</dt><dd>A zone names its bodies in this order; stresses act on side 2. n points from side 1 to side "
+      "2, and t is n turned by -90 degrees.</dd>\n</dl>\n</section>\n";
 }
 
 // Step by step, folded away.
@@ -151,7 +221,7 @@ void append_steps(std::string& out, const Scene& scene) {
     for (size_t z = 0; z < scene.zones.size(); ++z) {
       const KeyTable table = key_table(scene.record->coefficients[i], static_cast<int32_t>(z) + 1, 5);
       if (table.rows.empty() || ++shown > kMostCharts) continue;
-      out += "<details>\n<summary>Step by step, " + chart_title(scene, friction_of(scene, i, z), z) +
+      out += "<details>\n<summary>Step by step" + chart_title(scene, friction_of(scene, i, z), z) +
              "</summary>\n<div class=\"wide\"><table>\n";
       append_row(out, table.heading, "th");
       for (const std::vector<std::string>& row : table.rows) append_row(out, row);
@@ -166,19 +236,22 @@ void append_balance(std::string& out, const Scene& scene) {
              {"per unit thickness", with_unit("fx", scene.force_unit), with_unit("fy", scene.force_unit),
               with_unit("moment about the origin", scene.work_unit)},
              "th");
-  for (int32_t b = 0; b < s.bodies; ++b) {
-    const std::string body = body_label(scene, b + 1) + ": ";
-    const double* applied = s.body[b].applied;
-    const double* contact = s.body[b].contact;
-    append_row(out, {body + "loads and supports", figure(applied[0], 7), figure(applied[1], 7), figure(applied[2], 7)});
-    if (s.pairs > 0) append_row(out, {body + "contact", figure(contact[0], 7), figure(contact[1], 7), figure(contact[2], 7)});
-    append_row(out, {body + "sum", figure(applied[0] + contact[0], 2), figure(applied[1] + contact[1], 2),
-                     figure(applied[2] + contact[2], 2)});
-  }
+  double most[3] = {0.0, 0.0, 0.0};
+  for (int32_t b = 0; b < s.bodies; ++b)
+    for (size_t k = 0; k < 3; ++k)
+      for (const double value : {s.body[b].applied[k], s.body[b].contact[k]}) most[k] = std::max(most[k], std::fabs(value));
+  const double force = std::max(most[0], most[1]);
+  const double none[3] = {1e-10 * force, 1e-10 * force, 1e-10 * std::max(most[2], force * size_of(scene))};
+  const auto number = [&](const double* values, size_t k) { // round-off is 0
+    return figure(std::fabs(values[k]) <= none[k] ? 0.0 : values[k], 7);
+  };
+  for (int32_t b = 1; b <= s.bodies; ++b)
+    for (const BodyTotal& row : totals_of(s, b)) {
+      const auto shown = [&](size_t k) { return row.is_sum ? figure(row.force[k], 2) : number(row.force, k); };
+      append_row(out, {body_label(scene, b) + ": " + row.of, shown(0), shown(1), shown(2)});
+    }
   out += "</table></div>\n";
-  if (s.symmetry != 0)
-    out += "<p>Totals cover the modelled half or quarter only; the remainder is carried across the lines of "
-           "symmetry.</p>\n";
+  if (s.symmetry != 0) out += std::string("<p>In this table ") + escape_xml(words_of_totals(s)) + ".</p>\n";
   out += "</section>\n";
 }
 
@@ -229,6 +302,40 @@ void append_sizes(std::string& out, const Scene& scene) {
   out += "</table></div>\n</section>\n";
 }
 
+void append_page_inputs(std::string& out, const Inputs& inputs) {
+  if (inputs.files.empty()) return;
+  out += "<section id=\"inputs\">\n<h2>Inputs</h2>\n<div class=\"wide\"><table>\n";
+  for (const auto& [key, value] : rows_of(inputs)) append_row(out, {escape_xml(key), escape_xml(value)});
+  out += "</table></div>\n</section>\n";
+}
+
+// Of several contacts the one with the highest pressure; without contact the picture after the model's.
+size_t first_picture(const Scene& scene, const Pictures& pictures) {
+  size_t out = pictures.size();
+  double most = -HUGE_VAL;
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    if (pictures[i].name.compare(0, 7, "contact") != 0) continue;
+    const size_t z = pictures[i].name.size() > 12 ? static_cast<size_t>(std::stoi(pictures[i].name.substr(12))) - 1 : 0;
+    const ZoneFacts f = find_facts(scene, scene.zones[z], scene.record->coefficients.back().table);
+    if (f.peak > most) most = f.peak, out = i;
+  }
+  for (size_t i = 0; i < pictures.size() && out == pictures.size(); ++i)
+    if (pictures[i].name == "deformed" || (!scene.solved && pictures[i].name == "model")) out = i;
+  return out;
+}
+
+// A link to every section, with the words of its heading.
+void append_contents(std::string& out, const std::string& page) {
+  out += "<nav><b>Contents</b>\n<ul>\n";
+  const std::string section = "<section id=\"", heading = "<h2>";
+  for (size_t at = page.find(section); at != std::string::npos; at = page.find(section, at + 1)) {
+    const size_t name = at + section.size(), title = page.find(heading, at) + heading.size();
+    out += "<li><a href=\"#" + page.substr(name, page.find('"', name) - name) + "\">" +
+           page.substr(title, page.find("</h2>", title) - title) + "</a></li>\n";
+  }
+  out += "</ul>\n</nav>\n";
+}
+
 void append_warnings(std::string& out, const Scene& scene) {
   out += "<section id=\"warnings\">\n<h2>Warnings</h2>\n";
   if (scene.record->warnings.empty()) out += "<p>None.</p>\n";
@@ -248,17 +355,28 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
          title + "</title>\n<style>\n" + kStyle;
   append_dark_style(out);
-  out += "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", deck " +
-         escape_xml(deck_name) + "</p>\n";
-  append_outcome(out, scene);
-  append_key_numbers(out, scene);
-  if (scene.solved) append_numbers(out, scene);
-  if (scene.solved) append_steps(out, scene);
-  append_warnings(out, scene);
-  for (const Picture& picture : pictures) append_picture(out, picture);
-  if (scene.solved) append_balance(out, scene);
-  append_sizes(out, scene);
-  out += "</body>\n</html>\n";
+  out += "</style>\n</head>\n<body>\n";
+  // The contents stand beside the page, and so before it.
+  std::string page;
+  page += "<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
+  append_outcome(page, scene);
+  page += "<div class=\"pictures\">\n";
+  const size_t first = first_picture(scene, pictures);
+  if (first < pictures.size()) append_picture(page, pictures[first]);
+  append_numbers(page, scene);
+  page += "</div>\n";
+  if (scene.solved) append_steps(page, scene);
+  append_warnings(page, scene);
+  page += "<div class=\"pictures\">\n";
+  for (size_t i = 0; i < pictures.size(); ++i)
+    if (i != first) append_picture(page, pictures[i]);
+  page += "</div>\n";
+  if (scene.solved) append_balance(page, scene);
+  append_sizes(page, scene);
+  append_page_inputs(page, scene.record->inputs);
+  append_terms(page, scene);
+  append_contents(out, page);
+  out += "<main>\n" + page + "</main>\n</body>\n</html>\n";
 }
 
 } // namespace app

@@ -17,7 +17,7 @@ void RunRecord::take_stated_errors() {
   if (coefficients.empty() || coefficients.front().steps.empty()) return;
   for (Quantity& q : coefficients.front().steps.back().quantities)
     for (const Stated& s : meshes.stated)
-      if (s.zone == q.zone && s.item == q.item && s.name == name_of(q.what)) q.error = s.error;
+      if (s.zone == q.zone && s.item == q.item && s.what == q.what) q.error = s.error;
 }
 
 const char* RunRecord::outcome() const {

@@ -7,6 +7,7 @@
 #include "post/quantities.hpp"
 #include "post/stated.hpp"
 #include "post/summary.hpp"
+#include "report/inputs.hpp"
 #include "report/interior.hpp"
 
 #include <contact2d.h>
@@ -47,8 +48,10 @@ struct CoefficientRecord {
 };
 
 struct RunRecord {
+  Inputs inputs;
   std::vector<CoefficientRecord> coefficients;
-  std::vector<double> friction; // all coefficients of the deck
+  std::vector<double> friction;      // all coefficients of the deck
+  std::vector<double> zone_friction; // of each zone, with the first coefficient; infinite: full adhesion
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
   MeshLoop meshes;                                // how the mesh was found, and errors of the first coefficient's last step

@@ -87,7 +87,7 @@ void contact_problems() {
          {"edge", [](const Solution& s) { return last_closed(s.last()) - 1.3241653718676933; }},
          {"p, mean square", [](const Solution& s) { return curve(s, reference("p02_p_equal"), 2, 1, 1.2, false); }}});
   table("Layer lifted", "layer_lifted", {}, "n", {5, 10, 20, 40},
-        {{"gap(0)", [](const Solution& s) { return s.last()[0].gap / (2 * 0.91 / 1000) / 0.6533972762806306 - 1; }},
+        {{"gap(0)", [](const Solution& s) { return s.last()[0].gap / (2 * 0.91 / 1e4) / 0.6533972762806306 - 1; }},
          {"edge", [](const Solution& s) { return last_with(s.last(), C2D_OPEN) - 0.9518250994943219; }},
          {"largest p", [](const Solution& s) { return largest_pressure(s.last()) / 1.0816857184683064 - 1; }}});
   table("Layer pressed", "layer_pressed", {}, "n", {5, 10, 20, 40},
@@ -144,11 +144,11 @@ void friction_problems() {
 void single_bodies() {
   for (const char* order : {"order=1", "order=2", "order=3"}) {
     table("Ring", "ring", {order}, "n", {4, 8, 16},
-          {{"ur(a)", [](const Solution& s) { return end_at(s, 1, 0)->ux / 1.9066666666666665 - 1; }},
-           {"ur(b)", [](const Solution& s) { return end_at(s, 2, 0)->ux / 1.2133333333333334 - 1; }}});
+          {{"ur(a)", [](const Solution& s) { return end_at(s, 1, 0)->ux / 1.9066666666666665e-3 - 1; }},
+           {"ur(b)", [](const Solution& s) { return end_at(s, 2, 0)->ux / 1.2133333333333334e-3 - 1; }}});
     table("Hole", "hole", {order}, "n", {6, 12, 24},
-          {{"ux(R, 0)", [](const Solution& s) { return end_at(s, 1, 0)->ux / 2.73 - 1; }},
-           {"uy(0, R)", [](const Solution& s) { return end_at(s, 0, 1)->uy / -0.91 - 1; }}});
+          {{"ux(R, 0)", [](const Solution& s) { return end_at(s, 1, 0)->ux / 2.73e-3 - 1; }},
+           {"uy(0, R)", [](const Solution& s) { return end_at(s, 0, 1)->uy / -0.91e-3 - 1; }}});
     table("Cantilever", "cantilever", {order}, "n", {2, 4, 8},
           {{"end displacement", [](const Solution& s) { return end_at(s, 0, -1)->uy / 0.23296 - 1; }}});
   }

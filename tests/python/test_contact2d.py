@@ -3,13 +3,19 @@
 CONTACT2D_LIBRARY and CONTACT2D_PROGRAM name what is tested.
 """
 
+import ast
 import csv
+import doctest
+import inspect
 import os
 import pathlib
 import pickle
+import re
+import shutil
 import signal
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import threading
 import time
@@ -19,6 +25,7 @@ import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("C2D_PYTHON_PACKAGE", str(ROOT / "port" / "python")))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # notebook
 if os.environ.get("C2D_WITHOUT_NUMPY") == "1":
     sys.modules["numpy"] = None
 
@@ -51,6 +58,10 @@ history pressed 1; pushed 1
 tolerance off
 """
 ALONG_Y, ALONG_X, LOADED = (1, 0, 0, 1), (0, 1, 1, 0), (0, 0, 1, 1)
+
+
+def raise_enough(_):
+    raise InterruptedError("enough")
 
 
 def quiet(**changes):
@@ -146,8 +157,20 @@ class Solve(unittest.TestCase):
         self.assertIn("Balance of forces", self.result.listing)
         self.assertTrue(self.result.report.lstrip().lower().startswith("<!doctype html"))
         self.assertAlmostEqual(self.result.quantity("peak pressure", mu=0.4), 212.8, delta=0.1)
-        with self.assertRaisesRegex(KeyError, "no quantity 'peak'"):
+        self.assertEqual(self.result.quantity("peak pressure", part="x"), 0)
+        self.assertGreaterEqual(self.result.quantity("peak pressure", part="along"), 0)
+        with self.assertRaisesRegex(KeyError, "has no 'z'; it has zone, quantity"):
+            self.result.quantity("peak pressure", part="z")
+        with self.assertRaisesRegex(KeyError, "no quantity 'peak'; there are peak pressure, "):
             self.result.quantity("peak")
+        with self.assertRaisesRegex(KeyError, "no quantity 'peak presure', did you mean 'peak pressure'"):
+            self.result.quantity("peak presure")
+        with self.assertRaisesRegex(KeyError, "no quantity 'peak pressure' with zone 2"):
+            self.result.quantity("peak pressure", zone=2)
+        with self.assertRaisesRegex(KeyError, "no table 'contakt', did you mean 'contact'"):
+            self.result["contakt"]
+        with self.assertRaisesRegex(KeyError, "no picture 'traction_1', did you mean 'tractions_1'"):
+            self.result.pictures["traction_1"]
         with self.assertRaisesRegex(KeyError, "there are contact"):
             self.result["nodes"]
 
@@ -181,6 +204,24 @@ class Solve(unittest.TestCase):
         self.assertNotIn("nope", self.result["contact"])
         with self.assertRaisesRegex(KeyError, "no column 'stp'"):
             table.where(stp=1)
+        self.assertEqual([row["pair"] for row in table], list(range(1, 16)))
+        self.assertEqual(table[-1]["pair"], 15)
+        self.assertEqual(list(table[3:5]["pair"]), [4, 5])
+        self.assertEqual(list(table[[2, 0]]["pair"]), [3, 1])
+        mask = [pair > 13 for pair in table["pair"]]
+        self.assertEqual(list(table[mask]["pair"]), [14, 15])
+        if arrays.numpy is not None:
+            self.assertEqual(list(table[table["pair"] > 13]["pair"]), [14, 15])
+        self.assertEqual(len(table[[False] * 15]), 0)
+        self.assertEqual(list(dict(table)), table.columns)
+        with self.assertRaisesRegex(IndexError, "no row 15; there are 15"):
+            table[15]
+        with self.assertRaisesRegex(ValueError, "the mask has 2 entries, the table 15 rows"):
+            table[[True, False]]
+        with self.assertRaisesRegex(ValueError, "differ in length"):
+            contact2d.Table({"x": [1, 2], "y": [1]})
+        with self.assertRaisesRegex(KeyError, "no column 'stattus', did you mean 'status'"):
+            table["stattus"]
         again = contact2d.Table.of_csv(table.to_csv())
         self.assertEqual(list(again["tn"]), list(table["tn"]))
 
@@ -262,6 +303,44 @@ class Solve(unittest.TestCase):
         deck = contact2d.make("hertz", n=10)
         self.assertRegex(contact2d.check(deck), "pairs +16")
         self.assertIn("*FREE", contact2d.mesh(ROLLER))
+        report = contact2d.check(HERTZ)
+        self.assertEqual([message.line for message in report.warnings], [99])
+        self.assertEqual(report.notes, [])
+
+    def test_a_sweep_has_a_row_for_each_row_of_values(self):
+        text = SLIDING.replace("mu 0.3", "mu {mu}").replace("parameter push 0.5", "parameter push 0.5 mu 0.3 p 1").replace("y -1", "y -p")
+        table = contact2d.sweep(text, {"push": [0.1, 0.2, 0.5], "p": 1}, ["peak pressure", "friction force"], mu=0.4)
+        self.assertEqual(table.columns, ["row", "push", "p", "peak pressure", "friction force", "outcome"])
+        self.assertEqual(list(table["push"]), [0.1, 0.2, 0.5])
+        for row in table[:2]:
+            self.assertEqual(row["outcome"], "ok")
+            self.assertAlmostEqual(abs(row["friction force"]), row["push"] * 2, delta=1e-6)
+        self.assertTrue(table[2]["outcome"].startswith("FAIL"), table[2])
+        self.assertNotEqual(table[2]["peak pressure"], table[2]["peak pressure"])  # nan
+        rows = contact2d.sweep(text, [{"push": 0.1, "mu": 0.4}], "peak pressure", options={"threads": 1})
+        self.assertAlmostEqual(rows["peak pressure"][0] / table["peak pressure"][0], 1, delta=1e-9)
+        for wrong, kind, said in (([], ValueError, "there are no values"),
+                                  ({"push": [1, 2], "mu": [1, 2, 3]}, ValueError, "'push' has 2 values, expected 1 or 3"),
+                                  ([{"push": 1}, {"mu": 1}], ValueError, "a row has the parameters mu, expected push"),
+                                  ({"pusj": [1]}, contact2d.InputError, "no parameter pusj, did you mean 'push'")):
+            with self.assertRaisesRegex(kind, said):
+                contact2d.sweep(text, wrong, "peak pressure")
+
+    def test_progress_of_a_run_is_shown(self):
+        told, interval, contact2d.program.INTERVAL = [], contact2d.program.INTERVAL, 0.01
+        try:
+            result = contact2d.solve(HERTZ, pictures=False, progress=told.append)
+            with self.assertRaisesRegex(InterruptedError, "enough"):
+                contact2d.solve(HERTZ, pictures=False, progress=raise_enough)
+        finally:
+            contact2d.program.INTERVAL = interval
+        self.assertTrue(told and all(told), told)
+        self.assertEqual([message.line for message in result.warnings], [message.line for message in self.result.warnings])
+        command = "import contact2d, sys; contact2d.solve(sys.argv[1], pictures=False, progress=%s)"
+        for progress, shown in (("True", "^\r\033\\[K[a-z].*\r\033\\[K$"), ("None", "^$")):  # without a terminal
+            done = subprocess.run([sys.executable, "-c", command % progress, str(HERTZ)], stderr=subprocess.PIPE, env=quiet())
+            self.assertEqual(done.returncode, 0)
+            self.assertRegex(done.stderr.decode(), shown)
 
 
 class Faults(unittest.TestCase):
@@ -284,6 +363,17 @@ class Faults(unittest.TestCase):
             self.assertEqual(caught.exception.line, 21)
             self.assertGreaterEqual(len(caught.exception.messages), 1)
             self.assertGreater(caught.exception.column, 0)
+
+    def test_name_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "wrong.dat")
+            pathlib.Path(name).write_text(HERTZ.read_text().replace("\n", "\nx", 30))
+            for call in (contact2d.solve, contact2d.Solver.of_deck):
+                with self.assertRaisesRegex(contact2d.InputError, "^" + name + ":[0-9]+:1: "):
+                    call(name)
+        with contact2d.Solver.of_deck(HERTZ) as solver:
+            solver.prepare()
+            self.assertEqual(str(solver.warnings[0]).split(": ")[0], "%s:99" % HERTZ)
 
     def test_of_use(self):
         with self.assertRaisesRegex(contact2d.UsageError, "no parameter of this sketch is called 'zz'"):
@@ -806,11 +896,136 @@ class Plots(unittest.TestCase):
             self.assertTrue(all(low - 1e-6 * (high - low) <= tick <= high + 1e-6 * (high - low) for tick in found))
 
 
+    def test_curves_go_on_axes_of_matplotlib(self):
+        class Axes:
+            def __init__(self):
+                self.calls = []
+
+            def __getattr__(self, name):
+                return lambda *given, **named: self.calls.append((name, given, named))
+
+        axes = Axes()  # (matplotlib itself, where it is installed, below)
+        self.assertIs(contact2d.plot(([0, 1], [2, 3], "a"), ([0, 1], [4, 5]), title="T", x="mm", ax=axes), axes)
+        self.assertEqual(axes.calls, [("plot", ([0, 1], [2, 3]), {"label": "a"}), ("plot", ([0, 1], [4, 5]), {"label": None}),
+                                      ("legend", (), {}), ("set_title", ("T",), {}), ("set_xlabel", ("mm",), {})])
+        table, axes = contact2d.Table({"x": [0.0, 1.0], "tn": [1.0, 2.0]}), Axes()
+        table.plot("x", "tn", ax=axes)
+        self.assertEqual([name for name, *_ in axes.calls], ["plot", "legend", "set_xlabel"])
+        self.assertIn("tn", table.plot("x", "tn").svg)
+        try:
+            import matplotlib
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "ax=True needs matplotlib"):
+                table.plot("x", "tn", ax=True)
+            return
+        matplotlib.use("Agg")
+        self.assertEqual(len(table.plot("x", "tn", ax=True).get_lines()), 1)
+
+
+class Typing(unittest.TestCase):
+    PACKAGE = pathlib.Path(contact2d.__file__).parent
+
+    def test_what_users_call_has_annotations_and_a_stub_or_text(self):
+        self.assertTrue((self.PACKAGE / "py.typed").exists())
+        kinds = [contact2d.Solver, contact2d.Model, contact2d.Table, contact2d.Result, contact2d.Picture, contact2d.Message]
+        written = [value for kind in kinds for name, value in vars(kind).items()
+                   if inspect.isfunction(value) and not name.startswith("_") and value.__module__.startswith("contact2d")
+                   and "members" not in value.__qualname__]
+        functions = [getattr(contact2d, name) for name in contact2d.__all__ if inspect.isfunction(getattr(contact2d, name))]
+        self.assertGreater(len(functions), 6)
+        added = ast.parse((self.PACKAGE / "methods.pyi").read_text())
+        stubs = {node.name for kind in added.body if isinstance(kind, ast.ClassDef) for node in kind.body}
+        for function in written + functions:
+            if function.__name__ in stubs and function.__module__ == "contact2d.solver" and not function.__annotations__:
+                continue  # added from the headers
+            self.assertIn("return", function.__annotations__, function)
+
+    def test_every_call_has_its_stub_and_its_signature(self):
+        added = ast.parse((self.PACKAGE / "methods.pyi").read_text())
+        solver, model = [node for node in added.body if isinstance(node, ast.ClassDef)]
+        for kind, stubs in ((contact2d.Solver, solver), (contact2d.Model(), model)):
+            for stub in stubs.body:
+                declared = [each.arg for each in stub.args.args]
+                method = getattr(kind, stub.name)
+                if stub.name != "set_nodes":
+                    names = [each.name for each in inspect.signature(method).parameters.values()
+                             if each.kind is each.POSITIONAL_OR_KEYWORD]
+                    self.assertEqual(names, declared, stub.name)
+        with self.assertRaisesRegex(AttributeError, "no call 'set_bdy', did you mean 'set_body'"):
+            contact2d.Model().set_bdy
+
+
+class Wheels(unittest.TestCase):
+    """The tag of a wheel, by what its files ask of the system."""
+
+    @classmethod
+    def setUpClass(cls):
+        sys.path.insert(0, str(ROOT / "port" / "python"))
+        import wheel_tag
+        cls.tags = wheel_tag
+
+    def test_libraries_and_versions_are_those_that_readelf_finds(self):
+        if shutil.which("readelf") is None:
+            self.skipTest("there is no readelf")
+        for path in (library.program(), contact2d.lib._name, sys.executable):
+            found = self.tags.Elf(pathlib.Path(path).read_bytes())
+            dynamic, versions = (subprocess.run(["readelf", option, "-W", path], stdout=subprocess.PIPE, check=True).stdout.decode()
+                                 for option in ("-d", "-V"))
+            self.assertEqual(found.needed, set(re.findall(r"NEEDED.*\[(.*)\]", dynamic)))
+            self.assertEqual({version for _, version in found.versions},
+                             set(re.findall(r"Name: (\S+)\s+Flags:", versions.split("version needs section")[-1])))
+
+    def test_what_asks_for_more_than_glibc_is_for_this_machine(self):
+        own = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+        if not own.startswith("linux_"):
+            self.skipTest("no Linux")
+        many = re.compile("^manylinux_2_[0-9]+_" + own[6:] + "$")
+        paths = [library.program(), contact2d.lib._name]
+        tag = self.tags.platform_tag(paths)
+        self.assertTrue(tag == own or many.match(tag), tag)
+        self.assertEqual(self.tags.platform_tag(paths, "-O2 -march=native"), own)
+        self.assertEqual(self.tags.platform_tag(paths + [__file__]), own)  # no file in ELF
+        compiler = shutil.which("cc")
+        if compiler is None or not many.match(tag):
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            made = {name: os.path.join(folder, name) for name in ("other.so", "plain.so", "more.so")}
+            for name, words in (("other.so", []), ("plain.so", ["-lm"]), ("more.so", ["-Wl,--no-as-needed", made["other.so"]])):
+                subprocess.run([compiler, "-shared", "-fPIC", "-x", "c", "-", "-x", "none", "-o", made[name]] + words, check=True,
+                               input=b"double sqrt(double); double half(double x) { return 0.5 * sqrt(x); }")
+            self.assertTrue(many.match(self.tags.platform_tag([made["plain.so"]])))
+            self.assertEqual(self.tags.platform_tag([made["plain.so"], made["more.so"]]), own)
+
+
 class Example(unittest.TestCase):
+    def test_docstrings_run(self):
+        before = os.getcwd()
+        os.chdir(str(ROOT / "examples"))
+        try:
+            for module in (contact2d, contact2d.errors, contact2d.pictures, contact2d.program, contact2d.tables):
+                found = doctest.testmod(module)
+                self.assertGreater(found.attempted, 0, module)
+                self.assertEqual(found.failed, 0, module)
+        finally:
+            os.chdir(before)
+
+    def test_the_notebook_shows_what_it_did(self):
+        command = [sys.executable, str(ROOT / "tests" / "python" / "notebook.py"), str(ROOT / "examples" / "hertz.ipynb")]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=quiet())
+        self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
+        import notebook
+        kept = "peak pressure 2.75 at x -1e-3"
+        for text, same in ((kept, True), (kept.replace("2.75", "2.76"), True), (kept.replace("2.75", "2.85"), False),
+                           (kept.replace("x", "y"), False), (kept + " 1", False)):
+            self.assertEqual(notebook.is_same(kept, text), same, text)
+        wrong = {"cells": [{"cell_type": "code", "source": ["print(2 + 2)\n", "[1]"], "outputs": [
+            {"output_type": "stream", "text": ["5\n"]}, {"output_type": "execute_result", "data": {"text/plain": ["[1]"]}}]}]}
+        self.assertEqual(list(notebook.differences(wrong, notebook.run(wrong))), ["cell 1, stream: '4\\n', kept is '5\\n'"])
+
     def test_programs_of_the_page_run(self):
         page = (ROOT / "port" / "python" / "README.md").read_text()
         programs = [block.split("```")[0] for block in page.split("```python\n")[1:]]
-        self.assertEqual(len(programs), 3)
+        self.assertEqual(len(programs), 4)
         told = []
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(str(ROOT / "examples"), os.path.join(folder, "examples"))
@@ -821,9 +1036,10 @@ class Example(unittest.TestCase):
                 told.append(done.stdout.decode())
             self.assertTrue(os.path.exists(os.path.join(folder, "run", "contact.csv")))
         self.assertIn("reached", told[0])
-        self.assertIn("0.4 reached", told[1])
-        self.assertRegex(told[2], r"^\[[-.\d]+\]\n$")
-        self.assertAlmostEqual(float(told[2].strip("[]\n")), -1, delta=1e-12)  # an exact state, but for round-off
+        self.assertEqual([line.split()[::2] for line in told[1].splitlines()], [["10.0", "ok"], ["20.0", "ok"], ["40.0", "ok"]])
+        self.assertIn("0.4 reached", told[2])
+        self.assertRegex(told[3], r"^\[[-.\d]+\]\n$")
+        self.assertAlmostEqual(float(told[3].strip("[]\n")), -1, delta=1e-12)  # an exact state, but for round-off
 
     def test_fretting_loops_close_and_enclose_what_friction_takes(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -56,7 +56,7 @@ void write_numbers(const Judged& j, const std::string& file) {
   out << "name,zone,body,item,value,error,truth,off,scale,tolerance,met\n";
   for (const Compared& c : j.numbers) {
     char text[300];
-    std::snprintf(text, sizeof text, "%s,%d,%d,%d,%.9g,%.3g,%.9g,%.3g,%.3g,%g,%d\n", c.stated.name.c_str(), c.stated.zone,
+    std::snprintf(text, sizeof text, "%s,%d,%d,%d,%.9g,%.3g,%.9g,%.3g,%.3g,%g,%d\n", c.stated.name().c_str(), c.stated.zone,
                   c.stated.body, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off, c.stated.scale,
                   c.stated.tolerance, j.stopped.empty() ? 1 : 0);
     out << text;
@@ -71,7 +71,7 @@ void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out
     char text[300];
     std::snprintf(text, sizeof text,
                   "%s   %s zone %d item %d: %.6g +- %.2g, truth %.6g, off %.2g (%.2g of stated, %.2g of scale)%s", seed.c_str(),
-                  c.stated.name.c_str(), c.stated.zone, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off,
+                  c.stated.name().c_str(), c.stated.zone, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off,
                   c.off / c.stated.error, c.off / c.stated.scale, std::isnan(c.stated.tolerance) ? "" : ", wanted");
     say(out, "tell", text);
   }

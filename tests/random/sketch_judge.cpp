@@ -31,7 +31,7 @@ std::vector<app::Stated> values_of(const sketch::Sketch& s, const sketch::Mesh& 
 }
 
 double apart(const app::Stated& a, const app::Stated& b) {
-  const bool place = a.name == "contact edge" || a.name == "stick border";
+  const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
   return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
                                                                : std::fabs(a.value - b.value);
 }
@@ -39,8 +39,8 @@ double apart(const app::Stated& a, const app::Stated& b) {
 // The same number of another mesh: by what it is called, and where.
 const app::Stated* find(const std::vector<app::Stated>& all, const app::Stated& s) {
   for (const app::Stated& t : all) {
-    const bool inside = s.name.find("stress") != std::string::npos && s.name.find("along") == std::string::npos;
-    if (t.name == s.name && t.zone == s.zone && t.body == s.body && t.item == s.item &&
+    const bool inside = s.zone == 0 && s.of.empty() && app::row_of(s.what).place == app::Place::kRefined;
+    if (t.what == s.what && t.of == s.of && t.zone == s.zone && t.body == s.body && t.item == s.item &&
         (!inside || (t.at[0] == s.at[0] && t.at[1] == s.at[1])))
       return &t;
   }
@@ -49,7 +49,7 @@ const app::Stated* find(const std::vector<app::Stated>& all, const app::Stated& 
 
 size_t count(const std::vector<app::Stated>& all, const app::Stated& s) {
   size_t n = 0;
-  for (const app::Stated& t : all) n += t.name == s.name && t.zone == s.zone;
+  for (const app::Stated& t : all) n += t.what == s.what && t.of == s.of && t.zone == s.zone;
   return n;
 }
 
@@ -58,7 +58,7 @@ size_t count(const std::vector<app::Stated>& all, const app::Stated& s) {
 void compare(const std::vector<app::Stated>& stated, const std::vector<app::Stated>& truth, Judged& out) {
   for (const app::Stated& s : stated) {
     const app::Stated* t = find(truth, s);
-    if (t == nullptr || !std::isfinite(s.error) || s.name == estimate::kTractions) continue;
+    if (t == nullptr || !std::isfinite(s.error) || !s.has_value()) continue;
     if (s.item > 0 && count(stated, s) != count(truth, s)) continue;
     out.numbers.push_back({s, t->value, apart(s, *t)});
   }
@@ -116,7 +116,7 @@ Judged judge(const std::string& text, const Limits& limits) {
     }
     out.elements = sketch::elements_of(adapted.mesh);
     for (const app::Stated& n : adapted.loop.stated)
-      if (!n.is_met() && out.stopped.empty()) out.silent = n.name;
+      if (!n.is_met() && out.stopped.empty()) out.silent = n.name();
     if (adapted.loop.stated.empty() && out.stopped.empty()) out.silent = "there are no numbers";
     out.ended = early_end(adapted.deck, demand);
     if (out.ended.empty()) find_truth(s, demand, limits, adapted, out);

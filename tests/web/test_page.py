@@ -9,6 +9,7 @@ import base64
 import json
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
@@ -127,6 +128,7 @@ class PageTest(unittest.TestCase):
 
     def setUp(self):
         self.size(1280, 1000)
+        self.browser.devtools("Storage.clearDataForOrigin", origin="file://", storageTypes="all")  # as on a first visit
         self.browser.open(PAGE.as_uri())
         self.browser.wait(IDLE)
 
@@ -230,6 +232,63 @@ class PageTest(unittest.TestCase):
         after = self.browser.run("return Math.max(...page.result.rows.map((row) => row.tn))")
         self.assertAlmostEqual(after / before, 2 ** 0.5, delta=0.1)  # Hertz: with the root of the stiffness
 
+    def again(self):
+        self.browser.open(PAGE.as_uri())
+        self.browser.wait(IDLE)
+
+    def test_edits_and_values_survive_a_reload(self):
+        self.browser.run("$('editor').value = $('editor').value.replace(/E 3000/, 'E 6000'); $('editor').oninput()")
+        self.browser.run("const field = $('value-P'); field.value = '300'; field.onchange()")
+        self.browser.wait(IDLE)
+        state, numbers = self.text("state").split(" in ")[0], self.text("numbers")
+        self.again()
+        self.assertIn("E 6000", self.browser.run("return $('editor').value"))
+        self.assertEqual(self.browser.run("return [$('value-P').value, page.parameters.find((each) => each.name === 'P').chosen]"),
+                         ["300", "300"])
+        self.assertEqual((self.text("state").split(" in ")[0], self.text("numbers")), (state, numbers))
+        self.browser.click("#reset")
+        self.browser.wait(IDLE)
+        self.assertIn("E 3000", self.browser.run("return $('editor').value"))
+        self.assertNotEqual(self.text("numbers"), numbers)
+        self.choose("family:punch")
+        self.browser.run("const field = $('value-mu'); field.value = '0.4'; field.onchange()")
+        self.browser.wait(IDLE)
+        deck = self.browser.run("return $('editor').value")
+        self.again()
+        self.assertEqual(self.browser.run("return [$('example').value, $('value-mu').value, $('editor').value]"),
+                         ["family:punch", "0.4", deck])
+        self.browser.run("localStorage.setItem(KEPT, '{broken')")
+        self.again()
+        self.assertEqual(self.browser.run("return $('example').value"), "sketch:roller.c2s")
+
+    def test_an_edited_sketch_is_saved_with_the_values_of_its_sliders(self):
+        place = os.path.join(self.folder.name, "edited")
+        os.makedirs(place, exist_ok=True)
+        self.browser.devtools("Browser.setDownloadBehavior", behavior="allow", downloadPath=place)
+        self.browser.run("const field = $('value-P'); field.value = '300'; field.onchange()")
+        self.browser.wait(IDLE)
+        self.browser.click("#save button[data-output=problem]")
+        name, end = pathlib.Path(place, "model.c2s"), time.time() + PATIENCE
+        while time.time() < end and not name.exists():
+            time.sleep(0.1)
+        self.assertRegex(name.read_text(), r"(?m)^parameter .*\bP 300\b")
+        subprocess.run([PROGRAM, "run", "model.c2s", "--csv", "contact.csv"], cwd=place, check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+        self.compare(pathlib.Path(place, "contact.csv").read_text(), self.browser.run("return page.full['csv.csv']"), "saved")
+        for text, values, saved in (("parameter a 1, b={a * 2} c 3 ! a 1", {"a": 5, "c": 6}, "parameter a 5, b={a * 2} c 6 ! a 1"),
+                                    ("line a 1\n  parameter  a = 1", {"a": 2}, "line a 1\n  parameter  a = 2")):
+            parameters = [{"name": key, "chosen": value} for key, value in values.items()]
+            self.assertEqual(self.browser.run("const before = page.parameters; page.parameters = arguments[1]; "
+                                              "const text = withValues(arguments[0]); page.parameters = before; return text",
+                                              text, parameters), saved)
+
+    def test_stated_errors_are_shown_when_the_mesh_is_sought(self):
+        self.assertNotIn("\u00b1", self.text("numbers"))
+        self.browser.click("#seek")
+        self.browser.wait(IDLE)
+        self.assertRegex(self.text("state"), r"stated errors: .*peak pressure [0-9.]+ %")
+        self.assertRegex(self.text("numbers"), r"peak pressure.*?\u00b1 [0-9.]+")
+
     def test_a_slider_solves_while_it_is_dragged(self):
         place = self.browser.run("const box = $('parameters').querySelector('input[type=range]').getBoundingClientRect(); return [box.left, box.top, box.width, box.height]")
         label = self.browser.run("return $('parameters').querySelector('label').textContent")
@@ -262,6 +321,12 @@ class PageTest(unittest.TestCase):
         label = self.browser.run("return $('pressure').querySelector('svg').getAttribute('aria-label')")
         self.assertRegex(label, "largest pressure .*stick")
 
+    def test_families_are_those_that_make_knows(self):
+        listed = subprocess.run([PROGRAM, "make", "--list"], stdout=subprocess.PIPE, check=True).stdout.decode()
+        known = [line.split(":")[0] for line in listed.splitlines() if line[:1].isalpha() and ": " in line and "usage" not in line]
+        names = self.browser.run("return [...$('example').options].map((each) => each.value).filter((each) => each.startsWith('family:'))")
+        self.assertEqual(names, ["family:" + name for name in known])
+
     def test_a_family_has_sliders_for_its_keys(self):
         self.choose("family:mindlin")
         self.assertTrue(self.text("state").startswith("Solved"))
@@ -278,7 +343,9 @@ class PageTest(unittest.TestCase):
         values = self.browser.run("return [...$('example').options].map((each) => each.value)")
         self.assertGreater(len([each for each in values if each.startswith("family:")]), 15)
         self.assertGreater(len([each for each in values if each.startswith("sketch:")]), 8)
-        for value in ["sketch:gear_pair.c2s", "sketch:rough_profile.c2s", "deck:thick_ring.dat", "family:crack"]:
+        self.assertNotIn("family:usage", values)
+        self.assertEqual([re.sub("_.*", "", each.split(":")[1]) for each in values[:12]], ["t%d" % i for i in range(1, 13)])
+        for value in ["sketch:t1_roller.c2s", "deck:t11_deck.dat", "sketch:gear_pair.c2s", "sketch:rough_profile.c2s", "deck:thick_ring.dat", "family:crack"]:
             self.choose(value)
             self.assertRegex(self.text("state"), "^(Solved|Ended early)", value)
 
@@ -352,6 +419,10 @@ class PageTest(unittest.TestCase):
                 self.assertGreater(min(len(each) for each in papers), 1)
                 self.assertEqual(set(papers[0] + papers[1]), {"rgb(255, 255, 255)" if scheme == "light" else "rgb(21, 24, 28)"})
                 self.browser.screenshot("page_%d_%s.png" % (width, scheme))
+        self.browser.run("$('pressure').scrollIntoView()")  # on the phone: the sliders beneath the chart, on one screen
+        chart, sliders = self.browser.run("return ['pressure', 'parameters'].map((id) => $(id).getBoundingClientRect().toJSON())")
+        self.assertGreaterEqual(sliders["top"], chart["bottom"] - 1)
+        self.assertLessEqual(sliders["bottom"] - chart["top"], 844)
         small = self.browser.run("return [...document.querySelectorAll('button, select, input[type=range]')].filter((each) => each.offsetHeight > 0 && each.offsetHeight < 24 && !each.closest('#messages')).length")
         self.assertEqual(small, 0)  # what a finger hits
         self.browser.devtools("Emulation.setEmulatedMedia", features=[])

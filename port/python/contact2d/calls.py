@@ -1,10 +1,13 @@
 """Calls of the C interface with Python's own arguments: what header.FUNCTIONS says of each decides how they are passed."""
 
 import ctypes
+import inspect
+import keyword
 from collections.abc import Mapping
 from types import SimpleNamespace
 
 from . import arrays, header
+from .errors import offer
 from .library import lib
 
 COUNTS = ("cases", "zones")  # of the list before them
@@ -54,7 +57,7 @@ def fill(struct, members):
     kinds = dict(struct._fields_)
     for name, value in members.items():
         if name not in kinds:
-            raise TypeError("%s has no member %r; it has %s" % (type(struct).__name__, name, ", ".join(kinds)))
+            raise TypeError("%s has no member %r%s" % (type(struct).__name__, name, offer(name, kinds)))
         setattr(struct, name, member("%s.%s" % (type(struct).__name__, name), kinds[name], value))
     return struct
 
@@ -69,6 +72,32 @@ def plain(value):
         return SimpleNamespace(**{name: plain(getattr(value, name)) for name, *_ in value._fields_
                                   if name != "struct_size" and not name.startswith("reserved")})
     return value
+
+
+def inputs_of(function):
+    """(name, may it be left out?, are its members arguments, too?) of what is given to a call, the solver excepted."""
+    for name, kind, is_const, length in header.FUNCTIONS[function][1][1:]:
+        if kind is ctypes.c_char_p or not hasattr(kind, "contents"):
+            if name not in COUNTS:
+                yield name, False, False
+        elif is_const:
+            is_struct = issubclass(kind._type_, header.Struct)
+            yield name, is_struct or length is not None, is_struct
+
+
+def signature_of(function):
+    """The signature of a method that makes this call."""
+    kinds = inspect.Parameter
+    given, has_members = list(inputs_of(function)), False
+    if any(keyword.iskeyword(name) for name, _, _ in given):
+        return inspect.Signature([kinds("self", kinds.POSITIONAL_OR_KEYWORD), kinds("given", kinds.VAR_POSITIONAL),
+                                  kinds("named", kinds.VAR_KEYWORD)])
+    out, is_last = [], True  # from the end: with a default if all that follow have one
+    for name, is_optional, is_struct in reversed(given):
+        is_last, has_members = is_last and is_optional, has_members or is_struct
+        out.insert(0, kinds(name, kinds.POSITIONAL_OR_KEYWORD, default=None if is_last else kinds.empty))
+    out.insert(0, kinds("self", kinds.POSITIONAL_OR_KEYWORD))
+    return inspect.Signature(out + ([kinds("members", kinds.VAR_KEYWORD)] if has_members else []))
 
 
 class Arguments:

@@ -1,31 +1,52 @@
 """What went wrong, as exceptions that know the line and the column of the deck, sketch or script it is about."""
 
+from __future__ import annotations
+
+import difflib
+from typing import Any, Iterable, List, Optional, Type
+
 from . import header
 
 SEVERITIES = {header.C2D_NOTE: "note", header.C2D_WARNING: "warning", header.C2D_FAULT: "error"}
+
+
+def offer(name: object, names: Iterable[str]) -> str:
+    """To be appended to the message that there is no such name: the one that is near, or all.
+
+    >>> offer("peak presure", ["peak pressure", "mean pressure"])
+    ", did you mean 'peak pressure'?"
+    >>> offer("x", ["tn", "tt"])
+    '; there are tn, tt'
+    """
+    names = list(names)
+    near = difflib.get_close_matches(str(name).lower(), [each.lower() for each in names], 1, 0.75)
+    if near:
+        return ", did you mean %r?" % next(each for each in names if each.lower() == near[0])
+    return "; there are %s" % ", ".join(names) if names else ""
 
 
 class Message:
     """A fault, a warning or a note: `severity` ("error", "warning", "note"), `text`, and, 0 where it is about none, `line`,
     `column`, `body`, `zone`, `pair`, `element`, `node`; `load`: the load factor at which it happened; `status`: its number."""
 
-    def __init__(self, severity, text, line=0, column=0, column_end=0, status=0, body=0, zone=0, pair=0, element=0, node=0,
-                 load=0.0, name=None):
+    def __init__(self, severity: str, text: str, line: int = 0, column: int = 0, column_end: int = 0, status: int = 0,
+                 body: int = 0, zone: int = 0, pair: int = 0, element: int = 0, node: int = 0, load: float = 0.0,
+                 name: Optional[str] = None) -> None:
         self.severity, self.text, self.name = severity, text, name
         self.line, self.column, self.column_end, self.status = line, column, column_end, status
         self.body, self.zone, self.pair, self.element, self.node, self.load = body, zone, pair, element, node, load
 
     @classmethod
-    def of(cls, entry):
+    def of(cls, entry: header.c2d_error) -> Message:
         """From a c2d_error."""
         return cls(SEVERITIES.get(entry.severity, "error"), entry.text.decode("utf-8", "replace"), entry.line, entry.column,
                    entry.column_end, entry.status, entry.body, entry.zone, entry.pair, entry.element, entry.node, entry.load)
 
-    def __str__(self):
+    def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.name, self.line, self.column) if part)
         return "%s: %s" % (place, self.text) if place else self.text
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "<%s %s>" % (self.severity, self)
 
 
@@ -33,13 +54,14 @@ class Error(Exception):
     """A call failed. `messages`: every fault that was found; `text`, `line`, `column`: those of the first (0: none is known);
     `status`: the c2d_status of a call, or the exit status of the program."""
 
-    def __init__(self, messages, status=0):
-        self.messages, self.status = list(messages), status
+    def __init__(self, messages: Iterable[Message], status: int = 0) -> None:
+        self.messages: List[Message] = list(messages)
+        self.status = status
         first = self.messages[0]
         self.text, self.line, self.column = first.text, first.line, first.column
         super().__init__("\n".join(str(message) for message in self.messages))
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         """From one process to another, and copies."""
         return type(self), (self.messages, self.status), self.__dict__
 
@@ -76,7 +98,7 @@ class IncompleteWarning(UserWarning):
     """The load path ended before the requested load; the result contains where and why."""
 
 
-def kind_of(status):
+def kind_of(status: int) -> Type[Error]:
     """The exception for a c2d_status."""
     if status in (header.C2D_ERR_ARGUMENT, header.C2D_ERR_STATE, header.C2D_ERR_BUSY):
         return UsageError

@@ -1,16 +1,21 @@
 """A model by calls whose sizes nobody has to count beforehand."""
 
+from __future__ import annotations
+
 import inspect
 import sys
+from typing import Any, Dict
 
 from . import arrays, calls, header
+from .errors import offer
+from .methods import ModelCalls
 from .solver import Solver, limits_of
 
 FUNCTIONS = {name[4:]: name for name, (_, arguments, _) in header.FUNCTIONS.items()
              if arguments and arguments[0][0] == "solver" and name[4:].startswith(("set_", "add_", "tie_", "clear_"))}
 
 
-class Model:
+class Model(ModelCalls):
     """Keeps calls that make a model, those of section 5 of contact2d.h by their names without c2d_: set_body, set_nodes,
     set_condition, add_zone, ... build() makes a Solver of the sizes that they need and plays them to it.
 
@@ -22,18 +27,21 @@ class Model:
     Faults name the line of the script with the call that they are about.
     """
 
-    def __init__(self, function_nodes=2, **problem):
-        self._kept, self._function_nodes = [], function_nodes
+    def __init__(self, function_nodes: int = 2, **problem: Any) -> None:
+        self._kept, self._function_nodes, self._files = [], function_nodes, {}
         self._keep("set_problem", (), dict({"analysis": header.C2D_ANALYSIS_FULL}, **problem), 0)
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name not in FUNCTIONS:
-            raise AttributeError("a Model has no call %r; it has %s" % (name, ", ".join(sorted(FUNCTIONS))))
+            raise AttributeError("a Model has no call %r%s" % (name, offer(name, sorted(FUNCTIONS))))
 
         def keep(*given, **named):
-            self._keep(name, given, named, sys._getframe(1).f_lineno)
+            caller = sys._getframe(1)
+            self._files.setdefault(caller.f_lineno, caller.f_code.co_filename)
+            self._keep(name, given, named, caller.f_lineno)
 
         keep.__name__, keep.__doc__ = name, header.FUNCTIONS[FUNCTIONS[name]][2]
+        keep.__signature__ = calls.signature_of(FUNCTIONS[name])
         return keep
 
     def __dir__(self):
@@ -46,9 +54,10 @@ class Model:
             values = calls.Arguments(FUNCTIONS[name], given, named).bind()  # wrong arguments are reported here
         self._kept.append((name, given, named, line, values))
 
-    def build(self, **options):
+    def build(self, **options: Any) -> Solver:
         """A Solver (options: memory, store, threads, progress) with the whole model in it."""
         solver = Solver(limits_of(self.sizes()), **options)
+        solver._origin.lines.update(self._files)
         try:
             for name, given, named, line, _ in self._kept:
                 if name not in ("set_options", "set_line"):
@@ -60,7 +69,7 @@ class Model:
             raise
         return solver
 
-    def sizes(self):
+    def sizes(self) -> Dict[str, Any]:
         """The members of c2d_limits that the calls so far need."""
         count = Sizes(self._function_nodes)
         for name, _, _, _, values in self._kept:

@@ -1,17 +1,22 @@
-"""Pictures as SVG that a notebook shows; `plot` draws curves without any other package."""
+"""Pictures as SVG that a notebook shows; `plot` draws curves without any other package, or on axes of matplotlib."""
+
+from __future__ import annotations
 
 import base64
 import html
 import math
 import os
+import pathlib
+from typing import Any, Union
 
 from . import arrays
+from .errors import offer
 
 COLOURS = ["#1b6ca8", "#c2452d", "#3a7d44", "#7a4fa3", "#b8860b", "#444444"]
 LEFT, RIGHT, TOP, BOTTOM = 76, 20, 44, 56
 
 
-def is_as_written(path):
+def is_as_written(path: pathlib.Path) -> bool:
     """Does a file end as pictures of a run do, with its name and the checksum of what is before (Fowler, Noll and Vo's)?"""
     if path.is_symlink() or not path.is_file():
         return False
@@ -25,23 +30,30 @@ def is_as_written(path):
 class Picture:
     """An SVG picture: `name`, `svg` (its text); save(FILE)."""
 
-    def __init__(self, name, svg):
+    def __init__(self, name: str, svg: str) -> None:
         self.name, self.svg = name, svg
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self.svg
 
-    def as_image(self):
+    def as_image(self) -> str:
         """An element of HTML in which styles of this picture do not meet those of another."""
         data = base64.b64encode(self.svg.encode("utf-8")).decode("ascii")
         return '<img alt="%s" style="max-width:100%%" src="data:image/svg+xml;base64,%s">' % (html.escape(self.name), data)
 
-    def save(self, file):
+    def save(self, file: Union[str, os.PathLike[str]]) -> None:
         with open(file, "w", encoding="utf-8") as out:
             out.write(self.svg)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "<Picture %s>" % self.name
+
+
+class Pictures(dict):  # type: ignore[type-arg]
+    """Pictures by name; a name that is not there gets a suggestion."""
+
+    def __missing__(self, name: str) -> Any:
+        raise KeyError("there is no picture %r%s" % (name, offer(name, self)))
 
 
 def ticks(low, high, about=6):
@@ -100,9 +112,32 @@ def frame(across, up, width, height):
     return out
 
 
-def plot(*curves, title="", x="", y="", width=640, height=400):
-    """A picture of curves, each (x values, y values) or (x values, y values, name):
-    plot((load, force, "mu 0.3"), title="Fretting loop", x="displacement", y="force")."""
+def on_axes(ax: Any, curves: Any, title: str, x: str, y: str) -> Any:
+    """The curves on axes of matplotlib, which are returned; True: on new ones."""
+    if ax is True:
+        try:
+            import matplotlib.pyplot
+        except ImportError:
+            raise ImportError("plot: ax=True needs matplotlib, which is not installed; without ax= it is not needed") from None
+        ax = matplotlib.pyplot.figure().add_subplot()
+    for across, up, name in curves:
+        ax.plot(across, up, label=name or None)
+    if any(name for _, _, name in curves):
+        ax.legend()
+    for say, text in ((ax.set_title, title), (ax.set_xlabel, x), (ax.set_ylabel, y)):
+        if text:
+            say(text)
+    return ax
+
+
+def plot(*curves: Any, title: str = "", x: str = "", y: str = "", width: int = 640, height: int = 400, ax: Any = None) -> Any:
+    """A picture of curves, each (x values, y values) or (x values, y values, name).
+
+    >>> plot(([0, 1, 2], [0, 3, 5], "mu 0.3"), title="Fretting loop", x="displacement", y="force")
+    <Picture Fretting loop>
+
+    `ax`: axes of matplotlib, on which the curves are drawn instead; True: new ones. The axes are returned.
+    """
     if not curves:
         raise ValueError("plot: expected at least one curve, (x values, y values) or (x values, y values, name)")
     drawn = []
@@ -111,6 +146,8 @@ def plot(*curves, title="", x="", y="", width=640, height=400):
         if len(across) != len(up):
             raise ValueError("plot: a curve has %d x values and %d y values" % (len(across), len(up)))
         drawn.append((across, up, curve[2] if len(curve) > 2 else ""))
+    if ax is not None:
+        return on_axes(ax, drawn, title, x, y)
     across = Axis([value for curve in drawn for value in curve[0]], LEFT, width - RIGHT)
     up = Axis([value for curve in drawn for value in curve[1]], height - BOTTOM, TOP)
     out = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" height="%d" role="img" '

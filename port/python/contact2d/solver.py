@@ -3,6 +3,8 @@
 Every function of contact2d.h that works on a solver is a method of Solver, under its name without c2d_.
 """
 
+from __future__ import annotations
+
 import ctypes
 import enum
 import mmap
@@ -12,12 +14,17 @@ import sys
 import threading
 from collections.abc import Mapping
 from ctypes import byref
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import arrays, calls, header
-from .errors import Message, StoreError, UsageError, WorkspaceError, kind_of
+from .errors import Message, StoreError, UsageError, WorkspaceError, kind_of, offer
 from .library import lib
+from .methods import SolverCalls
 from .tables import Table
 from .worker import Closed, Worker
+
+
+Source = Union[str, "os.PathLike[str]"]  # the name of a file, or text of more than one line
 
 
 class Outcome(enum.IntEnum):
@@ -32,7 +39,7 @@ class Outcome(enum.IntEnum):
     TIPPING = header.C2D_TIPPING
     BEYOND_LIMITS = header.C2D_BEYOND_LIMITS
 
-    def __str__(self):
+    def __str__(self) -> str:
         return lib.c2d_outcome_message(int(self)).decode()
 
 
@@ -46,7 +53,7 @@ STATES = {header.C2D_STATE_EMPTY: "empty", header.C2D_STATE_BUILDING: "building"
           header.C2D_STATE_PREPARED: "prepared", header.C2D_STATE_RUNNING: "running", header.C2D_STATE_BROKEN: "broken"}
 
 
-def table_of(rows, names):
+def table_of(rows: Any, names: Sequence[str]) -> Table:
     """Rows of numbers as a table."""
     if arrays.numpy is not None:
         return Table((name, rows[:, i]) for i, name in enumerate(names))
@@ -129,7 +136,20 @@ def physical_memory():
     return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
-class Solver:
+class Origin:
+    """Where the lines of messages stand: in the file of a deck, or in those of a script (`lines`)."""
+
+    def __init__(self) -> None:
+        self.file: Optional[str] = None
+        self.lines: Dict[int, str] = {}
+
+    def message_of(self, entry: header.c2d_error) -> Message:
+        message = Message.of(entry)
+        message.name = self.lines.get(message.line, self.file)
+        return message
+
+
+class Solver(SolverCalls):
     """A solver with its workspace, its block store and its threads.
 
         Solver(bodies=[(points, elements, regions), ...], zones=1, pairs=15, ...)    members of c2d_limits by name
@@ -150,10 +170,12 @@ class Solver:
     raises: the child makes a solver of its own. close(), or a `with` statement, gives everything back.
     """
 
-    def __init__(self, limits=None, memory=None, store=None, threads=1, progress=None, **sizes):
+    def __init__(self, limits: Any = None, memory: Optional[int] = None, store: Union[None, str, os.PathLike[str]] = None,
+                 threads: int = 1, progress: Optional[Callable[..., Any]] = None, **sizes: Any) -> None:
         self._solver = self._pool = self._store = self._workspace = None
         self._process, self._gate, self._worker = os.getpid(), threading.RLock(), None
-        self.messages, self._heard, self._port, self._cancelled_by = [], [], header.c2d_port(), None
+        self.messages: List[Message] = []
+        self._heard, self._port, self._cancelled_by, self._origin = [], header.c2d_port(), None, Origin()
         if limits is not None and sizes:
             raise TypeError("limits are given, and by name: %s" % ", ".join(sorted(sizes)))
         self._limits = limits if isinstance(limits, Limits) else limits_of(sizes if limits is None else limits)
@@ -180,7 +202,7 @@ class Solver:
         self._create(memory)
 
     @classmethod
-    def of_deck(cls, source, **options):
+    def of_deck(cls, source: Source, **options: Any) -> Solver:
         """With the model of a deck: the name of its file, or its text. (Of a sketch: Solver.of_deck(contact2d.mesh(...)).)"""
         solver = cls(limits_of_deck(source), **options)
         try:
@@ -192,10 +214,10 @@ class Solver:
 
     # ---- what it is made of
     def _set_callbacks(self, progress):
-        heard, worker = self._heard, self._worker  # (not the solver itself, which would keep itself alive)
+        heard, worker, origin = self._heard, self._worker, self._origin  # (not the solver itself, which would keep itself alive)
 
         def log(_, entry):
-            heard.append(Message.of(entry.contents))
+            heard.append(origin.message_of(entry.contents))
 
         def show(_, now):
             now = now.contents
@@ -238,7 +260,7 @@ class Solver:
         self._pool = self._store = self._workspace = None
         return status
 
-    def close(self):
+    def close(self) -> None:
         """Closes the store and gives the memory back. More than once does no harm; within a callback it is refused."""
         self._check_process()
         if self._worker is None:
@@ -253,21 +275,21 @@ class Solver:
         self._worker.stop()
         self._check(status, header.c2d_error(), raised)
 
-    def __enter__(self):
+    def __enter__(self) -> Solver:
         self._check_process()
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: Any) -> None:
         self.close()
 
-    def __del__(self):
+    def __del__(self) -> None:
         try:
             if self._process == os.getpid():
                 self.close()
         except BaseException:
             pass  # nobody is there to hear it
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         raise TypeError("a Solver belongs to its process: neither pickled nor copied")
 
     # ---- calls
@@ -290,7 +312,7 @@ class Solver:
                 lib.c2d_cancel(self._solver)
                 self._cancelled_by = self._cancelled_by or "us"
 
-    def cancel(self):
+    def cancel(self) -> None:
         """From another thread, or a callback: the call at work raises Cancelled."""
         self._check_process()
         with self._gate:
@@ -334,7 +356,7 @@ class Solver:
             return
         faults = [message for message in messages if message.severity == "error"]
         text = why.text.decode("utf-8", "replace") or calls.message(status)
-        known = Message.of(why) if why.text else Message("error", text, status=status)
+        known = self._origin.message_of(why) if why.text else Message("error", text, status=status)
         error = kind_of(status)(faults or [known], status)
         if isinstance(error, WorkspaceError):
             error.bytes_needed = why.bytes_needed
@@ -343,27 +365,28 @@ class Solver:
         raise error
 
     @property
-    def state(self):
+    def state(self) -> str:
         """"empty", "building", "model", "prepared", "running" or "broken" (contact2d.h, section 9)."""
         return STATES[self.get_state()]
 
     @property
-    def warnings(self):
+    def warnings(self) -> List[Message]:
         return [message for message in self.messages if message.severity == "warning"]
 
     # ---- calls whose arguments are not as in C
-    def read_deck(self, source):
+    def read_deck(self, source: Source) -> None:
         """The model of a deck: the name of its file, or its text."""
+        self._origin.file = name_of(source)
         self._call("c2d_read_deck", calls.read_line(lines_of(source)), None)
 
-    def set_nodes(self, body, first, xy):
+    def set_nodes(self, body: int, first: int, xy: Any) -> None:
         """Boundary points from number `first` on: rows (x, y)."""
         body, first = arrays.integer("set_nodes: 'body'", body), arrays.integer("set_nodes: 'first'", first)
         pointer, count, kept = arrays.doubles("set_nodes: 'xy'", xy, 2)
         self._call("c2d_set_nodes", body, first, count // 2, pointer, 2)
         del kept
 
-    def advance(self, load):
+    def advance(self, load: Any) -> Outcome:
         """Follows the load from the factors reached to these, one per load case; the Outcome says how it ended."""
         pointer, count, kept = arrays.doubles("advance: 'load'", load)
         outcome = ctypes.c_int32()
@@ -371,7 +394,7 @@ class Solver:
         del kept
         return Outcome(outcome.value)
 
-    def run(self, step=None):
+    def run(self, step: Optional[Callable[[Step], Any]] = None) -> bool:
         """The model's own load cards for each of its coefficients of friction. `step` is called with a Step at the end of
         every increment, and where a path stops; if it returns something true the run ends. True: it came to its end."""
         if step is not None and not callable(step):
@@ -391,26 +414,26 @@ class Solver:
                 raise
         return not stopped
 
-    def get_path(self, i):
+    def get_path(self, i: int) -> Tuple[int, List[float]]:
         """(increments, load factors) of a piece of the load path."""
         i = arrays.integer("get_path: 'i'", i)
         increments, loads = ctypes.c_int32(), (ctypes.c_double * max(1, self.get_summary().load_cases))()
         self._call("c2d_get_path", i, byref(increments), loads, len(loads))
         return increments.value, list(loads)
 
-    def get_name(self, kind, i):
+    def get_name(self, kind: int, i: int) -> str:
         kind, i = arrays.integer("get_name: 'kind'", kind), arrays.integer("get_name: 'i'", i)
         out = ctypes.create_string_buffer(32)
         self._call("c2d_get_name", kind, i, out)
         return out.value.decode("utf-8", "replace")
 
-    def last_error(self):
+    def last_error(self) -> Message:
         """Why the last call failed, as a Message."""
         why = header.c2d_error()
         self._call("c2d_last_error", byref(why))
         return Message.of(why)
 
-    def get_state(self):
+    def get_state(self) -> int:
         """C2D_STATE_...; `state` has it in words."""
         state, raised = self._run(lambda: lib.c2d_get_state(self._pointer()))
         if raised:
@@ -418,7 +441,7 @@ class Solver:
         return state
 
     # ---- results
-    def count(self, field, body=0):
+    def count(self, field: Union[str, int], body: int = 0) -> int:
         """How many entries a field of get() has."""
         number = field_number(field)
         summary = self.get_summary()
@@ -430,7 +453,7 @@ class Solver:
         per_element = summary.function_nodes if number < header.C2D_NODE_X else 1
         return found.elements * per_element
 
-    def get(self, field, body=0, first=1, count=None):
+    def get(self, field: Union[str, int], body: int = 0, first: int = 1, count: Optional[int] = None) -> Any:
         """A field of contact2d_codes.h, as "tn" or "end_hoop": of pairs, or of a body's element ends, nodes or elements."""
         number, body = field_number(field), arrays.integer("get: 'body'", body)
         first, count = entries("get", first, count, self.count(number, body))
@@ -438,15 +461,15 @@ class Solver:
         self._call("c2d_get", number, body, first, count, out, 1)
         return arrays.shaped(out[:count])
 
-    def contact(self):
+    def contact(self) -> Table:
         """A table with a row per pair."""
         return Table((name, self.get(name)) for name in PAIR_FIELDS)
 
-    def boundary(self, body):
+    def boundary(self, body: int) -> Table:
         """A table with a row per element end of a body: displacements, tractions, stresses."""
         return Table((name[4:], self.get(name, body)) for name in END_FIELDS)
 
-    def interior(self, xy, body=0):
+    def interior(self, xy: Any, body: int = 0) -> Table:
         """A table with displacements and stresses at points, rows (x, y); body 0: whichever each lies in."""
         body = arrays.integer("interior: 'body'", body)
         pointer, count, kept = arrays.doubles("interior: 'xy'", xy, 2)
@@ -457,7 +480,7 @@ class Solver:
         table = table_of(arrays.shaped(out[: count // 2 * header.C2D_POINT_FIELDS], header.C2D_POINT_FIELDS), POINT_FIELDS)
         return Table(list(table_of(places, ["x", "y"]).items()) + list(table.items()))
 
-    def indicators(self, body, first=1, count=None):
+    def indicators(self, body: int, first: int = 1, count: Optional[int] = None) -> Table:
         """A table with what the mesh leaves open, a row per element (C2D_OFF_...)."""
         body = arrays.integer("indicators: 'body'", body)
         first, count = entries("indicators", first, count, self.get_body_result(body).elements)
@@ -474,6 +497,7 @@ def method_of(function):
         return bound.results()
 
     method.__name__ = method.__qualname__ = function[4:]
+    method.__signature__ = calls.signature_of(function)
     method.__doc__ = header.FUNCTIONS[function][2]
     return method
 
@@ -491,11 +515,11 @@ FIELDS = {name: getattr(header, "C2D_" + name.upper()) for name in PAIR_FIELDS +
     "node_x", "node_y", "pair_element1", "pair_eta1", "surface_x", "surface_y"]}
 
 
-def field_number(field):
+def field_number(field: Union[str, int]) -> int:
     """Of a name, or of a number that is one already."""
     if isinstance(field, str):
         if field.lower() not in FIELDS:
-            raise ValueError("there is no field %r; see contact2d_codes.h" % (field,))
+            raise ValueError("there is no field %r%s" % (field, offer(field, FIELDS)))
         return FIELDS[field.lower()]
     return arrays.integer("field", field)
 
@@ -517,7 +541,7 @@ class Limits(header.c2d_limits):
 Limits.__name__ = header.c2d_limits.__name__  # as messages call it
 
 
-def limits_of(sizes):
+def limits_of(sizes: Any) -> Limits:
     """Limits from members by name; `bodies`: a (points, elements, regions) for each."""
     if not isinstance(sizes, Mapping):
         raise TypeError("limits is %r, expected members of c2d_limits by name" % (sizes,))
@@ -537,12 +561,14 @@ def limits_of(sizes):
     return limits
 
 
-def limits_of_deck(source):
+def limits_of_deck(source: Source) -> Limits:
     """Limits of a deck; its faults are raised."""
     lines, found, limits = lines_of(source), [], Limits()
     limits.bodies = max(2, len(lines))
     limits.body = (header.c2d_body_limits * limits.bodies)()
-    report = header.c2d_report(lambda _, entry: found.append(Message.of(entry.contents)))
+    origin = Origin()
+    origin.file = name_of(source)
+    report = header.c2d_report(lambda _, entry: found.append(origin.message_of(entry.contents)))
     worker = Worker()
     try:
         status, raised = worker.run(lambda: lib.c2d_check_deck(calls.read_line(lines), None, byref(limits), report, None),
@@ -553,18 +579,23 @@ def limits_of_deck(source):
         raise raised[0]
     if status != header.C2D_OK:
         faults = [message for message in found if message.severity == "error"]
-        raise kind_of(status)(faults or [Message("error", calls.message(status))], status)
+        raise kind_of(status)(faults or [Message("error", calls.message(status), name=origin.file)], status)
     return limits
 
 
-def lines_of(source):
+def name_of(source: Source) -> Optional[str]:
+    """The name of a deck's file; None: the source is its text."""
+    return None if isinstance(source, str) and "\n" in source else os.fsdecode(source)
+
+
+def lines_of(source: Source) -> List[bytes]:
     """The lines of a deck as bytes: of its text, or of the file of this name."""
     if isinstance(source, str) and "\n" in source:
         return source.encode("utf-8").splitlines()
     return pathlib.Path(source).read_bytes().splitlines()
 
 
-def expand_points(points, **members):
+def expand_points(points: Any, **members: Any) -> Any:
     """The points of a set (a c2d_points, a mapping, or members by name) as rows (x, y)."""
     if isinstance(points, Mapping):
         points = calls.fill(header.c2d_points(), dict(points, **members))

@@ -65,7 +65,31 @@ std::string elimination_text(const Session& session, int32_t wanted) {
   return chosen + " by size (compressed from " + std::to_string(C2D_COMPRESSED_FROM(session.limits.pairs)) + " nodes per body)";
 }
 
-void append_check(std::string& out, const Session& session, const Summary& s, int32_t wanted) {
+// The smallest workspace for a deck; 0: unknown.
+uint64_t minimum_of(const std::string& text) {
+  DeckFile deck;
+  deck.replace(text);
+  std::vector<c2d_body_limits> bodies = room_for_bodies(deck);
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = static_cast<int32_t>(bodies.size()), limits.body = bodies.data();
+  uint64_t minimum = 0, in_core = 0;
+  const bool sound = c2d_scan_deck(DeckFile::read_line, &deck, &limits, nullptr) == C2D_OK &&
+                     c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK;
+  return sound ? minimum : 0;
+}
+
+// Of a sketch `run` seeks a mesh. `expected`: the decks of a coarse and a fine one.
+void append_search(std::string& out, const std::vector<std::string>& expected) {
+  if (expected.size() != 2) return;
+  const uint64_t least = minimum_of(expected[0]), most = minimum_of(expected[1]);
+  if (least == 0 || most == 0) return;
+  append_line(out, "memory, search of run",
+              "minimum " + std::to_string(least) + " to " + std::to_string(most) +
+                  " bytes (estimate for 1 %; the other lines: mesh of this check)");
+}
+
+void append_check(std::string& out, const Session& session, const Summary& s, int32_t wanted,
+                  const std::vector<std::string>& expected) {
   const int32_t elimination = elimination_of(session.limits, wanted);
   append_line(out, "deck", shown(session.deck.name()));
   append_line(out, "title", s.title);
@@ -90,6 +114,7 @@ void append_check(std::string& out, const Session& session, const Summary& s, in
     append_line(out, "memory, compressed",
                 std::to_string(compressed_bytes(session.workspace.minimum)) + " bytes; minimum " +
                     std::to_string(least_bytes(session.limits, wanted, session.workspace.minimum)));
+  append_search(out, expected);
   append_tapes(out, session, elimination);
   append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
 }
@@ -101,7 +126,10 @@ namespace {
 int check_one(const std::string& deck, const Options& options) {
   Session session;
   session.messages.quiet = options.quiet;
-  int exit = session.read_file(deck, {options.settings, false});
+  std::vector<std::string> expected;
+  Drawing drawing{options.settings, false};
+  drawing.expected = &expected;
+  int exit = session.read_file(deck, drawing);
   const int32_t chosen = options.touching < 0 && deck == "-" ? 0 : options.touching; // as for run
   session.limits.touching = touching_of(session.limits, chosen, options.elimination, C2D_STEPPING_EVENTS);
   if (exit == 0) exit = session.read_model_alone(options.symmetry);
@@ -110,7 +138,7 @@ int check_one(const std::string& deck, const Options& options) {
   Summary summary;
   if (const c2d_status status = get_summary(session.solver, summary); status != C2D_OK) return session.failed(status);
   std::string text, error;
-  if (!options.quiet) append_check(text, session, summary, options.elimination);
+  if (!options.quiet) append_check(text, session, summary, options.elimination, expected);
   if (write_output("-", text, error)) return kExitSolved;
   session.messages.fail(error);
   return kExitFiles;

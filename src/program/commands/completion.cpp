@@ -6,9 +6,9 @@
 namespace app {
 namespace {
 
-std::string command_names() {
+std::string joined(const std::vector<std::string>& words) {
   std::string out;
-  for (const CommandRow& row : all_commands()) out += (out.empty() ? "" : " ") + std::string(row.name);
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
   return out;
 }
 
@@ -19,12 +19,6 @@ std::string family_names() {
 }
 
 bool takes(const CommandRow& command, const OptionRow& option) { return (option.commands & bit_of(command.command)) != 0; }
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
 
 // The arguments of `compgen` that complete the value of an option.
 std::string bash_values(const OptionRow& option) {
@@ -40,7 +34,7 @@ std::string bash() {
   std::string out = "# contact2d, for bash: source this file, or copy it to the folder of bash completions.\n_contact2d() {\n"
                     "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}\n"
                     "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W '" +
-                    command_names() + " --version --help' -- \"$word\"))\n    return\n  fi\n  case $before in\n";
+                    joined(command_names()) + " --version --help' -- \"$word\"))\n    return\n  fi\n  case $before in\n";
   for (const OptionRow& option : all_options()) {
     if (option.value == nullptr) continue;
     out += "  " + (option.brief != nullptr ? std::string(option.brief) + "|" : std::string()) + option.name +
@@ -53,7 +47,7 @@ std::string bash() {
       if (takes(command, option)) words += std::string(option.name) + " ";
     const bool has_words = command.command >= Command::kMake;
     if (command.command == Command::kMake) words += family_names();
-    if (command.command == Command::kHelp) words = command_names();
+    if (command.command == Command::kHelp) words = joined(command_names());
     if (command.command == Command::kCompletion) words = "bash zsh fish";
     out += std::string("  ") + command.name + ") COMPREPLY=($(compgen " + (has_words ? "" : "-f ") + "-W '" + words +
            (command.command == Command::kHelp ? "" : " --help") + "' -- \"$word\")) ;;\n";
@@ -100,7 +94,7 @@ std::string zsh() {
       if (takes(command, option)) out += " \\\n    " + zsh_option(option);
     std::string rest = "'*:file:_files'";
     if (command.command == Command::kMake) rest = "'1:family:(" + family_names() + ")'";
-    if (command.command == Command::kHelp) rest = "'1:command:(" + command_names() + ")'";
+    if (command.command == Command::kHelp) rest = "'1:command:(" + joined(command_names()) + ")'";
     if (command.command == Command::kCompletion) rest = "'1:shell:(bash zsh fish)'";
     out += " \\\n    " + rest + " ;;\n";
   }
@@ -124,7 +118,7 @@ std::string fish() {
   }
   out += begin + "-n '__fish_seen_subcommand_from make' -f -a " + quoted(family_names()) + "\n";
   out += begin + "-n '__fish_seen_subcommand_from completion' -f -a 'bash zsh fish'\n";
-  return out + begin + "-n '__fish_seen_subcommand_from help' -f -a " + quoted(command_names()) + "\n";
+  return out + begin + "-n '__fish_seen_subcommand_from help' -f -a " + quoted(joined(command_names())) + "\n";
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/output_file.hpp"
+#include "program/files/sha256.hpp"
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
@@ -56,7 +57,7 @@ void print_misses(const DeckFile& deck, const MeshLoop& loop) {
   if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
   for (const Stated& s : loop.stated) {
     if (s.is_met()) continue;
-    std::string text = s.name;
+    std::string text = s.name();
     if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
     char numbers[120] = ": its error is unknown";
     if (!std::isnan(s.relative_error()))
@@ -77,6 +78,10 @@ void show(const MeshRound& round, size_t number) {
 // Replaces a valid sketch by its deck. Throws a sketch::Fault.
 int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
                 MeshLoop& loop) {
+  constexpr double kCoarser = 0.5, kFiner = 4; // than the mesh without a search, of most problems
+  if (drawing.expected != nullptr && sketch.adapts)
+    for (const double factor : {kCoarser, kFiner})
+      drawing.expected->push_back(sketch::deck_of(sketch, sketch::first_mesh(sketch, factor * sketch::kWithoutSearch)));
   if (!drawing.adapts || !sketch.adapts) {
     deck.replace_by_deck(sketch::deck_of(sketch, sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch)
                                                                : sketch::given_mesh(sketch)));
@@ -121,6 +126,7 @@ int fill_deck(DeckFile& deck, const Drawing& drawing) {
   std::string text = deck.text();
   std::vector<DeckFault> faults;
   if (put_parameters(text, settings, faults)) {
+    deck.inputs.parameters = values_of_parameters(deck.text(), settings);
     deck.replace(text);
     return 0;
   }
@@ -136,6 +142,7 @@ std::set<std::string> parameters_of(const DeckFile& deck) {
 }
 
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
+  deck.inputs.files = {input_file(deck.name(), deck.text())};
   if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
   sketch::Parameters given;
   for (const std::string& word : drawing.settings)
@@ -158,10 +165,14 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (interrupted()) return kExitCancelled; // an interrupted read is not a file error
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
+  for (const NamedText& named : files) deck.inputs.files.push_back(input_file(named.name, named.text));
+  for (const auto& [name, value] : reading.sketch.parameters) deck.inputs.parameters.emplace_back(name, exact_number(value));
   int exit = 0;
   for (const auto& [name, value] : given)
     if (reading.parameters.count(name) == 0) {
-      print(deck, {{}, "no parameter of this sketch is called " + sketch::in_quotes(name)});
+      print(deck,
+            {{},
+             "no parameter of this sketch is called " + sketch::in_quotes(name) + offer_parameters(name, reading.parameters)});
       exit = kExitUsage;
     }
   if (exit != 0) return exit;

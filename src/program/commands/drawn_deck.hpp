@@ -30,6 +30,9 @@ struct Drawing {
   // meshes; null: none are stored.
   std::function<int(const std::vector<NamedText>& files)> before_search = {};
   estimate::TrialKeeper* keeper = nullptr;
+  // Filled with the decks of the coarsest and the finest mesh that a search for 1 % is expected to end with. Null: not asked
+  // for.
+  std::vector<std::string>* expected = nullptr;
   StoreChoice* store = nullptr; // for the tapes of the meshes (estimate::Demand)
 };
 

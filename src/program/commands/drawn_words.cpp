@@ -139,6 +139,10 @@ bool accept_pair(const std::string& text, size_t& at, const std::vector<DrawnCur
   return at = p, words = one + " and " + two, true;
 }
 
+// `! zone 1: side 2 is the first of its statement`, and `! zone 1: the second side begins at 2.5 of 10`, of a closed curve.
+constexpr char kFirstOfStatement[] = ": side 2 is the first of its statement", kBeginsAt[] = ": the second side begins at ",
+               kOfAround[] = " of";
+
 // Where the contact of a zone may continue: `! zone 1 may extend farther: pad.flat ends at ...`, for each end.
 std::string beyond_zone(int zone, const std::string& deck) {
   const std::string begin = "\n! zone " + std::to_string(zone) + " may extend farther: ";
@@ -202,13 +206,19 @@ std::string in_words_of_drawing(const std::string& text, const std::string& deck
   return out;
 }
 
-void mark_turned(const std::string& deck, std::vector<ZoneLine>& lines) {
-  const std::string begin = "\n! zone ", end = ": side 2 is the first of its statement";
+void take_statements(const std::string& deck, std::vector<ZoneLine>& lines) {
+  const std::string begin = "\n! zone ";
   for (size_t at = deck.find(begin); at != std::string::npos; at = deck.find(begin, at)) {
     int zone = 0;
     at += begin.size();
-    if (accept_number(deck, at, zone) && accept(deck, at, end) && zone > 0 && static_cast<size_t>(zone) <= lines.size())
-      lines[static_cast<size_t>(zone) - 1].turned = true;
+    if (!accept_number(deck, at, zone) || zone < 1 || static_cast<size_t>(zone) > lines.size()) continue;
+    ZoneLine& line = lines[static_cast<size_t>(zone) - 1];
+    if (accept(deck, at, kFirstOfStatement)) line.turned = true;
+    if (!accept(deck, at, kBeginsAt)) continue;
+    char* behind = nullptr;
+    line.from = std::strtod(deck.c_str() + at, &behind);
+    at = static_cast<size_t>(behind - deck.c_str());
+    line.around = accept(deck, at, kOfAround) ? std::strtod(deck.c_str() + at, nullptr) : 0;
   }
 }
 

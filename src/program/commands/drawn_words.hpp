@@ -23,7 +23,8 @@ std::string without_cut_ends(std::string deck);
 // Replaces elements, nodes and pairs in the text by curves of bodies, from the list in the deck.
 std::string in_words_of_drawing(const std::string& text, const std::string& deck);
 
-// Marks the zones whose sides have another order in the generated deck than in the sketch.
-void mark_turned(const std::string& deck, std::vector<ZoneLine>& lines);
+// Marks the zones whose sides have another order in the generated deck than in the sketch, and the fixed points of lengths
+// along the second sides of their statements.
+void take_statements(const std::string& deck, std::vector<ZoneLine>& lines);
 
 } // namespace app

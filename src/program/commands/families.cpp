@@ -1,5 +1,6 @@
 #include "program/commands/families.hpp"
 
+#include "program/near_word.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read/read.hpp"
 
@@ -45,6 +46,12 @@ bool read_value(const Parameter& parameter, const std::string& text, double& val
   return found != words.end();
 }
 
+std::vector<std::string> keys_of(const std::vector<Parameter>& parameters) {
+  std::vector<std::string> keys;
+  for (const Parameter& parameter : parameters) keys.push_back(parameter.key);
+  return keys;
+}
+
 bool set_one(const std::vector<Parameter>& known, const std::string& setting, sketch::Parameters& given, std::string& error) {
   const size_t equals = setting.find('=');
   const std::string key = setting.substr(0, equals);
@@ -53,7 +60,7 @@ bool set_one(const std::vector<Parameter>& known, const std::string& setting, sk
   if (equals == std::string::npos)
     error = "'" + setting + "': expected key=value";
   else if (parameter == known.end())
-    error = "'" + key + "' is not a key of this family";
+    error = "'" + key + "' is not a key of this family" + app::did_you_mean(key, keys_of(known));
   else if (given.count(key) > 0)
     error = key + " is given twice";
   else if (!read_value(*parameter, setting.substr(equals + 1), given[key], expected))
@@ -140,8 +147,9 @@ std::string list_families() {
 bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck, std::string& error) {
   const Family* const family = find_family(name);
   if (family == nullptr) {
-    error = "make: '" + name + "' is not a known family, expected one of";
-    for (const Family& known : all_families()) error += std::string(" ") + known.name;
+    std::vector<std::string> names;
+    for (const Family& known : all_families()) names.push_back(known.name);
+    error = "make: '" + name + "' is not a known family" + app::offer(name, names);
     return false;
   }
   if (make(*family, settings, deck, error)) return true;

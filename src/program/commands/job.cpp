@@ -14,14 +14,17 @@
 namespace app {
 
 template <class Archive> void members(Archive& a, NamedText& file) { a(file.name), a(file.text); }
+template <class Archive> void members(Archive& a, InputFile& file) { a(file.name), a(file.sha256); }
+template <class Archive> void members(Archive& a, std::pair<std::string, std::string>& p) { a(p.first), a(p.second); }
+template <class Archive> void members(Archive& a, Inputs& i) { a(i.files), a(i.parameters), a(i.options); }
 
 namespace {
 
-const char kName[] = "/job", kJobKind[] = "contact2d job 3";
+const char kName[] = "/job", kJobKind[] = "contact2d job 4";
 
 template <class Archive> void members(Archive& a, Job& job, std::string& meshes) {
   a(job.form), a(job.begun), a(job.deck_name), a(job.deck), a(job.settings), a(job.files), a(job.has_points), a(job.points),
-      a(job.workspace), a(job.words), a(meshes);
+      a(job.workspace), a(job.words), a(job.inputs), a(meshes);
 }
 
 std::string text_of(Job job) {
@@ -64,6 +67,16 @@ std::vector<std::string> words_of(const Options& options) {
     words.push_back(value.empty() ? name : name + "=" + (is_word(name) ? value : absolute(value)));
   }
   return words;
+}
+
+std::vector<std::string> words_that_change_digits(const Options& options) {
+  const char* const names[] = {"--memory",      "--stepping", "--quadrature", "--symmetry",
+                               "--elimination", "--touching", "--estimate",   "--points"};
+  std::vector<std::string> out;
+  for (const auto& [name, value] : options.given)
+    for (const char* one : names)
+      if (name == one) out.push_back(value.empty() ? name : name + "=" + value);
+  return out;
 }
 
 std::string id_of(const Job& job) { return sum_of(text_of(job)); }

@@ -4,6 +4,7 @@
 #include "post/stated.hpp"
 #include "program/files/named_text.hpp"
 #include "program/options.hpp"
+#include "report/inputs.hpp"
 
 #include <cstdint>
 #include <string>
@@ -27,11 +28,15 @@ struct Job {
   std::string points;                // its text
   uint64_t workspace = 0;            // bytes used; for a sketch the requested bytes
   std::vector<std::string> words;    // of the command line: options whose values need no file, names of outputs made absolute
+  Inputs inputs;                     // for the outputs
   MeshLoop meshes;                   // how the deck's mesh was found, with stated errors
 };
 
 // The command-line words of those options that the job itself does not contain.
 std::vector<std::string> words_of(const Options& options);
+
+// Those that can change a digit of a result: not outputs, threads and stores.
+std::vector<std::string> words_that_change_digits(const Options& options);
 
 // Identifies a job.
 std::string id_of(const Job& job);

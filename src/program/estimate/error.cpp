@@ -14,6 +14,8 @@
 namespace estimate {
 namespace {
 
+using app::Measure;
+
 // Error of the coarse mesh over its distance from the finer mesh.
 constexpr double kOfCoarse = 2.2;
 constexpr double kNoEarlier = 2; // factor on errors without a previous round
@@ -53,9 +55,8 @@ double length_of_zone(const Trial& trial, size_t zone) { // of side 2
 }
 
 int edges_of(const State& state, int32_t zone) { // at least 1
-  const auto edges = std::count_if(state.quantities.begin(), state.quantities.end(), [&](const app::Quantity& q) {
-    return q.what == app::Measure::kContactEdge && q.zone == zone;
-  });
+  const auto edges = std::count_if(state.quantities.begin(), state.quantities.end(),
+                                   [&](const app::Quantity& q) { return q.what == Measure::kContactEdge && q.zone == zone; });
   return std::max(1, static_cast<int>(edges));
 }
 
@@ -71,7 +72,6 @@ struct Sizes {
 };
 
 Sizes sizes_of(const Trial& trial, const State& state) {
-  using app::Measure;
   Sizes out;
   for (size_t b = 0; b < state.ends.size(); ++b)
     for (const Field f : {kUx, kUy})
@@ -96,30 +96,28 @@ Sizes sizes_of(const Trial& trial, const State& state) {
 
 // The scale S of the error of a number.
 double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) {
-  using app::Measure;
+  using app::Scale;
   const double size = std::fabs(q.value);
   const size_t zone = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
-  switch (q.what) {
-  case Measure::kFrictionForce:
-  case Measure::kForceX:
-  case Measure::kForceY: return sizes.forces[zone];
-  case Measure::kMoment: return std::max(size, sizes.forces[zone] * sizes.length[zone]);
-  case Measure::kApproach:
-  case Measure::kShift: return sizes.approach;
-  case Measure::kMotionX:
-  case Measure::kMotionY: return sizes.motion;
-  case Measure::kRotation: return sizes.rotation;
-  case Measure::kDissipated: return size > kUnseen * sizes.work ? std::max(size, sizes.work) : 0;
-  case Measure::kSlipRange: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
-  case Measure::kContactEdge:
-  case Measure::kStickBorder: return sizes.length[zone] / edges_of(state, q.zone);
-  default: return size;
+  switch (app::row_of(q.what).scale) {
+  case Scale::kForce: return sizes.forces[zone];
+  case Scale::kMoment: return std::max(size, sizes.forces[zone] * sizes.length[zone]);
+  case Scale::kApproach: return sizes.approach;
+  case Scale::kMotion: return sizes.motion;
+  case Scale::kRotation: return sizes.rotation;
+  case Scale::kWork: return size > kUnseen * sizes.work ? std::max(size, sizes.work) : 0;
+  case Scale::kSlip: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
+  case Scale::kContact: return sizes.length[zone];
+  case Scale::kPlace: return sizes.length[zone] / edges_of(state, q.zone);
+  case Scale::kOwn:
+  case Scale::kGiven: break;
   }
+  return size;
 }
 
 // Difference of two values of a number. Places are compared by position, because lengths may start at different pairs.
 double apart(const app::Quantity& a, const app::Quantity& b) {
-  const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
+  const bool place = app::row_of(a.what).scale == app::Scale::kPlace;
   return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
                                                                : std::fabs(a.value - b.value);
 }
@@ -130,33 +128,22 @@ struct Seen {
   double before; // difference in the previous round times the reduction of the distance since then, m of METHOD (16.7)
   double hidden; // distance of the tractions times the scale, d S: a bound on accidental agreement
   double spacing, doubt;
-  bool steady; // is the force on the contact that of the previous turn?
 };
 
-// METHOD (16.7). The weights cover the true errors of problems with closed forms closely (tests/truth.mk).
-double error_of(app::Measure what, const Seen& s) {
-  using app::Measure;
-  const auto largest = [](std::initializer_list<double> all) { return std::max(all); };
-  switch (what) {
-  case Measure::kPeakPressure: return largest({1.2 * s.apart, 0.3 * s.before, 0.3 * s.hidden});
-  case Measure::kMeanPressure: return largest({0.8 * s.apart, 0.1 * s.before, s.doubt});
-  case Measure::kContactEdge: return largest({1.2 * s.apart, 0.4 * s.before, 0.15 * s.hidden});
-  case Measure::kStickBorder:
-    return s.steady ? largest({s.apart, 0.5 * s.before, 0.05 * s.hidden, 0.05 * s.spacing})
-                    : largest({1.5 * s.apart, 0.7 * s.before, 0.05 * s.hidden, 0.03 * s.spacing});
-  case Measure::kDissipated: return largest({s.apart, 0.5 * s.before, 0.7 * s.hidden});
-  case Measure::kEdgePressure:
-  case Measure::kEdgeFriction: return largest({2 * s.apart, s.hidden, s.doubt});
-  case Measure::kSlipRange: return largest({1.5 * s.apart, 0.1 * s.before, 1.5 * s.hidden, s.doubt});
-  case Measure::kForceX:
-  case Measure::kForceY:
-  case Measure::kFrictionForce: return largest({s.apart, 0.3 * s.before, 0.1 * s.hidden});
-  case Measure::kMoment: return largest({s.apart, 0.4 * s.before, 0.03 * s.hidden});
-  default: return largest({s.apart, s.before}); // motions
-  }
+// METHOD (16.7), by a rule of the table of quantities.
+double error_of(const app::ErrorRule& rule, const Seen& s) {
+  double out = 0;
+  const std::pair<double, double> terms[] = {{rule.apart, s.apart},
+                                             {rule.before, s.before},
+                                             {rule.hidden, s.hidden},
+                                             {rule.spacing, s.spacing},
+                                             {rule.doubt, s.doubt}};
+  for (const auto& [weight, value] : terms)
+    if (weight > 0) out = std::max(out, weight * value);
+  return out;
 }
 
-// Matches numbers of two lists: the n-th number of a name and place in one list to the n-th in the other.
+// Matches numbers of two lists: the n-th number of a kind and place in one list to the n-th in the other.
 class NumberFinder {
 public:
   explicit NumberFinder(const Round* round) : round_(round) {}
@@ -170,8 +157,8 @@ public:
   }
 
 private:
-  using Key = std::tuple<std::string, int32_t, int32_t, int32_t>;
-  static Key key(const app::Stated& s) { return {s.name, s.zone, s.item, s.body}; }
+  using Key = std::tuple<app::Measure, std::string, int32_t, int32_t, int32_t>;
+  static Key key(const app::Stated& s) { return {s.what, s.of, s.zone, s.item, s.body}; }
   const Round* round_;
   std::map<Key, int> seen_;
 };
@@ -184,29 +171,28 @@ double change_before(const app::Stated* then, const Round* before, const Distanc
 }
 
 // Sets the stated error of a number. `seen.before` is filled in here.
-template <class Rule> void state(app::Stated& s, Seen seen, double before, Rule rule) {
+void state(app::Stated& s, Seen seen, double before, const app::ErrorRule& rule) {
   s.apart = seen.apart;
   if (seen.apart <= kExact * s.scale && !(seen.doubt > kExact * s.scale)) {
     s.error = s.error_by_before = kRoundOff * s.scale;
     return;
   }
   seen.before = std::isnan(before) ? 0 : before;
-  s.error = rule(seen) * (std::isnan(before) ? kNoEarlier : 1);
+  s.error = error_of(rule, seen) * (std::isnan(before) ? kNoEarlier : 1);
   if (std::isnan(before)) return;
   seen.apart = before;
-  s.error_by_before = rule(seen);
+  s.error_by_before = error_of(rule, seen);
 }
 
 double force_on(const State& state, int32_t zone) {
   double force = 0;
   for (const app::Quantity& q : state.quantities)
-    if (q.zone == zone && (q.what == app::Measure::kForceX || q.what == app::Measure::kForceY))
-      force = std::hypot(force, q.value);
+    if (q.zone == zone && (q.what == Measure::kForceX || q.what == Measure::kForceY)) force = std::hypot(force, q.value);
   return force;
 }
 double pressing(const State& state, int32_t zone) {
   for (const app::Quantity& q : state.quantities)
-    if (q.zone == zone && q.what == app::Measure::kPeakPressure) return q.value;
+    if (q.zone == zone && q.what == Measure::kPeakPressure) return q.value;
   return 0;
 }
 
@@ -220,12 +206,26 @@ bool is_steady(const Trial& trial, size_t last, int32_t zone) {
   return std::fabs(now - then) <= 0.01 * std::max(now, then);
 }
 
-// The error of a mean pressure follows from the errors of the edges of its zone.
-double by_edges(const std::vector<app::Stated>& stated, const app::Stated& mean, double length) {
+// The sum of the errors of the places of a kind in a zone.
+double sum_of_errors(const std::vector<app::Stated>& stated, Measure what, int32_t zone) {
   double sum = 0;
   for (const app::Stated& s : stated)
-    if (s.zone == mean.zone && s.name == app::name_of(app::Measure::kContactEdge)) sum += s.error;
-  return length > 0 ? mean.value * sum / length : 0;
+    if (s.zone == zone && s.what == what) sum += s.error;
+  return sum;
+}
+
+// The error of a mean pressure follows from the errors of the edges of its zone.
+double by_edges(const std::vector<app::Stated>& stated, const app::Stated& mean, double length) {
+  return length > 0 ? mean.value * sum_of_errors(stated, Measure::kContactEdge, mean.zone) / length : 0;
+}
+
+// So does that of a width, and of the errors of borders; without borders stick ends at the edges.
+double by_places(const std::vector<app::Stated>& stated, const app::Stated& s) {
+  const app::ByPlaces& weight = app::row_of(s.what).by_places;
+  if (weight.edges == 0 && weight.borders == 0) return 0;
+  const double edges = sum_of_errors(stated, Measure::kContactEdge, s.zone),
+               borders = sum_of_errors(stated, Measure::kStickBorder, s.zone);
+  return s.images * (weight.edges * edges + weight.borders * (borders > 0 ? borders : edges));
 }
 
 // Number of touching pairs of a zone at the end.
@@ -244,7 +244,7 @@ int32_t touching_pairs(const Trial& trial, size_t zone) {
 // Does the contact end at a free edge, that is neither at the end of the side nor at a corner?
 bool has_edge(const State& state, size_t zone) {
   return std::any_of(state.quantities.begin(), state.quantities.end(), [&](const app::Quantity& q) {
-    return q.what == app::Measure::kContactEdge && q.zone == static_cast<int32_t>(zone) + 1 && !q.at_corner;
+    return q.what == Measure::kContactEdge && q.zone == static_cast<int32_t>(zone) + 1 && !q.at_corner;
   });
 }
 
@@ -279,7 +279,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
   for (size_t z = 0; z < between.pressure.size(); ++z) {
     if (halved.tied[z] != 0) continue;
     app::Stated s;
-    s.name = kTractions;
+    s.what = Measure::kTractions;
     s.zone = static_cast<int32_t>(z) + 1;
     s.value = s.scale = 1;
     const bool known = finder.find(s) != nullptr;
@@ -294,27 +294,28 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
   for (const app::Quantity& q : f.quantities) {
     const app::Quantity* other = find(c, q);
     app::Stated s;
-    s.name = app::name_of(q.what);
-    s.zone = q.zone, s.item = q.item, s.value = q.value;
-    s.at[0] = q.at[0], s.at[1] = q.at[1];
+    s.what = q.what, s.zone = q.zone, s.item = q.item, s.value = q.value;
+    s.at[0] = q.at[0], s.at[1] = q.at[1], s.along = q.along, s.images = q.images;
     s.scale = scale_of(sizes, f, q);
     const app::Stated* last = finder.find(s);
     const double then = change_before(last, before, between, q.zone);
-    const bool unseen = s.scale == 0 && (q.what == app::Measure::kDissipated || q.what == app::Measure::kSlipRange);
-    if (unseen && q.what == app::Measure::kDissipated) s.error = 0;
+    const bool unseen = s.scale == 0 && (q.what == Measure::kDissipated || q.what == Measure::kSlipRange);
+    if (unseen && q.what == Measure::kDissipated) s.error = 0;
     if (other != nullptr && !unseen) {
-      const bool steady = is_steady(halved, common - 1, q.zone);
+      const bool moved = q.what == Measure::kStickBorder && !is_steady(halved, common - 1, q.zone);
       double step = apart(*other, q);
-      if (q.what == app::Measure::kStickBorder && !steady && last != nullptr) // on the coarse mesh the border is at a node
+      if (moved && last != nullptr) // on the coarse mesh the border is at a node
         step = std::min(step, std::max(kOfMove * std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]), kAtLeast * step));
-      state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, q.doubt, steady}, then,
-            [&](const Seen& seen) { return error_of(q.what, seen); });
+      state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, q.doubt}, then,
+            app::row_of(q.what).rule[moved ? 1 : 0]);
     }
     out.push_back(s);
   }
-  for (app::Stated& s : out) // needs the errors of the edges
-    if (s.name == app::name_of(app::Measure::kMeanPressure) && s.value > 0 && !std::isnan(s.error))
+  for (app::Stated& s : out) { // needs the errors of the edges
+    if (s.what == Measure::kMeanPressure && s.value > 0 && !std::isnan(s.error))
       s.error = std::max(s.error, by_edges(out, s, force_on(f, s.zone) / s.value));
+    if (!std::isnan(s.error)) s.error = std::max(s.error, by_places(out, s));
+  }
   return out;
 }
 
@@ -328,12 +329,7 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     if (i >= coarse.size()) continue;
     // A value found by a less accurate method on the coarse mesh gives no error estimate.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
-    state(s, {apart, 0, d * s.scale, 0, s.doubt, true}, then, [&](const Seen& seen) {
-      if (s.way > 0)
-        return std::max({seen.apart, 0.1 * seen.before, 0.05 * seen.hidden, seen.doubt}); // extrapolated to an edge
-      if (s.is_inside) return std::max({seen.apart, 0.3 * seen.before, 0.15 * seen.hidden});
-      return std::max({1.5 * seen.apart, 0.1 * seen.before, 0.2 * seen.hidden, seen.doubt});
-    });
+    state(s, {apart, 0, d * s.scale, 0, s.doubt}, then, app::row_of(s.what).rule[s.way > 0 ? 1 : 0]);
   }
   return fine;
 }
@@ -359,9 +355,9 @@ std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halve
   for (app::Stated& s : out) {
     s.error *= kOfCoarse / kNoEarlier; // from the error of the finer mesh to that of the coarse one
     for (const app::Quantity& q : coarse.states.back().quantities)
-      if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
+      if (s.zone == q.zone && s.item == q.item && s.what == q.what) {
         s.value = q.value;
-        s.at[0] = q.at[0], s.at[1] = q.at[1];
+        s.at[0] = q.at[0], s.at[1] = q.at[1], s.along = q.along;
       }
   }
   return out;

@@ -6,8 +6,6 @@
 
 namespace estimate {
 
-using app::kTractions;
-
 // Data of a round for the next one: its numbers, the distance of the tractions of each zone, and the loads and the work at the
 // end of the history.
 struct Round {

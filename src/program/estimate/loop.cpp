@@ -45,9 +45,6 @@ constexpr double kOfElements = 2.6; // exponent of the solution time over the nu
 constexpr double kOfPlaces = 0.75;  // tightening factor if only numbers at one place are inaccurate
 constexpr double kOfEnergy = 8;     // allowed energy difference over the tolerance
 
-constexpr app::Measure kLocal[] = {app::Measure::kPeakPressure, app::Measure::kContactEdge, app::Measure::kStickBorder,
-                                   app::Measure::kDissipated};
-
 struct Level {
   sketch::Mesh mesh;
   std::string deck;
@@ -84,7 +81,7 @@ private:
   double energy_aim() const;
   bool is_near(const Distance& distance) const;
   void tighten(const Distance& distance);
-  double tolerance(sketch::Want::Kind kind) const;
+  double tolerance(const sketch::WantRow& row) const;
   double tolerance_of(const app::Stated& s, const Trial& trial) const;
   void take(const Level& level);
 
@@ -97,8 +94,8 @@ private:
     double error = HUGE_VAL;
     int stays = 0; // rounds in a row
   };
-  std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
-      watched_;  // by name, zone, item, body, and count among equal ones
+  std::map<std::tuple<app::Measure, int32_t, int32_t, int32_t, int>, Watched>
+      watched_;  // by kind, zone, item, body, and count among equal ones
   Round before_; // stated numbers of the previous round
   double seconds_ = 0, work_ = 0;
   double last_work_ = 0;               // multiplications on the last mesh
@@ -235,27 +232,20 @@ bool Loop::solve_level(Level& level, bool adapted) {
   return true;
 }
 
-double Loop::tolerance(sketch::Want::Kind kind) const {
-  if (s_.wants.empty())
-    return kind == sketch::Want::kDissipation || kind == sketch::Want::kStress || kind == sketch::Want::kHoop ? NAN
-                                                                                                              : s_.tolerance;
+double Loop::tolerance(const sketch::WantRow& row) const {
+  if (s_.wants.empty()) return row.by_default ? s_.tolerance : NAN;
   double least = NAN;
   for (const sketch::Want& want : s_.wants)
-    if (want.kind == kind) least = std::fmin(least, want.tolerance.value_or(s_.tolerance));
+    if (want.word == row.word && want.of == row.of) least = std::fmin(least, want.tolerance.value_or(s_.tolerance));
   return least;
 }
 
 double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
-  using app::Measure;
-  using sketch::Want;
   if (s.zone > 0 && trial.tied[static_cast<size_t>(s.zone) - 1] != 0) return NAN;
-  const std::pair<Measure, Want::Kind> kinds[] = {
-      {Measure::kPeakPressure, Want::kPressure}, {Measure::kContactEdge, Want::kEdges}, {Measure::kStickBorder, Want::kEdges},
-      {Measure::kForceX, Want::kForces},         {Measure::kForceY, Want::kForces},     {Measure::kApproach, Want::kApproach},
-      {Measure::kDissipated, Want::kDissipation}};
-  for (const auto& [measure, kind] : kinds)
-    if (s.name == app::name_of(measure)) return measure == Measure::kDissipated && s.zone > 0 ? NAN : tolerance(kind);
-  return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
+  for (const sketch::WantRow& row : sketch::wants())
+    if (std::count(row.quantities.begin(), row.quantities.end(), s.what) > 0)
+      return row.of_whole && s.zone > 0 ? NAN : tolerance(row);
+  return NAN;
 }
 
 // Does a tie continue a contact, as at a crack tip? Linear functions have a fixed relative error there on every mesh.
@@ -295,7 +285,7 @@ void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& 
   if (std::any_of(open.begin(), open.end(), [](const OpenContact& c) { return c.doubts(); }))
     for (app::Stated& s : stated) s.error = NAN;
   for (app::Stated& s : stated) // slip zones at the edges may be narrower than an element
-    if (s.name == app::name_of(app::Measure::kDissipated) && s.error == 0 && may_rub(s_)) s.error = NAN;
+    if (s.what == app::Measure::kDissipated && s.error == 0 && may_rub(s_)) s.error = NAN;
   drop_unknown(stated);
   confirm(stated, fine.trial, before);
   out_.loop.rounds.back().stated = stated;
@@ -319,11 +309,11 @@ void Loop::end_stages() {
 
 // Finds numbers at one place whose errors no longer fall under refinement: at a sharp corner the value may be unbounded.
 void Loop::watch() {
-  std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, int> seen;
+  std::map<std::tuple<app::Measure, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
-    const int which = seen[{s.name, s.zone, s.item, s.body}]++;
+    const int which = seen[{s.what, s.zone, s.item, s.body}]++;
     if (is_near_enough(s) || !is_place(s)) continue;
-    Watched& w = watched_[{s.name, s.zone, s.item, s.body, which}];
+    Watched& w = watched_[{s.what, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
     s.endless = w.stays >= kPatience;
@@ -345,13 +335,6 @@ sketch::Mesh without_far(sketch::Mesh mesh) {
     for (sketch::MeshedOutline& outline : outlines)
       for (sketch::MeshedCurve& curve : outline.curves) curve.far.clear();
   return mesh;
-}
-
-// Does a number depend on the contact tractions alone?
-bool is_local(const app::Stated& s) {
-  using app::Measure;
-  return s.name == kTractions ||
-         std::any_of(std::begin(kLocal), std::end(kLocal), [&](Measure m) { return s.name == app::name_of(m); });
 }
 
 // A body supported by too few pairs may slide or tip off: with more pairs the same history may continue.
@@ -400,7 +383,7 @@ void Loop::tighten(const Distance& d) {
     if (s.endless || std::isnan(s.tolerance)) continue;
     const bool within = is_near_enough(s);
     if (within && (s.confirmed || stage_ > least_)) continue; // a met number still needs confirmation on a finer mesh
-    double& worst = is_local(s) && !std::isnan(s.error) ? contact : rest;
+    double& worst = app::row_of(s.what).by_tractions && !std::isnan(s.error) ? contact : rest;
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
     worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
   }

@@ -14,12 +14,7 @@ constexpr int kMostLevels = 2;
 
 } // namespace
 
-bool is_place(const app::Stated& s) {
-  using app::Measure;
-  const Measure of_contact[] = {Measure::kContactEdge, Measure::kStickBorder, Measure::kPeakPressure};
-  return !std::isnan(s.at[0]) && (s.zone == 0 || std::any_of(std::begin(of_contact), std::end(of_contact),
-                                                             [&](Measure m) { return s.name == app::name_of(m); }));
-}
+bool is_place(const app::Stated& s) { return !std::isnan(s.at[0]) && app::row_of(s.what).place == app::Place::kRefined; }
 
 std::vector<sketch::Spot> edges_of(const Trial& trial) {
   using app::Measure;

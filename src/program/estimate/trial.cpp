@@ -185,7 +185,7 @@ c2d_status History::describe(const std::string& deck) {
     out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
   }
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
-  if (demand_.drawn) app::mark_turned(deck, lines_);
+  if (demand_.drawn) app::take_statements(deck, lines_);
   return status;
 }
 

@@ -18,7 +18,7 @@ template <class Archive> void members(Archive& a, Trial& t) {
 
 namespace {
 
-const char kKind[] = "contact2d mesh 2";
+const char kKind[] = "contact2d mesh 3";
 
 } // namespace
 

@@ -11,14 +11,18 @@
 namespace estimate {
 namespace {
 
+using app::Measure;
 using sketch::Want;
+using sketch::WantOf;
 
-constexpr const char *kStresses[3] = {"stress xx", "stress yy", "stress xy"},
-                     *kDisplacements[2] = {"displacement x", "displacement y"};
+constexpr Measure kStresses[3] = {Measure::kStressXX, Measure::kStressYY, Measure::kStressXY},
+                  kRanges[3] = {Measure::kRangeXX, Measure::kRangeYY, Measure::kRangeXY},
+                  kCycles[3] = {Measure::kCycleXX, Measure::kCycleYY, Measure::kCycleXY},
+                  kDisplacements[2] = {Measure::kDisplacementX, Measure::kDisplacementY};
 
-app::Stated number(const std::string& name, size_t body, double value, double scale, double tolerance) {
+app::Stated number(Measure what, size_t body, double value, double scale, double tolerance) {
   app::Stated s;
-  s.name = name;
+  s.what = what;
   s.body = static_cast<int32_t>(body) + 1;
   s.value = value, s.scale = scale, s.tolerance = tolerance;
   return s;
@@ -40,13 +44,13 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
   for (size_t i = first; i < trial.states.size(); ++i)
     for (size_t c = 0; c < 3; ++c) range[c].take(trial.states[i].inside[place][c + 2]);
   for (const Range& r : range) largest = std::max(largest, r.largest());
-  const auto add = [&](const std::string& name, double value) {
-    out.push_back(number(name, static_cast<size_t>(want.body), value, largest, tolerance));
-    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y, out.back().is_inside = true;
+  const auto add = [&](Measure what, double value) {
+    out.push_back(number(what, static_cast<size_t>(want.body), value, largest, tolerance));
+    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
   };
   for (size_t c = 0; c < 3 && first < trial.states.size(); ++c) {
     if (!want.cycle) add(kStresses[c], trial.states.back().inside[place][c + 2]);
-    add(std::string(want.cycle ? "cycle range of " : "range of ") + kStresses[c], range[c].size());
+    add(want.cycle ? kCycles[c] : kRanges[c], range[c].size());
   }
 }
 
@@ -58,7 +62,25 @@ void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t
     largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
   for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
     out.push_back(number(kDisplacements[c], body, trial.states.back().inside[place][c], largest, tolerance));
-    out.back().at[0] = at.x, out.back().at[1] = at.y, out.back().is_inside = true;
+    out.back().at[0] = at.x, out.back().at[1] = at.y;
+  }
+}
+
+// The relative motion of two points at the end: along the line from the first to the second, n, and across it, t = (ny, -nx).
+void add_pair(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance) {
+  const sketch::Point line = want.to - want.where, n = (1 / sketch::length(line)) * line, t{n.y, -n.x};
+  const auto apart = [&](const State& s) {
+    return sketch::Point{s.inside[place][0] - s.inside[place + 1][0], s.inside[place][1] - s.inside[place + 1][1]};
+  };
+  double largest = 0;
+  for (const State& state : trial.states) largest = std::max(largest, sketch::length(apart(state)));
+  if (trial.states.empty()) return;
+  const sketch::Point u = apart(trial.states.back());
+  const std::pair<Measure, double> both[] = {{Measure::kApproachOf, sketch::dot(u, n)},
+                                             {Measure::kShiftOf, -sketch::dot(u, t)}};
+  for (const auto& [what, value] : both) {
+    out.push_back(number(what, static_cast<size_t>(want.body), value, largest, tolerance));
+    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
   }
 }
 
@@ -67,14 +89,14 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
               size_t first) {
   const Hoop hoop = find_hoop(mesh, trial, *want.side, first);
   if (!hoop.any) return;
-  const auto add = [&](const char* name, const Along& a) {
+  const auto add = [&](Measure what, const Along& a) {
     const double scale = std::max(std::fabs(hoop.high.value), std::fabs(hoop.low.value));
-    out.push_back(number(name + want.side->names[0], static_cast<size_t>(want.side->body), a.value, scale, tolerance));
+    out.push_back(number(what, static_cast<size_t>(want.side->body), a.value, scale, tolerance));
+    out.back().of = want.side->names[0];
     out.back().at[0] = a.at.x, out.back().at[1] = a.at.y, out.back().doubt = a.doubt, out.back().way = a.way;
   };
-  if (want.cycle) return add("cycle range of stress along ", hoop.widest);
-  add("largest stress along ", hoop.high), add("smallest stress along ", hoop.low);
-  add("range of stress along ", hoop.widest);
+  if (want.cycle) return add(Measure::kCycleAlong, hoop.widest);
+  add(Measure::kLargestAlong, hoop.high), add(Measure::kSmallestAlong, hoop.low), add(Measure::kRangeAlong, hoop.widest);
 }
 
 // The state at which the last cycle of the history begins; past the last state if the history ended before the cycle.
@@ -91,8 +113,9 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
                   double tolerance) {
   if (trial.states.empty()) return;
   const PressureAt pressure = find_pressure(mesh, trial, *want.side, want.where);
-  out.push_back(number("pressure on " + want.side->names[0], static_cast<size_t>(want.side->body), pressure.value,
-                       pressure.largest, tolerance));
+  out.push_back(
+      number(Measure::kPressureOn, static_cast<size_t>(want.side->body), pressure.value, pressure.largest, tolerance));
+  out.back().of = want.side->names[0];
   out.back().at[0] = pressure.at.x, out.back().at[1] = pressure.at.y;
 }
 
@@ -100,7 +123,7 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
 void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t first) {
   if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
   const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
-  out.push_back(number("dissipated in the last cycle", 0, energy, trial.states.back().dissipated, NAN));
+  out.push_back(number(Measure::kCycleDissipated, 0, energy, trial.states.back().dissipated, NAN));
   out.back().body = 0;
 }
 
@@ -109,7 +132,7 @@ std::vector<sketch::WantedPoint> not_wanted(const sketch::Sketch& sketch) {
   std::vector<sketch::WantedPoint> out;
   for (const sketch::WantedPoint& p : sketch.points)
     if (std::none_of(sketch.wants.begin(), sketch.wants.end(), [&](const Want& w) {
-          return w.kind == Want::kStress && w.body == p.body && w.where.x == p.at.x && w.where.y == p.at.y;
+          return w.of == WantOf::kPoints && w.body == p.body && w.where.x == p.at.x && w.where.y == p.at.y;
         }))
       out.push_back(p);
   return out;
@@ -125,7 +148,7 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
       for (size_t c = 2; c < 5; ++c) largest = std::max(largest, std::fabs(state.inside[place][c]));
     for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
       out.push_back(number(kStresses[c], body, trial.states.back().inside[place][c + 2], largest, NAN));
-      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y, out.back().is_inside = true;
+      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y;
     }
     ++place;
   }
@@ -135,9 +158,11 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
 
 void ask(const sketch::Sketch& sketch, Demand& demand) {
   for (const Want& want : sketch.wants) {
-    if (want.kind == Want::kStress) demand.points.push_back({want.body + 1, want.where.x, want.where.y});
-    demand.all_steps = demand.all_steps || want.kind == Want::kStress || want.kind == Want::kHoop;
-    demand.hoop = demand.hoop || want.kind == Want::kHoop;
+    if (want.of == WantOf::kPoints || want.of == WantOf::kPair)
+      demand.points.push_back({want.body + 1, want.where.x, want.where.y});
+    if (want.of == WantOf::kPair) demand.points.push_back({want.other + 1, want.to.x, want.to.y});
+    demand.all_steps = demand.all_steps || want.of == WantOf::kPoints || want.of == WantOf::kCurves;
+    demand.hoop = demand.hoop || want.of == WantOf::kCurves;
   }
   for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
 }
@@ -150,14 +175,16 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
     size_t places = 0;
     for (const Want& want : sketch.wants) {
       const size_t place = places;
-      if (want.kind == Want::kStress) ++places;
+      if (want.of == WantOf::kPoints) ++places;
+      if (want.of == WantOf::kPair) places += 2;
       if (want.cycle != cycle) continue;
       const double tolerance = want.tolerance.value_or(sketch.tolerance);
-      if (want.kind == Want::kStress && !cycle)
+      if (want.of == WantOf::kPoints && !cycle)
         add_displacements(out, trial, static_cast<size_t>(want.body), want.where, place, tolerance);
-      if (want.kind == Want::kStress) add_place(out, trial, want, place, tolerance, first);
-      if (want.kind == Want::kPressureAt) add_pressure(out, mesh, trial, want, tolerance);
-      if (want.kind == Want::kHoop) add_hoop(out, mesh, trial, want, tolerance, first);
+      if (want.of == WantOf::kPoints) add_place(out, trial, want, place, tolerance, first);
+      if (want.of == WantOf::kPair) add_pair(out, trial, want, place, tolerance);
+      if (want.of == WantOf::kPlaces) add_pressure(out, mesh, trial, want, tolerance);
+      if (want.of == WantOf::kCurves) add_hoop(out, mesh, trial, want, tolerance, first);
     }
     if (!cycle) add_points(out, sketch, trial, places);
     if (cycle && sketch::cycle_start(sketch) > 0) add_cycle_energy(out, trial, first);

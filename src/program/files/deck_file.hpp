@@ -2,6 +2,8 @@
 // card.
 #pragma once
 
+#include "report/inputs.hpp"
+
 #include <contact2d.h>
 
 #include <cstddef>
@@ -37,6 +39,8 @@ public:
   void rewind() { next_ = 1; }
   // The library's read_line; `context` is the DeckFile.
   static int32_t read_line(void* context, char* text, int32_t size);
+
+  Inputs inputs; // set by take_sketch()
 
 private:
   bool is_text(c2d_error& fault); // finds the cards

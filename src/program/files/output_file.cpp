@@ -2,6 +2,7 @@
 
 #include "program/files/system_file.hpp"
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -20,6 +21,8 @@ const char* const kNotWritten = "cannot be written";
 // Temporary files are written in pieces. Direct output stays in memory up to a limit, so that a cancelled or failed run
 // prints nothing.
 const size_t kPiece = size_t{1} << 18, kDirectPiece = size_t{1} << 26;
+
+std::atomic<bool> broken_pipe{false};
 
 // Locks the file; 0: this process has the lock, and the file still has its name.
 int lock(int file) {
@@ -121,8 +124,12 @@ bool OutputFile::so_far(std::string& all, std::string& error) {
 
 bool OutputFile::write_text(std::string& error) {
   is_gone_ = direct_ && (is_gone_ || !text.empty());
-  const int code = write_all(file_, text);
+  int code = write_all(file_, text);
   text.clear();
+  if (code == EPIPE) { // nobody reads any more: the other outputs are still wanted
+    broken_pipe = true;
+    code = 0;
+  }
   return succeeds(code, "write failed", error);
 }
 
@@ -165,6 +172,8 @@ bool publish_all(const std::vector<OutputFile*>& files, std::string& error) {
     }
   return true;
 }
+
+bool pipe_is_broken() { return broken_pipe; }
 
 bool write_output(const std::string& name, const std::string& text, std::string& error) {
   OutputFile out;

@@ -48,6 +48,9 @@ private:
 // rename no file has appeared.
 bool publish_all(const std::vector<OutputFile*>& files, std::string& error);
 
+// Has the reader of an output gone (a pipe to head, to a pager)? Such an output ends there, without an error.
+bool pipe_is_broken();
+
 // A text as an output, to standard output without a name. False with an error text on failure.
 bool write_output(const std::string& name, const std::string& text, std::string& error);
 

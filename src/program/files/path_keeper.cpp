@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-const char kPathKind[] = "contact2d path 2";
+const char kPathKind[] = "contact2d path 3";
 constexpr double kWork = 60; // least ratio of run time to time for saving
 
 } // namespace

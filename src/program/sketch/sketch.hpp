@@ -2,6 +2,7 @@
 #pragma once
 
 #include "program/sketch/shape.hpp"
+#include "program/sketch/wants.hpp"
 
 #include <array>
 #include <optional>
@@ -142,14 +143,17 @@ struct Division {
   std::vector<Stretches> stretches;
 };
 
-// A requested result and its tolerance. Without any request: pressure, edges, forces and approach.
+// A requested result and its tolerance. Without any request: the rows of wants() by default.
 struct Want {
-  enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop, kPressureAt } kind = kPressure;
+  std::string word;                // of wants()
+  WantOf of = WantOf::kContact;    // what it is a result of
   std::optional<double> tolerance; // relative; default: the tolerance of the sketch
-  int body = 0;                    // of kStress, kHoop and kPressureAt
-  Point where;                     // of kStress and kPressureAt
-  std::optional<Side> side;        // of kHoop: its largest and smallest values; of kPressureAt: the nearest point on it
-  bool cycle = false;              // of kStress and kHoop: only the range over the last cycle of the history
+  int body = 0;                    // unless of a contact
+  Point where;                     // of kPoints, kPlaces and kPair
+  int other = 0;                   // of kPair: the second point and its body
+  Point to;
+  std::optional<Side> side; // of kCurves: its largest and smallest values; of kPlaces: the nearest point on it
+  bool cycle = false;       // of kPoints and kCurves: only the range over the last cycle of the history
   Place at;
 };
 

@@ -1,5 +1,7 @@
 #include "program/sweep/parameters.hpp"
 
+#include "program/near_word.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -84,6 +86,7 @@ public:
   }
   void fill(std::string& line, int32_t number);
   const std::set<std::string>& names() const { return names_; }
+  const std::map<std::string, std::string>& used() const { return used_; }
 
 private:
   void put(std::string& line, int32_t number, const Place& place, const std::string& value, size_t& at);
@@ -93,6 +96,7 @@ private:
   }
   std::map<std::string, std::string> values_;
   std::set<std::string> names_;
+  std::map<std::string, std::string> used_;
   bool free_;
   int32_t shift_ = 0; // columns by which the line that is filled has become shorter
   std::vector<DeckFault>& faults_;
@@ -129,7 +133,9 @@ void Filler::fill(std::string& line, int32_t number) {
       fault(number, place, "{" + place.name + "} has no value, expected --set " + place.name + "=VALUE");
       at = place.end;
     } else {
-      put(line, number, place, given != values_.end() ? given->second : place.standard, at);
+      const std::string& value = given != values_.end() ? given->second : place.standard;
+      used_.emplace(place.name, value);
+      put(line, number, place, value, at);
     }
   }
 }
@@ -145,13 +151,14 @@ bool is_free(const std::vector<std::string>& lines) {
 
 // Puts values into cards, and returns the names that stand there.
 std::set<std::string> fill_all(std::vector<std::string>& lines, const std::vector<Setting>& settings,
-                               std::vector<DeckFault>& faults) {
+                               std::vector<DeckFault>& faults, std::vector<Setting>* used = nullptr) {
   const bool free = is_free(lines);
   Filler filler(settings, free, faults);
   for (size_t i = 0; i < lines.size(); ++i) {
     const bool comment = free ? trimmed(lines[i]).substr(0, 1) == "!" : lines[i].substr(0, 1) == "C";
     if (!comment) filler.fill(lines[i], static_cast<int32_t>(i) + 1);
   }
+  if (used != nullptr) used->assign(filler.used().begin(), filler.used().end());
   return filler.names();
 }
 
@@ -191,13 +198,27 @@ std::set<std::string> parameters_of(const std::string& deck) {
   return fill_all(lines, {}, ignored);
 }
 
+std::string offer_parameters(const std::string& name, const std::set<std::string>& parameters) {
+  return offer(name, {parameters.begin(), parameters.end()});
+}
+
+std::vector<Setting> values_of_parameters(const std::string& deck, const std::vector<Setting>& settings) {
+  std::vector<std::string> lines = lines_of_text(deck);
+  std::vector<DeckFault> ignored;
+  std::vector<Setting> used;
+  fill_all(lines, settings, ignored, &used);
+  return used;
+}
+
 bool put_parameters(std::string& deck, const std::vector<Setting>& settings, std::vector<DeckFault>& faults) {
   std::vector<std::string> lines = lines_of_text(deck);
   const std::set<std::string> names = fill_all(lines, settings, faults);
   for (const Setting& setting : settings)
     if (names.count(setting.first) == 0)
       faults.push_back(
-          {0, 0, 0, "the deck has no parameter " + setting.first + ": expected {" + setting.first + "} in a card"});
+          {0, 0, 0,
+           "the deck has no parameter " + setting.first +
+               (names.empty() ? ": expected {" + setting.first + "} in a card" : offer_parameters(setting.first, names))});
   if (names.empty()) return faults.empty();
   const bool ends = deck.back() == '\n';
   deck.clear();

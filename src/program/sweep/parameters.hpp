@@ -21,6 +21,11 @@ bool read_parameters(const std::string& text, std::vector<std::string>& words, s
 // The parameter names in the cards of a deck.
 std::set<std::string> parameters_of(const std::string& deck);
 
+// To be appended to the message that there is no parameter `name`: the name that is near, or all; empty if there are none.
+std::string offer_parameters(const std::string& name, const std::set<std::string>& parameters);
+// The values used: those given, and defaults of the deck.
+std::vector<Setting> values_of_parameters(const std::string& deck, const std::vector<Setting>& settings);
+
 struct DeckFault {
   int32_t line = 0, column = 0, column_end = 0; // 0: of none
   std::string text;

@@ -9,7 +9,9 @@
 namespace app {
 
 const char kResponseWords[] =
-    "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary; stress or a column of --interior with the "
+    "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary, or x, y or along of its place (contact edge "
+    "1 "
+    "x); stress or a column of --interior with the "
     "number of a point; touching, sticking, slipping, load; then, if needed, zone Z and the number of an edge or border";
 
 namespace {
@@ -60,12 +62,10 @@ void take_tail(std::vector<std::string>& words, Response& r) {
 }
 
 bool is_quantity(const std::string& text, Response& r) {
-  for (int m = 0; m < kMeasures; ++m)
-    if (text == name_of(static_cast<Measure>(m))) {
-      r.of = Response::Of::kQuantity, r.which = m;
-      return true;
-    }
-  return false;
+  const MeasureRow* row = find_measure(text.c_str());
+  if (row == nullptr) return false;
+  r.of = Response::Of::kQuantity, r.which = static_cast<int32_t>(row->what);
+  return true;
 }
 
 // The meaning of the words before zone and number.
@@ -92,6 +92,18 @@ bool take_head(const std::vector<std::string>& words, Response& r) {
   return words[0] == "load" && r.item == 0 && r.zone == 0;
 }
 
+// `contact edge 1 x`: where a quantity is that has a place.
+bool take_place(std::vector<std::string> words, Response& r) {
+  const std::pair<const char*, Response::Part> parts[] = {
+      {"x", Response::Part::kX}, {"y", Response::Part::kY}, {"along", Response::Part::kAlong}};
+  for (const auto& [word, part] : parts)
+    if (words.back() == word) r.part = part;
+  if (r.part == Response::Part::kValue || words.size() < 2) return false;
+  words.pop_back();
+  take_tail(words, r);
+  return take_head(words, r) && r.of == Response::Of::kQuantity && row_of(static_cast<Measure>(r.which)).place != Place::kNone;
+}
+
 double of_pairs(const Response& r, const CoefficientRecord& c) {
   double best = NAN, count = 0;
   for (size_t at = 0; at + C2D_PAIR_FIELDS <= c.table.size(); at += C2D_PAIR_FIELDS) {
@@ -110,7 +122,9 @@ double of_quantities(const Response& r, const CoefficientRecord& c) {
   if (c.steps.empty()) return NAN;
   for (const Quantity& q : c.steps.back().quantities) {
     const bool zone = r.zone == 0 || q.zone == r.zone, item = r.item == 0 ? q.item <= 1 : q.item == r.item;
-    if (static_cast<int>(q.what) == r.which && zone && item) return q.value;
+    if (static_cast<int>(q.what) != r.which || !zone || !item) continue;
+    const double parts[] = {q.value, q.at[0], q.at[1], q.along};
+    return parts[static_cast<size_t>(r.part)];
   }
   return NAN;
 }
@@ -135,7 +149,7 @@ bool read_responses(const std::string& text, std::vector<Response>& responses, s
     Response r;
     r.words = all;
     take_tail(words, r);
-    if (!take_head(words, r)) {
+    if (!take_head(words, r) && !take_place(words, r)) {
       error = "'" + all + "': expected " + kResponseWords;
       return false;
     }

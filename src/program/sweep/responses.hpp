@@ -16,10 +16,11 @@ struct Response {
   Of of = Of::kLoad;
   int32_t which = 0; // kPairs: a column of the pairs' table; kQuantity: a Measure; kPoint: C2D_POINT_...; kCount: a status, -1:
                      // all that touch
-  bool least = false; // kPairs: the smallest instead of the largest
-  bool size = false;  // kPairs: of its absolute value
-  int32_t zone = 0;   // 0: all
-  int32_t item = 0;   // kQuantity: which of several; kPoint: which point; 0: the only one
+  bool least = false;                                             // kPairs: the smallest instead of the largest
+  bool size = false;                                              // kPairs: of its absolute value
+  enum class Part { kValue, kX, kY, kAlong } part = Part::kValue; // kQuantity: the number, or where its place is
+  int32_t zone = 0;                                               // 0: all
+  int32_t item = 0; // kQuantity: which of several; kPoint: which point; 0: the only one
 };
 
 // Reads a list with semicolons. False with an error text.

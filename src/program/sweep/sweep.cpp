@@ -1,9 +1,11 @@
 #include "program/sweep/sweep.hpp"
 
 #include "program/commands/drawn_deck.hpp"
+#include "program/commands/job.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/output_file.hpp"
 #include "program/files/sealed_file.hpp"
+#include "program/files/sha256.hpp"
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
@@ -11,6 +13,7 @@
 #include "program/progress.hpp"
 #include "program/run.hpp"
 #include "program/sweep/journal.hpp"
+#include "program/sweep/parameters.hpp"
 #include "program/sweep/table.hpp"
 #include "program/voice.hpp"
 #include "report/text.hpp"
@@ -61,6 +64,7 @@ private:
   std::mutex mutex_; // of what follows, and of rows_ and journal_
   size_t done_ = 0, failed_ = 0;
   double begun_ = 0.0;
+  Inputs named_; // for the file beside the table
   std::string error_;
 };
 
@@ -80,10 +84,14 @@ int Sweep::read() {
     return kExitInput;
   }
   *deck_ = deck.text();
+  named_.files = {input_file(deck.name(), deck.text()), input_file(file.name(), file.text())};
+  named_.options = words_that_change_digits(options_);
+  for (const std::string& word : options_.settings)
+    named_.parameters.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
   const std::set<std::string> parameters = parameters_of(deck);
   for (const std::string& word : options_.settings)
     if (const std::string name = word.substr(0, word.find('=')); parameters.count(name) == 0)
-      return fail(deck.name() + ": no parameter " + name, kExitUsage);
+      return fail(deck.name() + ": no parameter " + name + offer_parameters(name, parameters), kExitUsage);
   return read_table(file, parameters, messages, table_) ? 0 : kExitInput;
 }
 
@@ -167,6 +175,7 @@ int Sweep::write() {
   std::string all = heading(), error;
   for (const std::string& row : rows_) all += row + "\n";
   if (!write_output(options_.results, all, error)) return fail(error, kExitFiles);
+  if (keeps_ && !write_output(options_.results + ".inputs", inputs_text(named_), error)) return fail(error, kExitFiles);
   journal_.remove();
   return 0;
 }

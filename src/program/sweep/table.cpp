@@ -51,15 +51,13 @@ void TableReader::fault(int32_t line, const Cell& cell, const std::string& text)
 
 void TableReader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
   Setting setting;
-  std::string list;
-  for (const std::string& name : parameters_) list += " " + name;
   for (const Cell& cell : cells) {
     if (!read_setting(cell.text + "=0", setting))
       fault(line, cell, "'" + cell.text + "': expected the name of a parameter");
     else if (std::count(table.names.begin(), table.names.end(), cell.text) > 0)
       fault(line, cell, cell.text + " is the name of two columns");
     else if (parameters_.count(cell.text) == 0)
-      fault(line, cell, "no parameter " + cell.text + (parameters_.empty() ? "" : ", expected one of" + list));
+      fault(line, cell, "no parameter " + cell.text + offer_parameters(cell.text, parameters_));
     table.names.push_back(cell.text);
   }
 }

@@ -8,7 +8,7 @@ namespace app {
 const DarkColour kDarkColours[] = {
     {"white", "#15181c"},       {colour::kInk, "#e6e6e6"},    {colour::kGrid, "#343a42"},  {colour::kFaint, "#9a9a9a"},
     {colour::kBlue, "#5ab0f0"}, {colour::kOrange, "#ff8f3a"}, {colour::kGreen, "#3fc79a"}, {colour::kPurple, "#dd8ccc"},
-    {"#eeeeee", "#262b31"},     {"#fbe3d0", "#4a2a12"}, // within the Coulomb limits, slip
+    {colour::kTie, "#ff6fae"},  {"#eeeeee", "#262b31"},       {"#fbe3d0", "#4a2a12"}, // within the Coulomb limits, slip
     {"#dce9f5", "#1f3a52"},     {"#b9cbdc", "#34546f"},       {"#e6c88c", "#5a4516"},      {"#c2a263", "#7d6329"},
     {"#8a5a00", "#e0ae4e"},     {"#f6f3ea", "#2e2b22"},       {"#d6d0bc", "#4b4636"},      {"#444444", "#c4c4c4"},
     {"#a4b494", "#3c4a30"},     {"#85966f", "#576a45"},       {"#33521f", "#9ac47e"},      {"#e8d0dc", "#4a2d3b"},

@@ -37,11 +37,13 @@ struct BodyScene {
   bool platen = false;       // has no curves: it is drawn where it is tied
 };
 struct PairScene {
-  int32_t zone;   // from 1
-  Point on[2];    // its places on both sides
-  double s;       // place along side 1, see ZoneScene
-  bool symmetric; // a displacement of its node is prescribed: a line of symmetry
-  int image_line; // 1 or 2: it lies on the line x = ... or y = ... of symmetry by images, 0: on none
+  int32_t zone;     // from 1
+  Point on[2];      // its places on both sides
+  double s;         // place along side 1, see ZoneScene
+  bool symmetric;   // a displacement of its node is prescribed: a line of symmetry
+  int image_line;   // 1 or 2: it lies on the line x = ... or y = ... of symmetry by images, 0: on none
+  Point normal{};   // of side 1, outward
+  Point moved[2]{}; // displacements of both sides at the last state
 };
 // A pair, or its image beyond a line of symmetry, where the direction t is reversed.
 struct ZoneSample {
@@ -52,11 +54,12 @@ struct ZoneScene {
   size_t first = 0, pairs = 0;
   size_t origin = 0; // the pair where lengths begin: on a line of symmetry, or the zone's left or lower end
   const char* position =
-      "s"; // what the pairs' s is called: "x" or "y" where it is that coordinate, as side 1 is straight along it
+      "s"; // what the pairs' s is called: "x" or "y" where it is that coordinate, as side 1 is nearly straight along it
   bool symmetric_origin = false;
   bool has_images = false;
   std::vector<ZoneSample> samples; // in the order of s; a zone that ends on a line of images goes on beyond it
   int32_t body[2] = {1, 2};        // of its sides
+  bool tied = false;               // bonded: neither opens nor slips
   bool free = false;               // joins meshes that do not match: tn and tt are per length of side 2
 };
 
@@ -80,6 +83,12 @@ struct RigidMotion {
   double rotation;
   Point axis;
 };
+// On the free motions of a rigid body or platen, at the step of the path where it is largest; the moment is about `at`.
+struct RigidLoad {
+  int32_t body;
+  Point at, force;
+  double moment;
+};
 
 // The model itself (turn = 1, 1) or one of its images.
 struct Image {
@@ -100,10 +109,11 @@ struct Scene {
   size_t cases = 1;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
-  std::vector<RigidMotion> motions;                            // of rigid bodies, other than none
+  std::vector<RigidMotion> motions; // of rigid bodies, other than none
+  std::vector<RigidLoad> rigid_loads;
   size_t interference = 0;                                     // the load case, from 1, that closes overlaps; 0: none
   std::vector<Image> images;                                   // the model first
-  std::vector<Image> zone_images;                              // those of them that make one zone of a part and its image
+  std::vector<Image> zone_images;                              // those of them that go on with any of the zones
   std::string length_unit, stress_unit, force_unit, work_unit; // escaped; empty if the user named none
 };
 
@@ -115,6 +125,9 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
 
 // Coefficient of friction of a zone (from 0) in a run (from 0): zones may have their own.
 double friction_of(const Scene& scene, size_t coefficient, size_t zone);
+
+// The model and those of its images that go on with a zone beyond lines of symmetry.
+std::vector<Image> images_of(const Scene& scene, const ZoneScene& zone);
 
 // 1 or 2: the point lies on the line x = ... or y = ... of symmetry by images, 0: on none.
 int image_line_at(const Summary& summary, Point p);

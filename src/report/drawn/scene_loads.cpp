@@ -1,5 +1,8 @@
 #include "report/drawn/scene.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace app {
 namespace {
 
@@ -40,18 +43,41 @@ c2d_status gather_motions(Scene& scene, int32_t load_case) {
   return C2D_OK;
 }
 
+// The states of bodies are known at the recorded steps alone.
+void gather_rigid_loads(Scene& scene) {
+  if (scene.record->coefficients.empty()) return;
+  std::vector<double> most(scene.bodies.size(), 0.0);
+  std::vector<RigidLoad> largest(scene.bodies.size());
+  for (const StepRecord& step : scene.record->coefficients.back().steps)
+    for (size_t b = 0; b < std::min(step.bodies.size(), scene.bodies.size()); ++b) {
+      const c2d_body_state& s = step.bodies[b];
+      // Without free rotation the moment is no load, and given as 0.
+      const double moment = s.load[2] == 0.0 ? 0.0 : s.load[2] - s.point[0] * s.load[1] + s.point[1] * s.load[0];
+      const double size = std::hypot(s.load[0], s.load[1]) + std::fabs(moment);
+      if (s.is_rigid == 0 || size <= most[b]) continue;
+      most[b] = size;
+      const double none =
+          1e-12 * (std::fabs(s.load[2]) + std::fabs(s.point[0] * s.load[1]) + std::fabs(s.point[1] * s.load[0]));
+      largest[b] = {static_cast<int32_t>(b) + 1,
+                    {s.point[0], s.point[1]},
+                    {s.load[0], s.load[1]},
+                    std::fabs(moment) > none ? moment : 0.0};
+    }
+  for (const RigidLoad& load : largest)
+    if (load.body > 0) scene.rigid_loads.push_back(load);
+}
+
 void find_images(Scene& scene) {
   const Summary& s = scene.summary;
   const Point line{s.symmetry_at[0], s.symmetry_at[1]};
   for (int y = 0; y <= (s.symmetry >> 1 & 1); ++y)
     for (int x = 0; x <= (s.symmetry & 1); ++x) scene.images.push_back({{x == 0 ? 1.0 : -1.0, y == 0 ? 1.0 : -1.0}, line});
   scene.zone_images = {scene.images[0]};
-  for (const int axis : {1, 2})
-    for (const ZoneScene& zone : scene.zones)
-      if (zone.has_images && scene.pairs[zone.origin].image_line == axis) {
-        scene.zone_images.push_back({{axis == 1 ? -1.0 : 1.0, axis == 2 ? -1.0 : 1.0}, line});
-        break;
-      }
+  for (const ZoneScene& zone : scene.zones)
+    for (const Image& image : images_of(scene, zone)) {
+      const auto same = [&](const Image& other) { return other.turn.x == image.turn.x && other.turn.y == image.turn.y; };
+      if (std::none_of(scene.zone_images.begin(), scene.zone_images.end(), same)) scene.zone_images.push_back(image);
+    }
 }
 
 } // namespace
@@ -64,6 +90,7 @@ c2d_status gather_loads(Scene& scene) {
     status = gather_body_forces(scene, k);
     if (status == C2D_OK) status = gather_motions(scene, k);
   }
+  gather_rigid_loads(scene);
   int32_t closing = 0;
   if (status == C2D_OK) status = c2d_get_interference(scene.solver, &closing);
   scene.interference = static_cast<size_t>(closing);

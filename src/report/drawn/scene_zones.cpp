@@ -1,5 +1,6 @@
 #include "post/zone_line.hpp"
 #include "report/drawn/scene.hpp"
+#include "report/drawn/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,23 +25,24 @@ void make_samples(const Scene& scene, ZoneScene& zone) {
   zone.has_images = origin.image_line != 0;
   for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
     zone.samples.push_back({p, scene.pairs[p].s, 1.0});
-    if (zone.has_images && p != zone.origin) zone.samples.push_back({p, -scene.pairs[p].s, -1.0});
+    if (zone.has_images && p != zone.origin) zone.samples.push_back({p, 2.0 * origin.s - scene.pairs[p].s, -1.0});
   }
   std::stable_sort(zone.samples.begin(), zone.samples.end(),
                    [](const ZoneSample& a, const ZoneSample& b) { return a.s < b.s; });
 }
 
-// Where side 1 is straight along an axis, and its origin is no line of symmetry elsewhere: that coordinate.
+// A zone that nowhere rises more than a third is shown over the coordinate itself, which readers find in every table.
 void take_coordinate(PairScene* p, ZoneScene& zone, bool steep) {
+  constexpr double kMostSlope = 1.0 / 3.0;
   const auto along = [steep](Point at) { return steep ? at.y : at.x; };
   const auto across = [steep](Point at) { return steep ? at.x : at.y; };
-  const double from = along(p[zone.origin - zone.first].on[0]), line = across(p[0].on[0]);
-  const double length = std::fabs(p[zone.pairs - 1].s - p[0].s), none = 1e-9 * length;
-  for (size_t i = 0; i < zone.pairs; ++i)
-    if (!(std::fabs(across(p[i].on[0]) - line) <= none)) return;
-  if (zone.symmetric_origin && std::fabs(from) > none) return;
+  const double way = along(p[zone.pairs - 1].on[0]) - along(p[0].on[0]);
+  for (size_t i = 1; i < zone.pairs; ++i) {
+    const double step = (along(p[i].on[0]) - along(p[i - 1].on[0])) * (way > 0.0 ? 1.0 : -1.0);
+    if (!(step > 0.0) || std::fabs(across(p[i].on[0]) - across(p[i - 1].on[0])) > kMostSlope * step) return;
+  }
   zone.position = steep ? "y" : "x";
-  for (size_t i = 0; i < zone.pairs; ++i) p[i].s = along(p[i].on[0]) - (zone.symmetric_origin ? from : 0.0);
+  for (size_t i = 0; i < zone.pairs; ++i) p[i].s = along(p[i].on[0]);
 }
 
 // s along side 1, chord by chord, from the zone's origin; towards larger x, in a steep zone towards larger y.
@@ -93,6 +95,16 @@ int image_line_at(const Summary& s, Point p) {
   return 0;
 }
 
+std::vector<Image> images_of(const Scene& scene, const ZoneScene& zone) {
+  bool across[2] = {false, false}; // the lines x = ..., y = ...
+  for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
+    if (scene.pairs[p].image_line > 0) across[scene.pairs[p].image_line - 1] = true;
+  std::vector<Image> out;
+  for (const Image& image : scene.images)
+    if ((across[0] || image.turn.x > 0.0) && (across[1] || image.turn.y > 0.0)) out.push_back(image);
+  return out;
+}
+
 c2d_status gather_zones(Scene& scene) {
   if (scene.summary.pairs == 0) return C2D_OK;
   PairFields fields;
@@ -101,6 +113,7 @@ c2d_status gather_zones(Scene& scene) {
   for (const c2d_zone& zone : scene.summary.zone) {
     ZoneScene out;
     out.body[0] = zone.side1.body, out.body[1] = zone.side2.body;
+    out.tied = (zone.kind & C2D_ZONE_TIED) != 0;
     out.free = (zone.kind & C2D_ZONE_FREE) != 0;
     scene.zones.push_back(out);
   }
@@ -114,6 +127,13 @@ c2d_status gather_zones(Scene& scene) {
     pair.on[0] = {fields.x[p], fields.y[p]}; // in free zones no node lies there
     pair.image_line = image_line_at(scene.summary, pair.on[0]);
     pair.symmetric = pair.symmetric || pair.image_line != 0;
+    const c2d_zone& sides = scene.summary.zone[z];
+    for (size_t side = 0; side < 2; ++side) {
+      const BodyScene& body = scene.bodies[static_cast<size_t>(scene.zones[z].body[side]) - 1];
+      const SurfacePoint here = surface_at(body, side == 0 ? sides.side1 : sides.side2, pair.on[side]);
+      pair.moved[side] = here.moved;
+      if (side == 0) pair.normal = here.normal;
+    }
     scene.pairs.push_back(pair);
     if (scene.zones[z].pairs++ == 0) scene.zones[z].first = p;
   }

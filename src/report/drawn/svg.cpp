@@ -128,9 +128,35 @@ void append_pixel(std::string& out, double value) {
   if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
 }
 
+// Is every point between these two within a twentieth of a pixel of the line that joins them?
+static bool is_straight(const std::vector<Point>& curve, size_t from, size_t to) {
+  constexpr double kUnseen = 0.05;
+  const double dx = curve[to].x - curve[from].x, dy = curve[to].y - curve[from].y, length = std::hypot(dx, dy);
+  for (size_t i = from + 1; i < to; ++i) {
+    const double x = curve[i].x - curve[from].x, y = curve[i].y - curve[from].y;
+    const double along = length > 0 ? (x * dx + y * dy) / length : 0.0;
+    const double off = length > 0 ? std::fabs(x * dy - y * dx) / length : std::hypot(x, y);
+    if (off > kUnseen || along < -kUnseen || along > length + kUnseen) return false;
+  }
+  return true;
+}
+
+// Of the outline of a body, without points that nobody sees: they are most of the bytes of a picture.
+static std::vector<Point> thinned(const std::vector<Point>& curve) {
+  constexpr size_t kLongest = 64; // points that one line replaces
+  std::vector<Point> out;
+  for (size_t i = 0; i < curve.size();) {
+    out.push_back(curve[i]);
+    size_t next = i + 1;
+    while (next + 1 < curve.size() && next - i < kLongest && is_straight(curve, i, next + 1)) ++next;
+    i = next;
+  }
+  return out;
+}
+
 void append_curves(std::string& out, const std::vector<std::vector<Point>>& curves) {
   for (const std::vector<Point>& whole : curves) {
-    const std::vector<Point> curve = closed_on_paper(whole);
+    const std::vector<Point> curve = thinned(closed_on_paper(whole));
     for (size_t i = 0; i < curve.size(); ++i) {
       out += i == 0 ? 'M' : 'L';
       append_pixel(out, curve[i].x);

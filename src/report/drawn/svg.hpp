@@ -35,6 +35,7 @@ constexpr char kBlue[] = "#0060a8";
 constexpr char kOrange[] = "#d55e00";
 constexpr char kGreen[] = "#007a5a";
 constexpr char kPurple[] = "#a0438a";
+constexpr char kTie[] = "#b8005c";
 } // namespace colour
 
 // Text for XML: markup characters and what is not ASCII as entities; control characters as '?'.

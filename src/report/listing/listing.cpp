@@ -2,6 +2,7 @@
 
 #include "report/listing/listing_items.hpp"
 #include "report/text.hpp"
+#include "report/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,23 +17,18 @@ void append_vector(std::string& out, const std::string& name, size_t width, cons
   out += '\n';
 }
 
-const char kLoads[] = ": loads and supports";
-
 void append_balance(std::string& out, const Summary& s) {
   append_section(out, "Balance of forces at the last load");
   size_t width = 28;
-  for (int32_t b = 1; b <= s.bodies; ++b) width = std::max(width, 2 + characters_in(body_text(s, b) + kLoads));
+  const auto name_of_row = [&](int32_t b, const BodyTotal& row) {
+    return row.of == "loads and supports" ? body_text(s, b) + ": " + row.of : row.of;
+  };
+  for (int32_t b = 1; b <= s.bodies; ++b)
+    for (const BodyTotal& row : totals_of(s, b)) width = std::max(width, 2 + characters_in(name_of_row(b, row)));
   out.append(width - 28, ' ') += "                                         fx              fy          moment\n";
-  for (int32_t b = 0; b < s.bodies; ++b) {
-    double sum[3];
-    for (int k = 0; k < 3; ++k) sum[k] = s.body[b].applied[k] + s.body[b].contact[k];
-    append_vector(out, body_text(s, b + 1) + kLoads, width, s.body[b].applied);
-    if (s.pairs > 0) append_vector(out, "contact", width, s.body[b].contact);
-    append_vector(out, "sum", width, sum);
-  }
-  if (s.symmetry != 0)
-    out += "\n  totals cover the modelled half or quarter only; the remainder is carried across the lines of "
-           "symmetry\n";
+  for (int32_t b = 1; b <= s.bodies; ++b)
+    for (const BodyTotal& row : totals_of(s, b)) append_vector(out, name_of_row(b, row), width, row.force);
+  if (s.symmetry != 0) out += std::string("\n  ") + words_of_totals(s) + "\n";
 }
 
 void append_energy(std::string& out, const RunRecord& record) {
@@ -158,6 +154,7 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
     append_findings(out, record, s);
   }
   append_warnings(out, record);
+  append_inputs(out, record.inputs);
   append_outcome(out, record);
 }
 

@@ -40,7 +40,7 @@ void append_number_or(std::string& out, int32_t number, const char* none, int wi
     append_column(out, none, width);
 }
 
-std::string name_of(const Stated& s) { return s.item > 0 ? s.name + " " + std::to_string(s.item) : s.name; }
+std::string name_of(const Stated& s) { return s.item > 0 ? s.name() + " " + std::to_string(s.item) : s.name(); }
 
 void append_row(std::string& out, const Stated& s, size_t width) {
   append_number_or(out, s.zone, s.body > 0 ? "-" : "all", 8);

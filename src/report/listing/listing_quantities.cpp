@@ -25,7 +25,7 @@ void append_row(std::string& out, const Quantity& q) {
   if (!error.empty() || std::isfinite(q.at[0])) out.append(2, ' ') += error;
   if (std::isfinite(q.at[0])) {
     out.append(error.size() < 14 ? 14 - error.size() : 1, ' ');
-    for (const double v : q.at) append_general(out, v, 14);
+    for (const double v : {q.at[0], q.at[1], q.along}) append_general(out, v, 14);
   }
   out += '\n';
 }
@@ -56,11 +56,16 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n";
     append_loads(out, c.loads);
-    out += "\n    zone   quantity                   value    stated error              x             y\n";
+    out += "\n    zone   quantity                   value    stated error              x             y         along\n";
     for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
     out += '\n';
   }
+  if (s.symmetry != 0)
+    out += "  with lines of symmetry: forces, moments and dissipated work of the modelled part, widths of the whole contact\n";
   out += "  value of an edge or border: length along side 2 from the first pair of the zone; x and y: its position\n"
+         "  along: distance of a place along the second side of the contact statement from the start of its first curve (of a "
+         "deck: along side 2), the same on every mesh\n"
+         "  widths: of the whole contact; half width and eccentricity: of one stretch\n"
          "  edge pressure p: tn = p / sqrt(d); edge friction q: tt = q sqrt(d); d: distance inside the edge\n";
 }
 

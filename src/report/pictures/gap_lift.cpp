@@ -8,17 +8,6 @@ namespace {
 
 constexpr size_t kMostSources = 400; // of a zone; of more every second, third, ... is taken
 
-// The outward normal of side 1 where a pair is.
-Point normal_at(const BodyScene& body, Point p) {
-  size_t nearest = 0;
-  double least = HUGE_VAL;
-  for (size_t i = 0; i < body.ends.size(); ++i) {
-    const double apart = std::hypot(body.ends[i].x - p.x, body.ends[i].y - p.y);
-    if (body.status[i] >= 0 && apart < least) least = apart, nearest = i;
-  }
-  return nearest < body.normals.size() ? body.normals[nearest] : Point{};
-}
-
 } // namespace
 
 GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
@@ -28,8 +17,7 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
   for (size_t p = 0; p < scene.pairs.size() && (p + 1) * C2D_PAIR_FIELDS <= table.size(); ++p) {
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     const double gap = row[C2D_GAP] - (row[C2D_UN2] - row[C2D_UN1]);
-    const ZoneScene& zone = scene.zones[static_cast<size_t>(scene.pairs[p].zone) - 1];
-    const Point n = normal_at(scene.bodies[static_cast<size_t>(zone.body[0]) - 1], scene.pairs[p].on[0]);
+    const Point n = scene.pairs[p].normal;
     pairs[p] = {scene.pairs[p].on[1], {gap * n.x, gap * n.y}};
     largest_ = std::max(largest_, std::fabs(gap));
   }

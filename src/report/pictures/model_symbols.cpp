@@ -1,5 +1,7 @@
 #include "report/pictures/model_symbols.hpp"
 
+#include "report/pictures/contour.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ constexpr double kInnerArrow = 44.0, kTurnRadius = 20.0;
 Stroke stroke_of(Symbol symbol, size_t load_case) {
   static const Stroke kCases[] = {
       {colour::kOrange, 0.0, ""}, {colour::kPurple, 0.0, "6 2"}, {colour::kBlue, 0.0, "2 2"}, {colour::kInk, 0.0, "8 2 2 2"}};
-  static const double kWidths[] = {1.4, 2.4, 1.4, 4.0, 2.4, 2.4};
+  static const double kWidths[] = {1.4, 2.4, 1.4, 4.0, 2.4, 2.4, 2.8, 2.0};
   Stroke out = kCases[load_case % 4];
   out.width = kWidths[static_cast<size_t>(symbol)];
   return out;
@@ -30,10 +32,16 @@ bool visible(const Chart& view, Point p) {
   return p.x > f.left - 20 && p.x < f.right + 20 && p.y > f.top - 20 && p.y < f.bottom + 20;
 }
 
-// Is there room around p? Then p is taken.
-bool take_place(std::vector<Point>& placed, Point p, double spacing) {
-  for (const Point& other : placed)
-    if (std::hypot(p.x - other.x, p.y - other.y) < spacing) return false;
+// Is there room around a place of the model and its images? Then it is taken. Only the model counts, so that all images
+// have the same symbols.
+bool take_place(std::vector<Point>& placed, const Scene& scene, const Chart& view, Point at, double spacing) {
+  const Point p = view.at(at.x, at.y);
+  const auto near = [&](Point other) { return std::hypot(p.x - other.x, p.y - other.y) < spacing; };
+  for (const Image& image : scene.images) {
+    const Point there = image.place(at), q = view.at(there.x, there.y);
+    if (near(q) && std::hypot(p.x - q.x, p.y - q.y) > 1.0) return false;
+  }
+  if (std::any_of(placed.begin(), placed.end(), near)) return false;
   placed.push_back(p);
   return true;
 }
@@ -76,10 +84,11 @@ struct Arrow {
   Point direction, normal; // of the picture: y downwards
   double length, head;
 };
+bool outwards(const Arrow& a) { return a.direction.x * a.normal.x + a.direction.y * a.normal.y > 0.0; }
 void draw_arrow(Svg& svg, Point p, const Arrow& a, const Stroke& stroke, Head head) {
   const double size = std::hypot(a.direction.x, a.direction.y);
   const Point way{a.length * a.direction.x / size, a.length * a.direction.y / size};
-  if (way.x * a.normal.x + way.y * a.normal.y > 0.0)
+  if (outwards(a))
     svg.arrow(p, {p.x + way.x, p.y + way.y}, stroke, a.head, head);
   else
     svg.arrow({p.x - way.x, p.y - way.y}, p, stroke, a.head, head);
@@ -100,11 +109,11 @@ void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head
   svg.mark(Mark::kCross, centre, 7.0, stroke.colour);
 }
 
-// Centre of the area within a body's curves, images included.
-Point centre_of(const BodyScene& body) {
+// Centre of the area within closed curves.
+Point centroid(const std::vector<std::vector<Point>>& curves) {
   double area = 0.0;
   Point moment;
-  for (const std::vector<Point>& curve : outline_of(body, 0.0))
+  for (const std::vector<Point>& curve : curves)
     for (size_t i = 0; i < curve.size(); ++i) {
       const Point a = curve[i], b = curve[(i + 1) % curve.size()];
       const double part = a.x * b.y - b.x * a.y;
@@ -113,6 +122,17 @@ Point centre_of(const BodyScene& body) {
       moment.y += part * (a.y + b.y) / 3.0;
     }
   return area != 0.0 ? Point{moment.x / area, moment.y / area} : Point{};
+}
+
+// Where symbols of a whole body stand: its centre, images included; of a body beside its image, that of its first curve; of a
+// platen, the middle of the ends that it moves.
+Point centre_of(const Scene& scene, int32_t number) {
+  const BodyScene& body = scene.bodies[static_cast<size_t>(number) - 1];
+  const std::vector<std::vector<Point>> curves = outline_of(body, 0.0);
+  for (const ZoneScene& zone : scene.zones)
+    if (body.platen && zone.body[0] == number && zone.pairs > 0) return scene.pairs[zone.first + zone.pairs / 2].on[0];
+  const Point all = centroid(curves);
+  return curves.size() < 2 || is_inside(curves, all) ? all : centroid({curves[0]});
 }
 
 // The loads of one case on one body and its images.
@@ -125,20 +145,20 @@ public:
     double largest = 0.0;
     for (const EndCondition& c : body.conditions) largest = std::max(largest, std::hypot(c.value(0, case_), c.value(1, case_)));
     std::vector<Point> motions, tractions;
-    for (const Image& image : scene_.images)
-      for (size_t i = 0; i < body.conditions.size(); ++i) {
-        const EndCondition& c = body.conditions[i];
+    for (size_t i = 0; i < body.conditions.size(); ++i) {
+      const EndCondition& c = body.conditions[i];
+      const Point u{c.value(2, case_), c.value(3, case_)}, t{c.value(0, case_), c.value(1, case_)};
+      const double size = std::hypot(t.x, t.y);
+      const bool moves = std::hypot(u.x, u.y) > 0.0 && take_place(motions, scene_, view_, body.ends[i], 1.5 * kSpacing);
+      const bool pulls = size > 1e-12 * largest && take_place(tractions, scene_, view_, body.ends[i], 0.8 * kSpacing);
+      for (const Image& image : scene_.images) {
         const Point at = image.place(body.ends[i]), p = view_.at(at.x, at.y);
         if (!visible(view_, p)) continue;
-        const Point n = image.direction(body.normals[i]);
-        const Point u = image.direction({c.value(2, case_), c.value(3, case_)});
-        const Point t = image.direction({c.value(0, case_), c.value(1, case_)});
-        const double size = std::hypot(t.x, t.y);
-        if (std::hypot(u.x, u.y) > 0.0 && take_place(motions, p, 1.5 * kSpacing))
-          arrow(Symbol::kDisplacement, p, u, {0.0, 0.0}, 26.0, 7.0);
-        if (size > 1e-12 * largest && take_place(tractions, p, 0.8 * kSpacing))
-          arrow(Symbol::kTraction, p, t, n, 10.0 + 18.0 * size / largest, 6.5);
+        if (moves) arrow(Symbol::kDisplacement, p, image.direction(u), {0.0, 0.0}, 26.0, 7.0);
+        if (pulls)
+          arrow(Symbol::kTraction, p, image.direction(t), image.direction(body.normals[i]), 10.0 + 18.0 * size / largest, 6.5);
       }
+    }
   }
 
   void point_load(const PointLoad& load) {
@@ -152,7 +172,7 @@ public:
 
   // Starts at the middle of the body.
   void body_force(const BodyForce& force) {
-    const Point middle = centre_of(scene_.bodies[static_cast<size_t>(force.body) - 1]);
+    const Point middle = centre_of(scene_, force.body);
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(force.axis.x, force.axis.y);
     if ((force.force.x != 0.0 || force.force.y != 0.0) && visible(view_, p))
       arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, kInnerArrow, 13.0);
@@ -160,23 +180,36 @@ public:
   }
 
   void rigid_motion(const RigidMotion& motion) {
-    const Point middle = centre_of(scene_.bodies[static_cast<size_t>(motion.body) - 1]);
+    const Point middle = centre_of(scene_, motion.body);
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
     if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
       arrow(Symbol::kRigidMotion, p, motion.by, motion.by, kInnerArrow, 12.0);
     if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
   }
 
+  void rigid_load(const RigidLoad& load) {
+    for (const Image& image : scene_.images) {
+      const Point at = image.place(load.at), p = view_.at(at.x, at.y), force = image.direction(load.force);
+      if (!visible(view_, p)) continue;
+      if (force.x != 0.0 || force.y != 0.0) arrow(Symbol::kRigidForce, p, force, {0.0, 0.0}, 36.0, 11.0);
+      if (load.moment != 0.0) turn(Symbol::kRigidMoment, p, load.moment * image.turn.x * image.turn.y > 0.0);
+      svg_.mark(Mark::kCircle, p, 4.0, stroke_of(Symbol::kRigidForce, case_).colour);
+    }
+  }
+
 private:
   // `direction` and `normal` are of the model.
   void arrow(Symbol symbol, Point p, Point direction, Point normal, double length, double head) {
-    draw_arrow(svg_, p, {{direction.x, -direction.y}, {normal.x, -normal.y}, length, head}, stroke_of(symbol, case_),
-               head_of(symbol));
+    const Arrow a{{direction.x, -direction.y}, {normal.x, -normal.y}, length, head};
+    draw_arrow(svg_, p, a, stroke_of(symbol, case_), head_of(symbol));
     present_.note(symbol, case_);
+    const double size = std::hypot(direction.x, direction.y), sign = outwards(a) ? 1.0 : -1.0;
+    present_.cover(p, {p.x + sign * length * a.direction.x / size, p.y + sign * length * a.direction.y / size}, 5.0);
   }
   void turn(Symbol symbol, Point p, bool positive) {
     draw_turn(svg_, p, positive, stroke_of(symbol, case_), head_of(symbol));
     present_.note(symbol, case_);
+    present_.cover(p, p, kTurnRadius + 5.0);
   }
 
   Svg& svg_;
@@ -194,27 +227,38 @@ void Present::note(Symbol symbol, size_t load_case) {
   cases[load_case] = true;
 }
 
+void Present::cover(Point from, Point to, double half) {
+  const int parts = 1 + static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / half);
+  for (int i = 0; i <= parts; ++i) {
+    const Point p{from.x + (to.x - from.x) * i / parts, from.y + (to.y - from.y) * i / parts};
+    taken.push_back({p.x - half, p.y - half, p.x + half, p.y + half});
+  }
+}
+
 void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& present) {
   std::vector<Point> placed[2];
   for (const BodyScene& body : scene.bodies) {
     if (body.rigid) continue;
     const std::vector<Point> out = outward(body);
     const size_t ends = static_cast<size_t>(scene.summary.function_nodes);
-    for (const Image& image : scene.images)
-      for (size_t i = 0; i < body.conditions.size(); ++i) {
-        // On a line of symmetry by images the line itself supports a node across it.
-        const int line = image_line_at(scene.summary, body.ends[i]);
-        const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2), line != 2 && is_held(body.conditions[i], 3)};
+    for (size_t i = 0; i < body.conditions.size(); ++i) {
+      // On a line of symmetry by images the line itself supports a node across it.
+      const int line = image_line_at(scene.summary, body.ends[i]);
+      const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2), line != 2 && is_held(body.conditions[i], 3)};
+      const bool both = fixed[0] && fixed[1];
+      if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends]) continue;
+      if (!take_place(placed[both ? 1 : 0], scene, view, body.ends[i], kSpacing)) continue;
+      for (const Image& image : scene.images) {
         const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
-        if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends] || !visible(view, p)) continue;
-        const bool both = fixed[0] && fixed[1];
-        if (!take_place(placed[both ? 1 : 0], p, kSpacing)) continue;
+        if (!visible(view, p)) continue;
         present.support = true;
         const Point n = image.direction(out[static_cast<size_t>(body.nodes[i])]);
         const bool along_x = both ? std::fabs(n.x) > std::fabs(n.y) + 1e-3 : fixed[0];
         const double dx = n.x < -1e-6 ? -1.0 : 1.0, dy = n.y > 1e-6 ? -1.0 : 1.0; // of the picture
         draw_support(svg, p, along_x ? dx : 0.0, along_x ? 0.0 : dy, both);
+        present.cover(p, {p.x + (along_x ? 10.0 * dx : 0.0), p.y + (along_x ? 0.0 : 10.0 * dy)}, 5.0);
       }
+    }
   }
 }
 
@@ -229,41 +273,29 @@ void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& presen
       if (force.load_case == k) loads.body_force(force);
     for (const RigidMotion& motion : scene.motions)
       if (motion.load_case == k) loads.rigid_motion(motion);
+    for (const RigidLoad& load : scene.rigid_loads)
+      if (k == 0) loads.rigid_load(load); // of all cases together
   }
-}
-
-std::vector<Box> inner_symbols(const Scene& scene, const Chart& view) {
-  std::vector<Box> out;
-  const auto add = [&](Point p, double half) { out.push_back({p.x - half, p.y - half, p.x + half, p.y + half}); };
-  const auto add_arrow = [&](int32_t body, Point way) {
-    const double size = std::hypot(way.x, way.y);
-    const Point middle = centre_of(scene.bodies[static_cast<size_t>(body) - 1]), p = view.at(middle.x, middle.y);
-    for (double at = 0.0; size > 0.0 && at <= kInnerArrow; at += 0.125 * kInnerArrow)
-      add({p.x + at * way.x / size, p.y - at * way.y / size}, 6.0);
-  };
-  const auto add_turn = [&](Point axis) { add(view.at(axis.x, axis.y), kTurnRadius + 4.0); };
-  for (const BodyForce& force : scene.body_forces) {
-    add_arrow(force.body, force.force);
-    if (force.rho_omega2 != 0.0) add_turn(force.axis);
-  }
-  for (const RigidMotion& motion : scene.motions) {
-    add_arrow(motion.body, motion.by);
-    if (motion.rotation != 0.0) add_turn(motion.axis);
-  }
-  return out;
 }
 
 std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& present) {
   const auto rigid = std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const BodyScene& b) { return b.rigid; });
-  const char* const words[] = {"traction",   "point load", "prescribed displacement",
-                               "body force", "rotation",   rigid > 1 ? "motion of a rigid body" : "motion of the rigid body"};
+  const char* const words[] = {"traction",
+                               "point load",
+                               "prescribed displacement",
+                               "body force",
+                               "rotation",
+                               rigid > 1 ? "motion of a rigid body" : "motion of the rigid body",
+                               "force on a rigid body",
+                               "moment on a rigid body"};
   std::vector<LegendEntry> out;
   if (present.support) out.push_back({"support (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   for (size_t k = 0; k < scene.cases; ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       if (k >= present.load[s].size() || !present.load[s][k]) continue;
       const Symbol symbol = static_cast<Symbol>(s);
-      const std::string text = scene.cases > 1 ? words[s] + (", case " + std::to_string(k + 1)) : words[s];
+      const bool all = symbol == Symbol::kRigidForce || symbol == Symbol::kRigidMoment;
+      const std::string text = scene.cases > 1 && !all ? words[s] + (", case " + std::to_string(k + 1)) : words[s];
       out.push_back({text, stroke_of(symbol, k), Mark::kNone, true, "", head_of(symbol)});
     }
   return out;

@@ -34,6 +34,12 @@ std::string contact_text(const Scene& scene) {
   return out;
 }
 
+// A long name would leave the bars no room: the number alone.
+std::string short_label(const Scene& scene, int32_t body) {
+  const std::string label = body_label(scene, body);
+  return text_width(label, 12.0) < 130.0 ? label : "body " + std::to_string(body);
+}
+
 std::string caption(const Scene& scene) {
   const Summary& s = scene.summary;
   std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
@@ -61,14 +67,14 @@ void draw_balance(const Scene& scene, Pictures& out) {
   range.include(0.0);
   for (int32_t b = 0; b < s.bodies; ++b)
     for (int k = 0; k < 2; ++k) {
-      rows.push_back({body_label(scene, b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
+      rows.push_back({short_label(scene, b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
       range.include(s.body[b].applied[k]);
       range.include(s.body[b].contact[k]);
     }
   const bool contact = !scene.pairs.empty();
-  double left = 96.0;
+  double left = 84.0;
   for (const Row& each : rows) left = std::max(left, 16.0 + text_width(each.name, 12.0));
-  const double row = contact ? 40.0 : 28.0, right = kPictureWidth - 130.0, top = 54.0;
+  const double row = contact ? 40.0 : 28.0, right = kPictureWidth - 112.0, top = 54.0;
   const double bottom = top + row * static_cast<double>(rows.size());
   Svg svg("balance", kPictureWidth, bottom + 44.0);
   const std::string hatched = svg.hatch(colour::kOrange, "#fbe3d0");
@@ -79,7 +85,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
   chart.y.name = "";
   chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
   draw_axes(svg, chart);
-  svg.text({right + 122.0, top - 8.0}, "sum", 11.0, Anchor::kEnd);
+  svg.text({right + 106.0, top - 8.0}, "sum", 11.0, Anchor::kEnd);
   for (size_t i = 0; i < rows.size(); ++i) {
     const double y = top + row * static_cast<double>(i);
     if (i > 0) svg.line({left, y}, {right, y}, Stroke{colour::kGrid, 0.7, ""});
@@ -87,7 +93,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
     if (contact) draw_bar(svg, chart, y + 22.0, rows[i].contact, hatched, colour::kOrange);
     const double middle = y + 0.5 * row + 4.0;
     svg.text({left - 8.0, middle}, rows[i].name, 12.0, Anchor::kEnd);
-    svg.text({right + 122.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0, Anchor::kEnd);
+    svg.text({right + 106.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0, Anchor::kEnd);
   }
   const double zero = chart.at(0.0, 0.0).x;
   svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});

@@ -68,7 +68,7 @@ c2d_status collect(const Scene& scene, size_t b, Curves& out) {
     size_t begin = from; // of what is boundary
     while (begin + 1 < to && body.on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
     const Point start = body.ends[begin];
-    out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
+    out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at " + place_text(scene, start, size_of(scene)),
                            kBodyLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
   return status;
@@ -78,7 +78,7 @@ c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
   Curves curves;
   const c2d_status status = collect(scene, b, curves);
   if (status != C2D_OK) return status;
-  const double left = 76.0, right = kPictureWidth - 16.0;
+  const double left = 66.0, right = kPictureWidth - 18.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, curves.entries) + 12.0;
   Picture picture{"boundary", "Stress along the boundary", "", ""};
   const int32_t number = static_cast<int32_t>(b) + 1;
@@ -99,8 +99,8 @@ c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
       svg.polyline(points, kBodyLines[r % 4]);
     }
   picture.caption = "Normal stress along the boundary" + which + " (hoop stress) at " + place_at_end(scene) +
-                    ": the largest in size is " + figure(curves.largest, scene.stress_unit, 6) + " at (" +
-                    figure(curves.where.x) + ", " + figure(curves.where.y) + ").";
+                    ": the largest in size is " + figure(curves.largest, scene.stress_unit, 6) + " at " +
+                    place_text(scene, curves.where, size_of(scene)) + ".";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
   return C2D_OK;

@@ -41,8 +41,10 @@ std::vector<Line> errors(const MeshLoop& loop) {
   for (const MeshRound& round : loop.rounds) {
     std::map<std::string, double> worst;
     for (const Stated& s : round.stated)
-      if (!std::isnan(s.tolerance) && s.relative_error() > 0.0) // not NaN
-        worst[s.name] = std::max(worst[s.name], s.relative_error() / s.tolerance);
+      if (!std::isnan(s.tolerance) && s.relative_error() > 0.0) { // not NaN
+        double& size = worst[s.name()];
+        size = std::max(size, s.relative_error() / s.tolerance);
+      }
     for (const auto& [name, size] : worst) {
       Line& line = lines[name];
       line.name = escape_xml(name);
@@ -94,10 +96,11 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
 }
 
 std::string caption_of(bool has_errors) {
-  std::string out = "Left: difference of tractions (of the worst contact, averaged over it and the history) and of energy from "
-                    "the previous mesh, with elements twice as long.";
+  std::string out =
+      "Above: difference of tractions (of the worst contact, averaged over it and the history) and of energy from "
+      "the previous mesh, with elements twice as long.";
   if (has_errors)
-    out += " Right: stated errors of the requested numbers, the largest of every kind, divided by their tolerances; "
+    out += " Below: stated errors of the requested numbers, the largest of every kind, divided by their tolerances; "
            "below the thick line the tolerances are met. Values below " +
            figure(kLeast) + " are omitted. Errors are estimates, not bounds.";
   return out;
@@ -113,19 +116,18 @@ void draw_convergence(const Scene& scene, Pictures& out) {
   Range elements;
   for (const MeshRound& round : loop.rounds)
     if (std::isfinite(round.pressure) || std::isfinite(round.energy)) elements.include(round.elements);
-  const double wide = 280.0, top = 30.0, high = 240.0;
-  const Box frames[2] = {{84.0, top, 84.0 + wide, top + high},
-                         {kPictureWidth - 16.0 - wide, top, kPictureWidth - 16.0, top + high}};
-  const double legends = std::max(draw_legend(nullptr, {0.0, 0.0}, wide + 30.0, legend_of(left)),
-                                  draw_legend(nullptr, {0.0, 0.0}, wide + 30.0, legend_of(right)));
-  Svg svg("convergence", kPictureWidth, top + high + 44.0 + legends);
+  const double from = 72.0, to = kPictureWidth - 18.0, wide = to - from, top = 30.0, high = 210.0;
+  const double first = draw_legend(nullptr, {0.0, 0.0}, wide, legend_of(left)) + high + 44.0;
+  const double second = both ? draw_legend(nullptr, {0.0, 0.0}, wide, legend_of(right)) + high + 74.0 : 0.0;
+  const Box frames[2] = {{from, top, to, top + high}, {from, top + first + 30.0, to, top + first + 30.0 + high}};
+  Svg svg("convergence", kPictureWidth, top + first + second);
   draw_chart(svg, frames[0], elements, left, "change, %", false);
   draw_heading(svg, frames[0], "Change from the mesh before");
-  draw_legend(&svg, {frames[0].left - 30.0, top + high + 42.0}, wide + 30.0, legend_of(left));
+  draw_legend(&svg, {from, frames[0].bottom + 42.0}, wide, legend_of(left));
   if (both) {
     draw_chart(svg, frames[1], elements, right, "stated error / tolerance", true);
     draw_heading(svg, frames[1], "Stated errors");
-    draw_legend(&svg, {frames[1].left - 30.0, top + high + 42.0}, wide + 30.0, legend_of(right));
+    draw_legend(&svg, {from, frames[1].bottom + 42.0}, wide, legend_of(right));
   }
   Picture picture{"convergence", "Convergence over the meshes", caption_of(both), ""};
   picture.svg = svg.finish(picture.title, picture.caption);

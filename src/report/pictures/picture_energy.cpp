@@ -63,13 +63,12 @@ void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const
 
 // One row: work and elastic energy on the left, dissipation, which may be much less, on the right.
 void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom, bool labels) {
-  const Box frames[2] = {{76.0, top, axes.dissipates ? 372.0 : kPictureWidth - 16.0, bottom},
-                         {464.0, top, kPictureWidth - 16.0, bottom}};
+  constexpr double kFirst = 62.0, kBetween = 68.0, kLast = kPictureWidth - 18.0, kWide = (kLast - kFirst - kBetween) / 2.0;
+  const Box frames[2] = {{kFirst, top, axes.dissipates ? kFirst + kWide : kLast, bottom}, {kLast - kWide, top, kLast, bottom}};
   for (size_t side = 0; side < (axes.dissipates ? 2 : 1); ++side) {
     const Chart chart{frames[side], axes.x, axes.y[side]};
     draw_axes(svg, chart, labels);
-    draw_heading(svg, frames[side],
-                 "&#956; = " + figure(h.mu) + (side == 0 ? ": work and elastic energy" : ": dissipated by friction"));
+    draw_heading(svg, frames[side], (side == 0 ? "work, elastic, &#956; = " : "dissipated, &#956; = ") + figure(h.mu));
     for (size_t k = 0; k < 3; ++k)
       if (k / 2 == side) draw_curve(svg, chart, h, kCurves[k], axes.by_load);
   }
@@ -92,13 +91,14 @@ void draw_energy(const Scene& scene, Pictures& out) {
   while (count < std::min(all.size(), kMostCharts) && !all[count].energy.empty()) ++count;
   if (count == 0) return;
   const Axes axes = make_axes(scene, count);
-  const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;
-  Svg svg("energy", kPictureWidth, top + row * static_cast<double>(count) + 12.0);
   std::vector<LegendEntry> entries;
   for (const EnergyCurve& curve : kCurves)
     if (axes.dissipates || curve.value != &EnergyPoint::dissipated)
       entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
-  draw_legend(&svg, {76.0, 4.0}, 660.0, entries);
+  const double top = 34.0 + draw_legend(nullptr, {62.0, 4.0}, kPictureWidth - 74.0, entries), high = count == 1 ? 220.0 : 150.0,
+               row = high + 32.0;
+  Svg svg("energy", kPictureWidth, top + row * static_cast<double>(count) + 12.0);
+  draw_legend(&svg, {62.0, 4.0}, kPictureWidth - 74.0, entries);
   Picture picture{"energy", "Balance of energy", "", ""};
   if (count == 1) picture.title += ", &#956; = " + figure(all[0].mu);
   for (size_t c = 0; c < count; ++c) {

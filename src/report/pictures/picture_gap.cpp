@@ -60,13 +60,13 @@ struct Panel {
   Stroke stroke;
 };
 
-std::vector<Panel> find_panels(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table, double nothing) {
+std::vector<Panel> find_panels(const ZoneScene& zone, const std::vector<double>& table, double nothing) {
   std::vector<Panel> all{
       {C2D_GAP, {}, "gap", "Normal gap", Stroke{colour::kGreen, 2.0, ""}},
       {C2D_SLIP_SUM,
        {},
        "slip",
-       "Accumulated slip of " + body_label(scene, zone.body[1]) + " against " + body_label(scene, zone.body[0]) + ", along t",
+       "Slip of body " + std::to_string(zone.body[1]) + " against body " + std::to_string(zone.body[0]) + " along t, summed up",
        Stroke{colour::kPurple, 2.0, "6 2"}}};
   std::vector<Panel> out;
   for (Panel& panel : all) {
@@ -85,14 +85,14 @@ void draw_gap_of(const Scene& scene, size_t coefficient, size_t zone_index, Pict
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   Range s;
   for (const ZoneSample& p : zone.samples) s.include(p.s);
-  const std::vector<Panel> panels = find_panels(scene, zone, record.table, 1e-12 * (s.high - s.low)); // round-off is no gap
+  const std::vector<Panel> panels = find_panels(zone, record.table, 1e-12 * (s.high - s.low)); // round-off is no gap
   if (panels.empty()) return;
-  const double left = 76.0, right = kPictureWidth - 16.0, top = 54.0, high = 170.0;
+  const double left = 66.0, right = kPictureWidth - 18.0, top = 54.0, high = 170.0;
   const double bottom = top + static_cast<double>(panels.size()) * (high + 30.0) - 30.0;
   const std::string name = "gap" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, bottom + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, status_legend(is_tied(record, zone)));
-  const Axis axis = make_axis(s, position_name(scene, zone), scene.length_unit, 9);
+  const Axis axis = position_axis(scene, zone);
   for (size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
     const double from = top + static_cast<double>(i) * (high + 30.0);
@@ -101,7 +101,7 @@ void draw_gap_of(const Scene& scene, size_t coefficient, size_t zone_index, Pict
     draw_heading(svg, chart.frame, panel.heading);
     draw_column(svg, zone, record.table, panel.column, chart, panel.stroke);
   }
-  const char* title = panels.size() == 2 ? "Gap and slip, " : panels[0].column == C2D_GAP ? "Gap, " : "Slip, ";
+  const char* title = panels.size() == 2 ? "Gap and slip" : panels[0].column == C2D_GAP ? "Gap" : "Slip";
   Picture picture{name, title + chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
                   caption(scene, zone, coefficient), ""};
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -51,8 +51,8 @@ void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures&
   for (const Point& p : loop.path) x.include(p.x), y.include(p.y);
   if (!(mu > 0.0) || loop.turns.empty() || !(x.high > x.low) || !(y.high > y.low)) return;
   const std::string name = "loop" + chart_suffix(scene, coefficient, zone);
-  const Chart chart{{96.0, 14.0, kPictureWidth - 24.0, 334.0},
-                    make_axis(x, "mean displacement of side 2 against side 1", scene.length_unit, 8),
+  const Chart chart{{84.0, 14.0, kPictureWidth - 26.0, 334.0},
+                    make_axis(x, "mean displacement of side 2 against side 1", scene.length_unit, 6),
                     make_axis(y, "friction force on side 1", scene.force_unit, 6)};
   std::vector<Point> points, cycle;
   for (const Point& p : loop.path) points.push_back(chart.at(p.x, p.y));
@@ -63,7 +63,7 @@ void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures&
   svg.polyline(points, Stroke{colour::kFaint, 1.1, "6 3"});
   if (loop.any()) svg.polyline(cycle, Stroke{colour::kOrange, 2.0, ""});
   for (const Point& p : points) svg.mark(Mark::kCircle, p, 4.5, colour::kOrange);
-  Picture picture{name, "Friction over displacement, " + chart_title(scene, mu, zone), caption(scene, coefficient, zone, loop),
+  Picture picture{name, "Friction over displacement" + chart_title(scene, mu, zone), caption(scene, coefficient, zone, loop),
                   ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

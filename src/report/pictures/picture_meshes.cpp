@@ -128,7 +128,7 @@ void draw_meshes(const Scene& scene, Pictures& out) {
       for (const OutlinePoint& p : curve) whole.include(p.at);
   if (whole.x.empty) return;
   const bool zoom = Close(scene).find(whole.size(), part);
-  const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0, below = 44.0;
+  const double left = 54.0, gap = 54.0, right = 8.0, top = 30.0, below = 44.0;
   const bool both = loop.taken > 0; // one mesh alone has its contact beside it
   const double wide = (kPictureWidth - left - gap - right) / 2.0, high = view_height(whole.x, whole.y, wide, 160.0, 340.0),
                high_part = !zoom  ? 0.0

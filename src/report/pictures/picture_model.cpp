@@ -30,11 +30,13 @@ public:
     for (size_t b = 0; b < scene_.bodies.size(); ++b) bodies(b);
     lines_of_symmetry();
     pairs();
+    present_.taken.clear();
     draw_supports(svg_, scene_, view_, present_);
     draw_loads(svg_, scene_, view_, present_);
     svg_.end_clip();
-    pair_labels();
+    taken_.insert(taken_.end(), present_.taken.begin(), present_.taken.end());
     if (scene_.bodies.size() > 1) body_labels();
+    pair_labels();
   }
 
 private:
@@ -56,6 +58,7 @@ private:
         const Point p = mapped(view_, image.place(corner));
         if (!visible(p) || distance(p, last) < 3.0) continue;
         svg_.mark(Mark::kCircle, p, zoom_ ? 3.2 : 2.2, style_of(b).edge);
+        taken_.push_back(around(p, 3.0, 3.0));
         last = p;
       }
     }
@@ -77,7 +80,7 @@ private:
   }
 
   void lines_of_symmetry() {
-    const Stroke line{colour::kPurple, 1.2, "14 4 3 4"};
+    const Stroke line{colour::kFaint, 1.2, "14 4 3 4"};
     const Summary& s = scene_.summary;
     const Box& f = view_.frame;
     if ((s.symmetry & 1) != 0) {
@@ -90,40 +93,50 @@ private:
     }
   }
 
+  // Pairs that may touch are green squares, tied ones diamonds of another colour.
   void pairs() {
     for (const Image& image : scene_.images)
       for (const PairScene& pair : scene_.pairs) {
         if (!is_of_contact(scene_, pair)) continue;
         const Point a = mapped(view_, image.place(pair.on[0])), b = mapped(view_, image.place(pair.on[1]));
         if (!visible(a)) continue;
-        svg_.line(a, b, Stroke{colour::kGreen, zoom_ ? 1.2 : 1.0, ""});
-        if (!zoom_) continue;
-        svg_.mark(Mark::kSquare, a, 4.5, colour::kGreen);
-        svg_.mark(Mark::kSquare, b, 4.5, colour::kGreen, false);
+        const bool tied = scene_.zones[static_cast<size_t>(pair.zone) - 1].tied;
+        const char* ink = tied ? colour::kTie : colour::kGreen;
+        const Mark mark = tied ? Mark::kDiamond : Mark::kSquare;
+        svg_.line(a, b, Stroke{ink, zoom_ ? 1.2 : 1.0, ""});
+        if (zoom_) svg_.mark(mark, a, 4.5, ink);
+        if (zoom_) svg_.mark(mark, b, 4.5, ink, false);
+        taken_.push_back(around(a, 4.0, 4.0)), taken_.push_back(around(b, 4.0, 4.0));
+      }
+    if (zoom_) return;
+    for (const Image& image : scene_.images)
+      for (const ZoneScene& zone : scene_.zones) {
+        if (scene_.bodies[static_cast<size_t>(zone.body[0]) - 1].platen) continue;
+        std::vector<Point> line;
+        for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
+          line.push_back(mapped(view_, image.place(scene_.pairs[p].on[0])));
+        svg_.polyline(line, Stroke{zone.tied ? colour::kTie : colour::kGreen, 2.6, ""});
       }
   }
 
-  // Numbers of the first and last pair of each zone in the zoom.
+  // Numbers of the first and last pair of each zone in the zoom, where there is room beside them.
   void pair_labels() {
     if (!zoom_) return;
     for (const ZoneScene& zone : scene_.zones) {
       if (zone.pairs == 0) continue;
       const size_t last = zone.first + zone.pairs - 1;
       for (const size_t p : {zone.first, last}) {
-        const Point a = mapped(view_, scene_.pairs[p].on[0]);
         const std::string number = std::to_string(p + 1);
-        const double x = std::min(std::max(a.x, view_.frame.left + 14.0), view_.frame.right - 14.0);
-        const Box box = around({x, a.y + 16.0}, 0.5 * text_width(number, 11.0), 7.0);
-        if (a.y + 24.0 < view_.frame.bottom && a.y > view_.frame.top && take_box(box))
-          svg_.text({x, a.y + 20.0}, number, 11.0, Anchor::kMiddle, colour::kGreen, false, true);
+        Point at;
+        if (find_room(mapped(view_, scene_.pairs[p].on[0]), 0.5 * text_width(number, 11.0) + 1.0, 7.0, 40.0, at))
+          svg_.text({at.x, at.y + 4.0}, number, 11.0, Anchor::kMiddle, zone.tied ? colour::kTie : colour::kGreen, false, true);
         if (last == zone.first) break;
       }
     }
   }
 
-  // The number of every body that has room for it; in the view of the whole of every one.
+  // The number of every body: inside, where nothing else stands; else beside it, with a line to it.
   void body_labels() {
-    const std::vector<Box> symbols = inner_symbols(scene_, view_), nothing;
     for (size_t b = 0; b < scene_.bodies.size(); ++b) {
       std::vector<std::vector<Point>> curves = outline_of(scene_.bodies[b], 0.0);
       for (auto& curve : curves)
@@ -131,18 +144,56 @@ private:
       const std::string number = std::to_string(b + 1);
       const double half = std::max(9.0, 0.5 * text_width(number, kBodyNumber) + 3.0);
       double room = 0.0;
-      Point at = widest_place(curves, half, symbols, room);
-      if (room <= 0.0) at = widest_place(curves, half, nothing, room);
-      if (room <= 0.0 || (zoom_ && room < half)) continue;
-      take_box(around(at, half, half));
-      if (room >= half) svg_.mark(Mark::kCircle, at, 2.0 * half, style_of(b).edge, false);
+      Point at = widest_place(curves, half, taken_, room);
+      if (room < half) {
+        const Point inside = widest_place(curves, 0.0, {}, room);
+        if (room <= 0.0 || zoom_ || !find_room(inside, half, half, 90.0, at)) continue;
+        const double apart = distance(inside, at);
+        svg_.line(inside, {at.x + half / apart * (inside.x - at.x), at.y + half / apart * (inside.y - at.y)},
+                  Stroke{style_of(b).edge, 1.0, ""});
+      }
+      taken_.push_back(around(at, half, half));
+      svg_.mark(Mark::kCircle, at, 2.0 * half, style_of(b).edge, false);
       svg_.text({at.x, at.y + 4.5}, number, kBodyNumber, Anchor::kMiddle, style_of(b).edge, false, true);
     }
   }
 
+  // The place nearest to a point, within the frame and a distance, where nothing stands, no edge of a body either.
+  bool find_room(Point from, double half_width, double half_height, double most, Point& out) {
+    const Box& f = view_.frame;
+    if (edges_.empty()) collect_edges();
+    for (double radius = std::max(half_width, half_height) + 5.0; radius <= most; radius += 4.0)
+      for (int k = 0; k < 24; ++k) {
+        const double angle = 3.14159265358979323846 * (k % 2 == 0 ? k / 2 : -(k + 1) / 2) / 12.0 + 1.5707963267948966;
+        const Point p{from.x + radius * std::cos(angle), from.y + radius * std::sin(angle)};
+        const Box box = around(p, half_width, half_height);
+        if (box.left < f.left + 2.0 || box.right > f.right - 2.0 || box.top < f.top + 2.0 || box.bottom > f.bottom - 2.0)
+          continue;
+        if (!is_free(box, taken_) || !is_free(box, edges_)) continue;
+        out = p;
+        taken_.push_back(box);
+        return true;
+      }
+    return false;
+  }
+
+  void collect_edges() {
+    edges_.push_back({-1e9, -1e9, -1e9, -1e9}); // collected, whatever follows
+    for (const BodyScene& body : scene_.bodies)
+      for (const std::vector<Point>& curve : outline_of(body, 0.0))
+        for (size_t i = 0; i < curve.size(); ++i) {
+          const Point a = mapped(view_, curve[i]), b = mapped(view_, curve[(i + 1) % curve.size()]);
+          const int parts = 1 + static_cast<int>(std::min(500.0, distance(a, b) / 4.0));
+          for (int k = 0; k < parts; ++k) {
+            const Point p{a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts};
+            if (visible(p)) edges_.push_back(around(p, 1.5, 1.5));
+          }
+        }
+  }
+
   // Of the middles of rows and columns of a body within the frame, those amid the body first, the one farthest
-  // from its boundary where nothing stands yet; `room`: how far. 0: there is none.
-  Point widest_place(const std::vector<std::vector<Point>>& curves, double half, const std::vector<Box>& symbols,
+  // from its boundary where nothing stands; `room`: how far. 0: there is none.
+  Point widest_place(const std::vector<std::vector<Point>>& curves, double half, const std::vector<Box>& taken,
                      double& room) const {
     const Box& f = view_.frame;
     const Box inner{f.left + half + 1.0, f.top + half + 1.0, f.right - half - 1.0, f.bottom - half - 1.0};
@@ -160,7 +211,7 @@ private:
       const double level = low + (place + 0.5) / lines * (high - low);
       for (const Point& p : middles(curves, inner, level, row)) {
         const Box label = around(p, half, half);
-        if (!is_free(label, taken_) || !is_free(label, symbols)) continue;
+        if (!is_free(label, taken)) continue;
         const double here = distance_to(curves, p);
         if (here > room + 0.5 || room == 0.0) best = p, room = here;
       }
@@ -207,12 +258,6 @@ private:
       if (box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom) return false;
     return true;
   }
-  bool take_box(const Box& box) {
-    if (!is_free(box, taken_)) return false;
-    taken_.push_back(box);
-    return true;
-  }
-
   static constexpr double kBodyNumber = 12.5; // size of the text
 
   Svg& svg_;
@@ -220,7 +265,8 @@ private:
   const Chart& view_;
   bool zoom_;
   Present& present_;
-  std::vector<Box> taken_; // by labels
+  std::vector<Box> taken_; // by nodes, pairs, symbols and labels
+  std::vector<Box> edges_; // of bodies
 };
 
 std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& present) {
@@ -233,9 +279,13 @@ std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& pre
       out.push_back({label + (scene.bodies[b].rigid ? ", rigid" : ""), Stroke{style_of(b).edge, 1.3, ""}, Mark::kNone, true,
                      fill_of(svg, scene, b)});
   }
-  if (has_contact(scene)) out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
+  bool kinds[2] = {false, false}; // contact, tie
+  for (const PairScene& pair : scene.pairs)
+    if (is_of_contact(scene, pair)) kinds[scene.zones[static_cast<size_t>(pair.zone) - 1].tied ? 1 : 0] = true;
+  if (kinds[0]) out.push_back({"contact zone", Stroke{colour::kGreen, 2.6, ""}, Mark::kSquare, true, ""});
+  if (kinds[1]) out.push_back({"tie", Stroke{colour::kTie, 2.6, ""}, Mark::kDiamond, true, ""});
   if (scene.summary.symmetry != 0)
-    out.push_back({"line of symmetry", Stroke{colour::kPurple, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
+    out.push_back({"line of symmetry", Stroke{colour::kFaint, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
   for (const LegendEntry& entry : symbol_legend(scene, present)) out.push_back(entry);
   return out;
 }
@@ -281,7 +331,37 @@ std::string model_caption(const Scene& scene) {
 
 } // namespace
 
+namespace {
+
+// A frame with the model or a part of it, and the legend below.
+Picture draw_model_view(const Scene& scene, const std::string& name, const Range& x, const Range& y, bool zoom,
+                        const Chart* marked) {
+  const double left = 62.0, right = 14.0, top = 12.0, wide = kPictureWidth - left - right;
+  const double high = view_height(x, y, wide, 200.0, 400.0);
+  const Chart view = make_view({left, top, left + wide, top + high}, x, y, zoom ? 26.0 : 44.0, scene.length_unit);
+  Present present;
+  Svg trial(name, kPictureWidth, 0.0); // finds what is present before the height is known
+  ModelView(trial, scene, view, zoom, present).draw();
+  const double legend_top = view.frame.bottom + 44.0;
+  const double height = legend_top + draw_legend(nullptr, {left, legend_top}, wide, legend(trial, scene, present)) + 4.0;
+  Svg svg(name, kPictureWidth, height);
+  ModelView(svg, scene, view, zoom, present).draw();
+  if (marked != nullptr) draw_zoom_frame(svg, view, *marked);
+  draw_legend(&svg, {left, legend_top}, wide, legend(svg, scene, present));
+  Picture picture{name, "Model", model_caption(scene), ""};
+  if (zoom) {
+    picture.title = "Model at the contact";
+    picture.caption = "The part in the dashed frame of the whole model. Squares and diamonds are pairs, filled on side 1; "
+                      "numbers are those of the first and last pair of each zone.";
+  }
+  picture.svg = svg.finish(picture.title, picture.caption);
+  return picture;
+}
+
+} // namespace
+
 void draw_model(const Scene& scene, Pictures& out) {
+  constexpr double kAlike = 0.6; // a part that is this large against the whole is not drawn again
   Range x, y, zoom_x, zoom_y;
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)
@@ -294,33 +374,12 @@ void draw_model(const Scene& scene, Pictures& out) {
         zoom_x.include(p.x), zoom_y.include(p.y);
       }
   if (x.empty) return;
-  const bool zoom = has_contact(scene);
-  const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;
-  const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
-  const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
-  const Box whole{left, top, left + wide, top + high}, part{whole.right + gap, top, whole.right + gap + wide, top + high};
-  const Chart view = make_view(whole, x, y, 40.0, scene.length_unit);
-
-  Present present;
-  Svg trial("model", kPictureWidth, 0.0); // finds what is present before the height is known
-  ModelView(trial, scene, view, false, present).draw();
-  if (zoom) ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
-  const double legend_top = whole.bottom + 44.0, legend_width = kPictureWidth - left - right;
-  const double height =
-      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) + 4.0;
-  Svg svg("model", kPictureWidth, height);
-  ModelView(svg, scene, view, false, present).draw();
-  draw_heading(svg, whole, "Whole model");
-  if (zoom) {
-    const Chart close = make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit);
-    draw_zoom_frame(svg, view, close);
-    ModelView(svg, scene, close, true, present).draw();
-    draw_heading(svg, part, "Contact " + contact_zones(scene) + " (dashed frame)");
-  }
-  draw_legend(&svg, {left, legend_top}, legend_width, legend(svg, scene, present));
-  Picture picture{"model", "Model", model_caption(scene), ""};
-  picture.svg = svg.finish(picture.title, picture.caption);
-  out.push_back(picture);
+  const double whole = std::max(x.high - x.low, y.high - y.low);
+  const bool zoom = has_contact(scene) && std::max(zoom_x.high - zoom_x.low, zoom_y.high - zoom_y.low) < kAlike * whole;
+  const double wide = kPictureWidth - 76.0, high = view_height(zoom_x, zoom_y, wide, 200.0, 400.0);
+  const Chart close = make_view({0.0, 0.0, wide, high}, zoom_x, zoom_y, 26.0, "");
+  out.push_back(draw_model_view(scene, "model", x, y, false, zoom ? &close : nullptr));
+  if (zoom) out.push_back(draw_model_view(scene, "model_zone", zoom_x, zoom_y, true, nullptr));
 }
 
 } // namespace app

@@ -106,7 +106,7 @@ std::string path_caption(const Scene& scene) {
     if (!out.empty()) out += "; ";
     out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.events) + (last.events == 1 ? " event (" : " events (") +
            std::to_string(scene.record->coefficients[c].changes) + " changes of status) up to " + place_on_path(scene, c) +
-           ", then " + std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a peak pressure of " +
+           ", then " + std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a largest nodal pressure of " +
            figure(last.peak, scene.stress_unit, 6);
   }
   if (known > kMostDrawn) out += "; further coefficients are not drawn";
@@ -129,7 +129,7 @@ void draw_path(const Scene& scene, Pictures& out) {
     entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kStepMarks[c], c != 1, ""});
   }
   const Axis x = make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load);
-  const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0, step = high + 32.0;
+  const double left = 66.0, right = kPictureWidth - 18.0, high = 120.0, step = high + 32.0;
   const std::vector<LegendEntry> cases = by_load ? std::vector<LegendEntry>{} : load_legend(scene);
   if (entries.size() == 1 && !cases.empty()) entries.clear(); // the title names the only coefficient
   const double first = draw_legend(nullptr, {left, 4.0}, right - left, entries);
@@ -149,7 +149,7 @@ void draw_path(const Scene& scene, Pictures& out) {
     draw_heading(svg, frame, "Events so far (loads at which a status changes)");
     next();
   }
-  draw_value(svg, scene, frame, x, "peak pressure", scene.stress_unit, false, false, false, peak);
+  draw_value(svg, scene, frame, x, "largest nodal pressure", scene.stress_unit, false, false, false, peak);
   draw_heading(svg, frame, "Largest pressure of all pairs");
   next();
   draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);

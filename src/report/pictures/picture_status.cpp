@@ -93,18 +93,16 @@ void draw_status_of(const Scene& scene, size_t coefficient, size_t zone_index, P
   Svg svg(name, kPictureWidth, 400.0);
   const std::string fills[3] = {"white", colour::kBlue, svg.hatch(colour::kOrange, "#fbe3d0")};
   const Stroke thin{colour::kFaint, 0.6, ""};
-  const Box frame{76.0, 34.0, kPictureWidth - 16.0, 352.0};
+  const Box frame{66.0, 34.0, kPictureWidth - 18.0, 352.0};
   draw_legend(&svg, {frame.left, 4.0}, frame.width(),
               {{"open", thin, Mark::kNone, true, fills[0]},
                {"stick", thin, Mark::kNone, true, fills[1]},
                {"slip", thin, Mark::kNone, true, fills[2]}});
   const std::vector<double> border = borders(zone);
-  Range s, y;
-  for (const double b : border) s.include(b);
+  Range y;
   y.include(0.0);
   for (const double h : height) y.include(h);
-  const Chart chart{frame, make_axis(s, position_name(scene, zone), scene.length_unit, 9, true),
-                    make_axis(y, by_load ? "load factor" : "step", "", 7, true, !by_load)};
+  const Chart chart{frame, position_axis(scene, zone), make_axis(y, by_load ? "load factor" : "step", "", 7, true, !by_load)};
   draw_axes(svg, chart);
   draw_bands(svg, chart, zone, bands, border, fills);
   svg.rectangle(frame, "none", Stroke{colour::kInk, 1.0, ""});
@@ -112,10 +110,9 @@ void draw_status_of(const Scene& scene, size_t coefficient, size_t zone_index, P
     const double x = chart.at(p.s, 0.0).x;
     svg.line({x, frame.top - 4.0}, {x, frame.top}, Stroke{colour::kGreen, 1.2, ""});
   }
-  Picture picture{name,
-                  "Open, stick and slip over the load, " +
-                      chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
-                  status_caption(scene, zone, coefficient), ""};
+  Picture picture{
+      name, "Open, stick and slip over the load" + chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
+      status_caption(scene, zone, coefficient), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

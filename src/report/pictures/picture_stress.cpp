@@ -11,6 +11,7 @@ namespace {
 constexpr size_t kNodesAcross = 64; // of a grid, along its longer side
 constexpr size_t kBands = 10;       // about
 constexpr double kLeastZoom = 1e-9; // of the bodies' size: the contact is a point, but for round-off
+constexpr double kPeakPlace = 1e4;  // its place is sought to a millionth of the size of the model (place_text)
 constexpr double kHalfTurn = 3.14159265358979323846;
 
 // A window and the stress grids of the bodies in it.
@@ -206,12 +207,12 @@ void draw_bar(Svg& svg, const Box& bar, const Axis& axis, const std::vector<doub
     svg.text({bar.right + 6.0, bar.bottom - static_cast<double>(k) * high + 4.0}, label, 11.0);
     widest = std::max(widest, text_width(label, 11.0));
   }
-  svg.text({bar.right + widest + 22.0, 0.5 * (bar.top + bar.bottom)}, axis.name, 12.0, Anchor::kMiddle, colour::kInk, true);
+  svg.text({bar.right + widest + 18.0, 0.5 * (bar.top + bar.bottom)}, axis.name, 12.0, Anchor::kMiddle, colour::kInk, true);
 }
 
 c2d_status draw_stress_of(const Scene& scene, const std::string& name, const std::string& title, Range x, Range y,
                           double margin, Pictures& out) {
-  const double left = 62.0, right = kPictureWidth - 120.0, top = 14.0;
+  const double left = 62.0, right = kPictureWidth - 106.0, top = 14.0;
   const double high = view_height(x, y, right - left, 260.0, 460.0);
   Window window;
   window.view = make_view({left, top, right, top + high}, x, y, margin, scene.length_unit);
@@ -232,9 +233,9 @@ c2d_status draw_stress_of(const Scene& scene, const std::string& name, const std
   const double middle = top + 0.5 * high;
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
-  picture.caption = "von Mises stress at " + place_at_end(scene);
-  picture.caption += ": the largest value in the picture is " + figure(peak.value, scene.stress_unit) + " at (" +
-                     figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
+  picture.caption = "von Mises stress at " + place_at_end(scene) + ", drawn on the undeformed shape";
+  picture.caption += ": the largest value in the picture is " + figure(peak.value, scene.stress_unit) + " at " +
+                     place_text(scene, peak.at, kPeakPlace * size_of(scene));
   if (scene.bodies.size() > 1) picture.caption += " in " + body_label(scene, static_cast<int64_t>(peak.body) + 1);
   picture.caption += ".";
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -101,19 +101,23 @@ void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
     if (size(p) > size(largest)) largest = p;
   }
   if (beyond == 0) return;
-  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") + " beyond the axis: up to " +
-                           figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) + " at " +
-                           l.zone.position + " = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
+  std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") + " beyond the axis";
+  if (l.window.empty) // there is room to say more
+    text += ": up to " + figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) + " at " +
+            l.zone.position + " = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
   svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0, Anchor::kMiddle, colour::kInk,
            false, true);
 }
 
+// A tie carries any shear stress, and so does contact without slip.
+bool has_bounds(const Layers& l) { return !l.zone.tied && std::isfinite(l.mu) && l.mu > 0.0; }
+
 std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   std::vector<LegendEntry> out;
-  out.push_back({"pressure tn", Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""});
+  out.push_back({traction_name(l.zone, true), Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""});
   if (friction) {
-    out.push_back({"friction tt", Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
-    if (std::isfinite(l.mu))
+    out.push_back({traction_name(l.zone, false), Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
+    if (has_bounds(l))
       out.push_back({"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
   }
   size_t i = 0;
@@ -126,19 +130,46 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   return out;
 }
 
+// What tractions refer to, and where the curves come from.
+std::string measure_text(const Layers& l) {
+  std::string out = ". Stresses are forces on " + body_label(l.scene, l.zone.body[1]) + " per undeformed length of " +
+                    body_label(l.scene, l.zone.body[l.zone.free ? 1 : 0]) +
+                    ", n points into it and t is n turned by -90 degrees.";
+  if (l.zone.has_images) out += " The part beyond the line of symmetry is the image.";
+  return out;
+}
+
+std::string tie_text(const Layers& l) {
+  size_t most[2] = {l.zone.first, l.zone.first};
+  const auto size = [&](size_t pair, int column) {
+    return std::fabs(l.record.table[pair * C2D_PAIR_FIELDS + static_cast<size_t>(column)]);
+  };
+  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p)
+    for (const int k : {0, 1})
+      if (size(p, k == 0 ? C2D_TN : C2D_TT) > size(most[k], k == 0 ? C2D_TN : C2D_TT)) most[k] = p;
+  const auto text = [&](size_t pair, int column) {
+    return figure(l.record.table[pair * C2D_PAIR_FIELDS + static_cast<size_t>(column)], l.scene.stress_unit, 6) + " at " +
+           l.zone.position + " = " + figure(l.scene.pairs[pair].s, l.scene.length_unit);
+  };
+  return "the largest stresses of the " + std::to_string(l.zone.pairs) + " tied pairs are tn = " + text(most[0], C2D_TN) +
+         " and tt = " + text(most[1], C2D_TT);
+}
+
 std::string caption(const Layers& l) {
   const Scene& scene = l.scene;
   const ZoneFacts f = find_facts(scene, l.zone, l.record.table);
   const std::string& length = scene.length_unit;
   std::string out = "At " + l.place + " ";
   if (f.touching == 0) return out + "no pair touches.";
+  if (l.zone.tied) return out + tie_text(l) + measure_text(l);
   const PairScene& peak = scene.pairs[f.peak_pair];
-  out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) + " at " + l.zone.position + " = " +
+  out += "the largest pressure of a pair is " + figure(f.peak, scene.stress_unit, 6) + " at " + l.zone.position + " = " +
          figure(peak.s, length) + " (pair " + std::to_string(f.peak_pair + 1) + "); ";
   out += std::to_string(f.touching) + " of " + std::to_string(l.zone.pairs) +
          (l.zone.pairs == 1 ? " pair touches" : " pairs touch");
   const double size = f.high - f.low;
-  if (l.zone.symmetric_origin && (f.low == 0.0 || f.high == 0.0))
+  const double line = scene.pairs[l.zone.origin].s;
+  if (l.zone.symmetric_origin && (f.low == line || f.high == line))
     out += ", contact half width " + figure(size, length) + " (to the last touching node)";
   else
     out += " between " + std::string(l.zone.position) + " = " + figure(f.low, length) + " and " + figure(f.high, length);
@@ -147,17 +178,14 @@ std::string caption(const Layers& l) {
            figure(f.stick_high, length) + ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
-  out += l.zone.free ? ". tn and tt are per unit of length of " + body_label(l.scene, l.zone.body[1]) + "." : ".";
-  if (l.zone.has_images) out += " The part beyond the line of symmetry is the image.";
-  return out;
+  return out + measure_text(l);
 }
 
 void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis, bool labels) {
   const double top = find_top(l, C2D_TN);
-  const Chart chart{frame, axis,
-                    make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
+  const Chart chart{frame, axis, make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, true), l.scene.stress_unit, 6)};
   draw_axes(svg, chart, labels);
-  draw_heading(svg, frame, "Pressure");
+  draw_heading(svg, frame, l.zone.tied ? "Normal stress of the tie (pressure is positive)" : "Contact pressure");
   svg.begin_clip(Box{frame.left - l.margin(), frame.top - 1.0, frame.right + l.margin(), frame.bottom + 5.0});
   draw_earlier(svg, l, C2D_TN, chart);
   svg.polyline(curve_of(l.zone, l.record.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
@@ -167,11 +195,11 @@ void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
 }
 
 void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis) {
-  const double bound = std::isfinite(l.mu) ? l.mu : 0.0;
+  const double bound = has_bounds(l) ? l.mu : 0.0;
   const double highest = find_top(l, C2D_TN);
   const double top = bound > 0.0 && std::isfinite(highest) ? bound * highest : find_top(l, C2D_TT);
   const Chart chart{frame, axis,
-                    make_axis(range_of(l, C2D_TT, bound, top), traction_name(l.zone, "friction tt"), l.scene.stress_unit, 6)};
+                    make_axis(range_of(l, C2D_TT, bound, top), traction_name(l.zone, false), l.scene.stress_unit, 6)};
   std::vector<Point> upper = curve_of(l.zone, l.record.table, C2D_TN, chart, bound);
   const std::vector<Point> lower = curve_of(l.zone, l.record.table, C2D_TN, chart, -bound);
   std::vector<Point> band = upper;
@@ -181,7 +209,7 @@ void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
   if (bound > 0.0) svg.area({band}, "#eeeeee", Stroke{});
   svg.end_clip();
   draw_axes(svg, chart);
-  draw_heading(svg, frame, "Friction");
+  draw_heading(svg, frame, l.zone.tied ? "Shear stress of the tie" : "Friction");
   svg.begin_clip(room);
   if (bound > 0.0) {
     svg.polyline(upper, Stroke{colour::kInk, 0.8, "4 2"});
@@ -268,7 +296,7 @@ std::vector<Range> find_windows(const Layers& l) {
 void draw_edges(const Layers& whole, bool friction, const std::string& suffix, const std::string& title, Pictures& out) {
   const std::vector<Range> windows = find_windows(whole);
   if (windows.empty()) return;
-  const double left = 76.0, right = kPictureWidth - 16.0, between = 76.0;
+  const double left = 66.0, right = kPictureWidth - 18.0, between = 62.0;
   const std::vector<LegendEntry> entries = legend(whole, friction);
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;
   const double bottom = top + height_of_diagrams(friction), wide = (right - left - between) / 2;
@@ -303,23 +331,23 @@ void draw_tractions_of(const Scene& scene, size_t coefficient, size_t zone_index
       place_on_path(scene, coefficient),
       {}};
   const double most = most_of(l, C2D_TN);
-  const bool friction = l.mu > 0.0 && most_of(l, C2D_TT) > 1e-12 * most;
+  const bool friction = (l.zone.tied || l.mu > 0.0) && most_of(l, C2D_TT) > 1e-12 * most;
   if (most == 0.0) return; // nothing touches, or without force
-  const double left = 76.0, right = kPictureWidth - 16.0;
+  const double left = 66.0, right = kPictureWidth - 18.0;
   const std::vector<LegendEntry> entries = legend(l, friction);
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;
   const std::string suffix = chart_suffix(scene, coefficient, zone_index), name = "tractions" + suffix;
   Svg svg(name, kPictureWidth, top + height_of_diagrams(friction) + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, entries);
-  Range s;
-  for (const ZoneSample& p : l.zone.samples) s.include(p.s);
-  const Axis axis = make_axis(s, position_name(scene, l.zone), scene.length_unit, 9, false);
+  const Axis axis = position_axis(scene, l.zone);
   draw_diagrams(svg, l, friction, {left, top, right, top + height_of_diagrams(friction)}, axis);
-  Picture picture{name, "Pressure and friction, " + chart_title(scene, l.mu, zone_index), caption(l), ""};
-  if (!friction) picture.title = "Pressure, " + chart_title(scene, l.mu, zone_index);
+  const std::string what = l.zone.tied ? "Stresses of the tie"
+                           : friction  ? "Contact pressure and friction"
+                                       : "Contact pressure";
+  Picture picture{name, what + chart_title(scene, l.mu, zone_index), caption(l), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
-  draw_edges(l, friction, suffix, "At the edges of contact, " + chart_title(scene, l.mu, zone_index), out);
+  draw_edges(l, friction, suffix, "At the edges of contact" + chart_title(scene, l.mu, zone_index), out);
 }
 
 } // namespace

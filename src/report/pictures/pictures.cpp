@@ -1,6 +1,9 @@
 #include "report/pictures/pictures.hpp"
 
+#include "post/zone_line.hpp"
 #include "report/text.hpp"
+
+#include <algorithm>
 
 namespace app {
 
@@ -14,9 +17,9 @@ void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Sce
 }
 
 std::string chart_title(const Scene& scene, double mu, size_t zone) {
-  std::string out = "&#956; = " + figure(mu);
-  const std::string label = zone_label(scene, zone);
-  if (scene.zones.size() > 1 || label.back() == ')') out += ", " + label;
+  std::string out = scene.zones[zone].tied ? "" : ", &#956; = " + figure(mu);
+  if (scene.zones.size() < 2) return out;
+  out += ", " + zone_label(scene, zone);
   if (scene.summary.names_bodies()) out += ": " + bodies_of(scene, scene.zones[zone]);
   return out;
 }
@@ -29,6 +32,19 @@ std::string zone_label(const Scene& scene, size_t zone) {
 
 std::string bodies_of(const Scene& scene, const ZoneScene& zone) {
   return body_label(scene, zone.body[0]) + " on " + body_label(scene, zone.body[1]);
+}
+
+std::string place_text(const Scene& scene, Point p, double size) {
+  return "(" + figure(told_place(p.x, size)) + ", " + figure(told_place(p.y, size)) + ")" +
+         (scene.length_unit.empty() ? "" : " " + scene.length_unit);
+}
+
+double size_of(const Scene& scene) {
+  Range x, y;
+  for (const BodyScene& body : scene.bodies)
+    for (const auto& curve : body.curves)
+      for (const OutlinePoint& p : curve) x.include(p.at.x), y.include(p.at.y);
+  return std::max(x.high - x.low, y.high - y.low);
 }
 
 std::string contact_zones(const Scene& scene) {
@@ -78,22 +94,29 @@ std::vector<LegendEntry> status_legend(bool tied) {
 }
 
 std::string position_name(const Scene& scene, const ZoneScene& zone) {
-  const std::string along = ", along " + body_label(scene, zone.body[0]);
+  const std::string along = ", along body " + std::to_string(zone.body[0]);
   if (*zone.position != 's') return zone.position + along;
-  if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + along;
+  if (!zone.symmetric_origin) return "s from pair " + std::to_string(zone.origin + 1) + along;
   const Summary& s = scene.summary;
   std::string line;
   if (s.symmetry == 3) // which of the two
     line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0]) : " y = " + figure(s.symmetry_at[1]);
-  return "distance s from the line of symmetry" + line + along;
+  return "s from the line of symmetry" + line + along;
 }
 
-std::string traction_name(const ZoneScene& zone, const char* name) {
-  const std::string text = name;
-  return zone.free ? text.substr(text.rfind(' ') + 1) + " per length of body " + std::to_string(zone.body[1]) : text;
+Axis position_axis(const Scene& scene, const ZoneScene& zone) {
+  Range s;
+  for (const ZoneSample& p : zone.samples) s.include(p.s);
+  return make_axis(s, position_name(scene, zone), scene.length_unit, 6, true);
+}
+
+std::string traction_name(const ZoneScene& zone, bool normal) {
+  if (zone.tied) return normal ? "normal stress tn" : "shear stress tt";
+  return normal ? "contact pressure tn" : "friction tt";
 }
 
 c2d_status draw_pictures(const Scene& scene, Pictures& out) {
+  draw_contact(scene, out);
   draw_model(scene, out);
   draw_tractions(scene, out);
   draw_status_map(scene, out);

@@ -17,10 +17,12 @@ struct Picture {
 };
 using Pictures = std::vector<Picture>;
 
-constexpr double kPictureWidth = 760.0;
+constexpr double kPictureWidth = 480.0; // legible on a telephone, two side by side on a desk
 // Coefficients of friction and zones that get charts of their own; the rest is left to the CSV.
 constexpr size_t kMostCharts = 16;
 
+// Pressure and friction on the deformed bodies, zoomed to the contact, per zone.
+void draw_contact(const Scene& scene, Pictures& out);
 // All bodies, nodes, supports, loads, pairs; beside it what is in contact.
 void draw_model(const Scene& scene, Pictures& out);
 // Pressure and friction along a zone with the Coulomb bounds, per coefficient and zone.
@@ -56,7 +58,7 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out);
 void draw_charts(const Scene& scene, size_t coefficients,
                  void (*draw)(const Scene& scene, size_t coefficient, size_t zone, Pictures& out), Pictures& out);
 
-// "mu = 0.3" and, if there are several zones, ", zone 2"; with its bodies where these are named.
+// ", mu = 0.3" except of a tie, and, if there are several zones, ", zone 2"; with its bodies where these are named.
 std::string chart_title(const Scene& scene, double mu, size_t zone);
 // "_1" and "_1_2": coefficient and zone, numbers only if there are several.
 std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
@@ -69,8 +71,14 @@ bool is_of_contact(const Scene& scene, const PairScene& pair);
 bool has_contact(const Scene& scene);
 // What s means, for axes.
 std::string position_name(const Scene& scene, const ZoneScene& zone);
-// "pressure tn"; in zones of meshes that do not match "tn per length of body 2".
-std::string traction_name(const ZoneScene& zone, const char* name);
+// The axis of all charts along a zone.
+Axis position_axis(const Scene& scene, const ZoneScene& zone);
+// "contact pressure tn", "friction tt"; of a tie "normal stress tn", "shear stress tt".
+std::string traction_name(const ZoneScene& zone, bool normal);
+// "(0, 1.5) mm": a place, where coordinates that are round-off beside the size of the model are 0.
+std::string place_text(const Scene& scene, Point p, double size);
+// Larger side of the box around all bodies.
+double size_of(const Scene& scene);
 // "body 2 on body 3".
 std::string bodies_of(const Scene& scene, const ZoneScene& zone);
 // "body 2 (bolt)", "zone 1 (thread)", ready for markup; the zone from 0.

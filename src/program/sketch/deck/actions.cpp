@@ -127,7 +127,10 @@ void ActionCheck::check_rigid() {
   for (const PointLoad& p : s_.point_loads) check(p.body, p.at, moves);
   for (const BodyForce& f : s_.body_forces) check(f.body, f.at, moves);
   for (const Want& w : s_.wants)
-    if (w.kind == Want::kStress || w.kind == Want::kHoop || w.kind == Want::kPressureAt)
+    if (w.of == WantOf::kPair)
+      for (const int b : {w.body, w.other})
+        check(b, w.at, "its motion is one of the contact numbers, expected an elastic body");
+    else if (w.of != WantOf::kContact)
       check(w.body, w.at, "it has no stresses, expected an elastic body");
 }
 
@@ -211,8 +214,7 @@ void ActionCheck::check_place(int b, Point p, Place at, const std::string& what)
 
 void ActionCheck::check_wants() {
   for (const Want& w : s_.wants) {
-    const bool needs_interface = w.kind == Want::kPressure || w.kind == Want::kEdges || w.kind == Want::kDissipation;
-    if (needs_interface && s_.interfaces.empty())
+    if (w.of == WantOf::kContact && want_row(w.word).needs_interface && s_.interfaces.empty())
       fault(w.at, "the sketch has no contact, expected a statement 'contact' or 'tie'");
     if (w.cycle && cycle_start(s_) == 0)
       fault(w.at,

@@ -45,6 +45,7 @@ private:
   int nodes() const { return s_.order + 1; } // per element
   void heading();
   void control();
+  double common_friction() const;
   void points(size_t b);
   std::vector<End> ends(size_t b) const;
   void apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const;
@@ -116,7 +117,19 @@ void Writer::control() {
   comment("per body: Young's modulus, Poisson's ratio");
   for (const Body& body : s_.bodies) card(body.rigid ? " 1 0" : number(body.youngs_modulus) + number(body.poisson_ratio));
   comment("coefficients of friction");
-  card("1 0");
+  card("1" + number(common_friction()));
+}
+
+// That of all contacts, if it is one and finite; the others are on the card *FRICTION.
+double Writer::common_friction() const {
+  double out = NAN;
+  for (const Zone& zone : zones_) {
+    const Interface& interface = s_.interfaces[zone.contact->interface];
+    if (interface.tied) continue;
+    if (std::isnan(out)) out = interface.friction;
+    if (interface.friction != out || std::isinf(out)) return 0;
+  }
+  return std::isnan(out) ? 0 : out;
 }
 
 void Writer::points(size_t b) {
@@ -326,6 +339,34 @@ void Writer::matching_zones() {
   for (size_t b = 0; b < s_.bodies.size(); ++b) card(std::to_string(nodes_in[b]) + " " + std::to_string(elements_in[b]));
 }
 
+// Where a zone begins on the second side of its statement: the length along the outline from the start of the first curve of
+// the statement to the first element, and of a closed outline its length, in which lengths are then counted.
+std::string begin_on_statement(const Mesh& mesh, const Interface& interface, const Zone& zone) {
+  const bool turned = zone.contact->turned;
+  const Side& side = interface.side[1];
+  int before = 0;
+  const int first = (turned ? zone.one : zone.two).first;
+  for (const MeshedOutline& outline : mesh.bodies[static_cast<size_t>(side.body)]) {
+    const int own = first - before;
+    before += static_cast<int>(outline.elements());
+    if (first > before) continue;
+    double begin = 0, whole = 0, fixed = NAN, best = HUGE_VAL;
+    int passed = 0;
+    for (const MeshedCurve& curve : outline.curves) {
+      const auto named = std::find(side.names.begin(), side.names.end(), curve.curve->name);
+      const auto rank = static_cast<double>(named - side.names.begin());
+      if (named != side.names.end() && curve.curve->is_first && rank < best) best = rank, fixed = whole;
+      const int element = own - 1 - passed;
+      passed += static_cast<int>(curve.elements());
+      if (element >= 0 && own <= passed) begin = whole + curve.ends[static_cast<size_t>(element)];
+      whole += curve.ends.back();
+    }
+    const double from = begin - (std::isnan(fixed) ? 0 : fixed);
+    return number(outline.open || from >= 0 ? from : from + whole) + (outline.open ? "" : " of" + number(whole));
+  }
+  return number(0);
+}
+
 // The reason why a zone ends although contact may continue there; empty: it cannot.
 std::string end_of(const Zone& zone, size_t end) {
   return zone.whole[end] ? zone.contact->ends[end]
@@ -346,11 +387,12 @@ void Writer::zones() {
     for (size_t end = 0; end < 2; ++end)
       if (const std::string why = end_of(zone, end); !why.empty()) comment("zone " + index + " may extend farther: " + why);
     if (zone.contact->turned) comment("zone " + index + ": side 2 is the first of its statement");
+    if (!interface.tied) comment("zone " + index + ": the second side begins at" + begin_on_statement(mesh_, interface, zone));
     if (!zone.matching) card(text);
     const std::string name =
         !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
     ties += (interface.tied ? "*TIE " + index + "\n" : "") + "*NAME ZONE " + index + " " + name.substr(0, 31) + "\n";
-    if (!interface.tied && interface.friction != 0)
+    if (!interface.tied && interface.friction != common_friction())
       frictions += index + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
   }
   out_ += ties;

@@ -1,5 +1,7 @@
 #include "program/sketch/read/expression.hpp"
 
+#include "program/near_word.hpp"
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -181,8 +183,15 @@ private:
     else if (name == "inf")
       steps_.push_back({Expression::Step::kConstant, HUGE_VAL, 0});
     else
-      fail(first, at_ - 1,
-           "no parameter is called " + in_quotes(name) + ", expected a number, a parameter or an expression of them");
+      unknown(name, first);
+  }
+  void unknown(const std::string& name, size_t first) {
+    std::vector<std::string> names;
+    for (const auto& parameter : parameters_) names.push_back(parameter.first);
+    const std::string near = app::did_you_mean(name, names);
+    fail(first, at_ - 1,
+         "no parameter is called " + in_quotes(name) +
+             (near.empty() ? ", expected a number, a parameter or an expression of them" : near));
   }
   void call(const std::string& name, size_t first) {
     const int index = find_function(name, 0);

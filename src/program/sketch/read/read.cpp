@@ -1,3 +1,4 @@
+#include "program/near_word.hpp"
 #include "program/sketch/deck/actions.hpp"
 #include "program/sketch/deck/contacts.hpp"
 #include "program/sketch/outline.hpp"
@@ -81,10 +82,9 @@ void Reader::statement(Statement& s) {
       return s.end();
     }
   is_lost_ = true;
-  const std::string near = nearest(s.keyword().text, words());
-  throw Fault{s.at(), in_quotes(s.keyword().text) + ": expected a statement, " +
-                          (near.empty() ? "such as body, line, contact, fix, platen, pressure or history"
-                                        : "perhaps " + in_quotes(near))};
+  const std::string near = app::did_you_mean(s.keyword().text, words());
+  throw Fault{s.at(), in_quotes(s.keyword().text) + ": expected a statement" +
+                          (near.empty() ? ", such as body, line, contact, fix, platen, pressure or history" : near)};
 }
 
 void Reader::read(const std::string& text) {

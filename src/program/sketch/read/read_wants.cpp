@@ -6,14 +6,20 @@
 namespace sketch {
 namespace {
 
-// In the order of Want::Kind, then `cycle`.
-constexpr std::initializer_list<const char*> kWants = {"pressure",    "edges",  "forces", "approach",
-                                                       "dissipation", "stress", "hoop",   "cycle"};
+// Those of a body and `cycle`, or all.
+std::vector<const char*> words_of_wants(bool all) {
+  std::vector<const char*> out;
+  for (const WantRow& row : wants())
+    if (all || row.of != WantOf::kContact) out.push_back(row.word);
+  if (all) out.push_back("cycle");
+  return out;
+}
 
 // Is the next word a number and not the name of a result? A parameter may have such a name.
 bool is_number(const Statement& s, size_t ahead = 0) {
-  const auto is_next = [&](const char* word) { return s.is_next(word, ahead); };
-  return s.is_number(ahead) && std::none_of(kWants.begin(), kWants.end(), is_next);
+  const std::vector<const char*> words = words_of_wants(true);
+  return s.is_number(ahead) &&
+         std::none_of(words.begin(), words.end(), [&](const char* word) { return s.is_next(word, ahead); });
 }
 
 // A tolerance of 1 without % would be 100 %: an error.
@@ -49,13 +55,15 @@ void Reader::want(Statement& s) {
 void Reader::want_one(Statement& s) {
   Want want;
   want.at = s.at();
-  size_t kind = s.choice(kWants);
-  want.cycle = kind + 1 == kWants.size();
-  if (want.cycle) s.choice({"range"}), kind = Want::kStress + s.choice({"stress", "hoop"});
-  want.kind = static_cast<Want::Kind>(kind);
-  if (want.kind == Want::kStress) return want_stress(s, want);
-  if (want.kind == Want::kPressure && s.accept("at")) return want_pressure_at(s, want);
-  if (want.kind == Want::kHoop) want.side = side(s), want.body = want.side->body;
+  const std::vector<const char*> all = words_of_wants(true), of_body = words_of_wants(false);
+  want.word = all[s.choice(all)];
+  want.cycle = want.word == "cycle";
+  if (want.cycle) s.choice({"range"}), want.word = of_body[s.choice(of_body)];
+  want.of = want_row(want.word).of;
+  if (want.of == WantOf::kPoints) return want_stress(s, want);
+  if (want.word == "pressure" && s.accept("at")) return want_pressure_at(s, want);
+  if (want.word == "approach" && s.accept("at")) return want_pair(s, want);
+  if (want.of == WantOf::kCurves) want.side = side(s), want.body = want.side->body;
   if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.wants.push_back(want);
 }
@@ -78,8 +86,20 @@ void Reader::want_stress(Statement& s, Want want) {
   for (size_t i = first; i < s_.wants.size(); ++i) s_.points.push_back({want.body, s_.wants[i].where, s.at()});
 }
 
+void Reader::want_pair(Statement& s, Want want) {
+  want.of = WantOf::kPair;
+  want.body = body_named(s.take("the name of a body"));
+  want.where = s.point("a point");
+  want.other = body_named(s.take("the name of the body of the second point"));
+  want.to = s.point("a second point");
+  if (length(want.to - want.where) == 0) s.fail("both points are the same, expected two points");
+  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  s_.points.push_back({want.body, want.where, want.at}), s_.points.push_back({want.other, want.to, want.at});
+  s_.wants.push_back(want);
+}
+
 void Reader::want_pressure_at(Statement& s, Want want) {
-  want.kind = Want::kPressureAt;
+  want.of = WantOf::kPlaces;
   want.side = side(s), want.body = want.side->body;
   want_points(s, want);
 }

@@ -104,6 +104,7 @@ private:
   void want(Statement& s);
   void want_one(Statement& s);
   void want_stress(Statement& s, Want want);
+  void want_pair(Statement& s, Want want);
   void want_pressure_at(Statement& s, Want want);
   void want_points(Statement& s, Want want);
   void tolerance(Statement& s);

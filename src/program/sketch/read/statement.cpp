@@ -111,10 +111,9 @@ Expression Statement::formula(const std::string& what, const std::string& variab
   return Expression(take(what), parameters_, {variable, ""});
 }
 
-size_t Statement::choice(std::initializer_list<const char*> words) {
+size_t Statement::choice(const std::vector<const char*>& words) {
   std::string expected;
-  for (const char* word : words)
-    expected += (expected.empty() ? "" : word == *(words.end() - 1) ? " or " : ", ") + std::string(word);
+  for (const char* word : words) expected += (expected.empty() ? "" : word == words.back() ? " or " : ", ") + std::string(word);
   const Word& word = take(expected);
   size_t index = 0;
   for (const char* one : words) {

@@ -30,7 +30,7 @@ public:
   Expression formula(const std::string& what, const std::string& variable);
   Expression field(const std::string& what); // a number or a formula of x and y; parameters of these names take precedence
   // The index of the next word among these.
-  size_t choice(std::initializer_list<const char*> words);
+  size_t choice(const std::vector<const char*>& words);
   std::string rest(); // the remaining words, separated by blanks
   void end() const;   // error if words remain
 

@@ -79,26 +79,6 @@ std::string rounded(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
 
-std::string nearest(const std::string& word, const std::vector<std::string>& words) {
-  std::string best;
-  size_t least = std::min<size_t>(3, word.size() / 2 + 1);
-  for (const std::string& other : words) {
-    std::vector<size_t> row(other.size() + 1); // edit distances between the first letters of both words
-    for (size_t j = 0; j <= other.size(); ++j) row[j] = j;
-    for (size_t i = 0; i < word.size(); ++i) {
-      size_t corner = row[0]++;
-      for (size_t j = 0; j < other.size(); ++j) {
-        const bool same = std::tolower(static_cast<unsigned char>(word[i])) == other[j];
-        const size_t changed = corner + (same ? 0 : 1);
-        corner = row[j + 1];
-        row[j + 1] = std::min({changed, corner + 1, row[j] + 1});
-      }
-    }
-    if (row.back() < least) least = row.back(), best = other;
-  }
-  return best;
-}
-
 std::string in_quotes(const std::string& text) { return "'" + text + "'"; }
 
 bool is_ascii(const std::string& text) {

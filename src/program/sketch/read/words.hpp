@@ -28,10 +28,8 @@ struct Word {
 // Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
 std::vector<Word> words_of(std::string_view text, int line);
 
-std::string show(double value);    // the fewest digits that give the same double
-std::string rounded(double value); // to six digits, for computed values
-// The word that differs from `word` by at most two letters, ignoring case; empty: none.
-std::string nearest(const std::string& word, const std::vector<std::string>& words);
+std::string show(double value);                 // the fewest digits that give the same double
+std::string rounded(double value);              // to six digits, for computed values
 std::string in_quotes(const std::string& text); // 'text'
 // Text allowed on cards of a deck: printable ASCII; in names, one line of UTF-8.
 bool is_ascii(const std::string& text);

@@ -1,0 +1,160 @@
+// Every output names its inputs, and a run repeated with them gives the same digits; totals of models with lines of symmetry;
+// what `check` says of memory.
+#include "json.hpp"
+#include "paths.hpp"
+#include "program/files/sha256.hpp"
+#include "program/sweep/parameters.hpp"
+#include "report/inputs.hpp"
+#include "report/totals.hpp"
+#include "shell.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+namespace {
+
+const char kSketch[] =
+    "parameter P 8  mu 0.25  half {P/2}\nsymmetry x 1\nbody block E 1000 nu 0.3\nfrom 1 -2\nline base to 3 -2\n"
+    "line right to 3 0\nline top to 1 0\nbody pad E 1000 nu 0.3\nfrom 1 0\nline face to 2 0\nline side to 2 1\n"
+    "line lid to 1 1\ncontact pad.face block.top mu mu\nfix block.base\ntraction pad.lid x 0 y {-half}\n"
+    "steps 2\n";
+
+std::string program() { return "'" + paths::program() + "' "; }
+
+// The value of a key in a text of inputs.
+std::string value_of(const std::string& text, const std::string& key) {
+  for (const std::string& line : test::lines_of(text))
+    if (line.compare(0, key.size() + 3, key + " = ") == 0) return line.substr(key.size() + 3);
+  return "none";
+}
+
+} // namespace
+
+TEST_CASE("inputs: SHA-256 of the standard's examples, and of a text of several blocks") {
+  CHECK(app::sha256_of("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(app::sha256_of("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(app::sha256_of(std::string(1000, 'a')) == "41edece42d63e8d9bf515a9ba6932e1c20cbc9f5a5d134645adb5db1b9737ea3");
+}
+
+TEST_CASE("inputs: numbers are written with the digits that give the same bits") {
+  for (const double v : {0.1, 1.0 / 3, 1e-300, 123456789.123456789}) CHECK(std::stod(app::exact_number(v)) == v);
+  CHECK(app::exact_number(0.1) == "0.1");
+}
+
+TEST_CASE("inputs: of a sketch in listing, JSON, page and beside tables; its friction is its friction") {
+  const test::Folder folder;
+  const std::string drawn = kSketch + std::string("want forces\n");
+  test::write_file(folder / "a.c2s", drawn);
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  const test::Result run =
+      test::run_shell(in + "run a.c2s P=7.3 --touching 0 --threads 2 --listing l --json j --report r.html --csv "
+                           "c.csv --summary s.csv");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const std::string text = test::read_file(folder / "c.csv.inputs");
+  CHECK(text == test::read_file(folder / "s.csv.inputs"));
+  CHECK(value_of(text, "file") == "a.c2s");
+  CHECK(value_of(text, "sha256") == app::sha256_of(drawn));
+  CHECK(value_of(text, "parameter P") == "7.3");
+  CHECK(value_of(text, "parameter mu") == "0.25");
+  CHECK(value_of(text, "option") == "--touching=0"); // threads change no digit
+  CHECK(value_of(text, "build") == app::build_text());
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  CHECK(json["inputs"]["parameters"]["P"].text == "7.3");
+  CHECK(json["inputs"]["files"][0]["sha256"].text == app::sha256_of(drawn));
+  CHECK((json["mu"][0].number == 0.25 && json["runs"][0]["mu"].number == 0.25 && json["zones"][0]["mu"].number == 0.25));
+  const std::string listing = test::read_file(folder / "l"), page = test::read_file(folder / "r.html");
+  for (const std::string& each : {listing, page}) {
+    CHECK(test::contains(each, app::sha256_of(drawn)));
+    CHECK(test::contains(each, "parameter P"));
+    CHECK(test::contains(each, "lines of symmetry"));
+  }
+  const std::string table = test::read_file(folder / "c.csv");
+  CHECK(table.compare(0, 8, "mu,step,") == 0);
+  // The sketch with these values in its statements gives the same table.
+  std::string again = drawn;
+  again.replace(again.find("P 8"), 3, "P " + value_of(text, "parameter P"));
+  test::write_file(folder / "b.c2s", again);
+  REQUIRE(test::run_shell(in + "run b.c2s --csv d.csv").status == 0);
+  CHECK(test::read_file(folder / "d.csv") == table);
+}
+
+TEST_CASE("inputs: contacts with frictions of their own, and with one that is infinite") {
+  const test::Folder folder;
+  const std::string other =
+      "body foot E 1000 nu 0.3\nfrom 4 0\nline face to 5 0\nline side to 5 1\nline lid to 4 1\nline in close\n"
+      "body floor E 1000 nu 0.3\nfrom 4 -1\nline base to 5 -1\nline right to 5 0\nline top to 4 0\nline left "
+      "close\nfix floor.base\ntraction foot.lid x 0 y -1\n";
+  const auto coefficients = [&](const std::string& contact) {
+    test::write_file(folder / "a.c2s", kSketch + other + contact + "tolerance off\n");
+    const test::Result run = test::run_shell(program() + "mesh '" + (folder / "a.c2s") + "'");
+    const size_t at = run.out.find("! coefficients of friction\n") + 27;
+    return run.out.substr(at, run.out.find('\n', at) - at) + (test::contains(run.out, "*FRICTION") ? ", *FRICTION" : "");
+  };
+  CHECK(coefficients("contact foot.face floor.top mu 0.25\n") == "1 0.25");
+  CHECK(coefficients("contact foot.face floor.top mu 0.5\n") == "1 0, *FRICTION");
+  CHECK(coefficients("tie foot.face floor.top\n") == "1 0.25");
+}
+
+TEST_CASE("inputs: values of a deck's parameters, given or not; of a sweep") {
+  const std::string deck = "*FREE\n{a=1} {b=2.50} ! {c}\n{a=1}\n";
+  const auto used = app::values_of_parameters(deck, {{"b", "7"}});
+  CHECK(used == std::vector<app::Setting>{{"a", "1"}, {"b", "7"}});
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", kSketch + std::string("tolerance off\n"));
+  test::write_file(folder / "t.csv", "P\n3\n4\n");
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  REQUIRE(test::run_shell(in + "sweep t.csv a.c2s mu=0.1 --response 'contact width; force y' --results r.csv").status == 0);
+  const std::string text = test::read_file(folder / "r.csv.inputs");
+  CHECK(value_of(text, "parameter mu") == "0.1");
+  CHECK(test::contains(text, "file = t.csv\nsha256 = " + app::sha256_of("P\n3\n4\n")));
+  CHECK(test::contains(test::read_file(folder / "r.csv"), "row,P,contact width,force y,outcome\n1,3,2,"));
+}
+
+TEST_CASE("inputs: nothing stands beside a table that goes down a pipe, and a name that is taken is refused") {
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", kSketch + std::string("tolerance off\n"));
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  CHECK(test::run_shell(in + "run a.c2s -q --csv - | head -1").out.compare(0, 3, "mu,") == 0);
+  const test::Result clash = test::run_shell(in + "run a.c2s --csv c.csv --summary c.csv.inputs");
+  CHECK(clash.status == 64);
+  CHECK(test::contains(clash.err, "are the same file"));
+}
+
+TEST_CASE("totals: a line of symmetry completes the balance of the part; the whole has the image") {
+  app::Summary s;
+  s.bodies = 2, s.pairs = 1, s.symmetry = 1, s.symmetry_at[0] = 2;
+  s.body.list().assign(2, C2D_INIT(c2d_body_result));
+  c2d_body_result& cut = s.body.list()[0];
+  cut.open_regions = 1;
+  // At (5, 3): fx 2, fy 7; contact at (4, 0): fx 0, fy -7.
+  cut.applied[0] = 2, cut.applied[1] = 7, cut.applied[2] = 5 * 7 - 3 * 2;
+  cut.contact[1] = -7, cut.contact[2] = 4 * -7;
+  const std::vector<app::BodyTotal> rows = app::totals_of(s, 1);
+  REQUIRE(rows.size() == 6);
+  CHECK((rows[2].of == "lines of symmetry" && rows[2].force[0] == -2 && rows[2].force[1] == 0));
+  CHECK((rows[3].force[0] == 0 && rows[3].force[1] == 14 && rows[3].force[2] == 2 * 14)); // acts at x = 2
+  CHECK((rows[5].is_sum && rows[5].force[0] == 0 && rows[5].force[1] == 0 && rows[5].force[2] == 0));
+  CHECK((app::totals_of(s, 2).size() == 3 && app::totals_of(s, 2)[2].of == "sum")); // beside the line
+  s.symmetry = 2, s.symmetry_at[1] = 2;
+  CHECK((app::totals_of(s, 1)[3].force[0] == 4 && app::totals_of(s, 1)[3].force[2] == -8)); // at y = 2
+  s.symmetry = 3;
+  CHECK(app::totals_of(s, 1).size() == 3);
+}
+
+TEST_CASE("check: bounds of the memory of a search, which ends with status 5 where a mesh has not enough") {
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", kSketch);
+  test::write_file(folder / "off.c2s", kSketch + std::string("tolerance off\n"));
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  const test::Result check = test::run_shell(in + "check a.c2s");
+  const size_t at = check.out.find("memory, search of run       minimum ");
+  REQUIRE(at != std::string::npos);
+  long long least = 0, most = 0;
+  REQUIRE(std::sscanf(check.out.c_str() + at, "memory, search of run       minimum %lld to %lld bytes (estimate", &least,
+                      &most) == 2);
+  CHECK((least > 10000 && most > 4 * least));
+  CHECK_FALSE(test::contains(test::run_shell(in + "check off.c2s").out, "search of run"));
+  const test::Result run = test::run_shell(in + "run a.c2s --memory " + std::to_string(least) + " --json j 2>&1");
+  CHECK(run.status == 5);
+  CHECK(test::contains(run.out, "is too small"));
+}

@@ -1,0 +1,229 @@
+// The page of --report and its pictures: what a reader sees at the width of a telephone and of a desk, and that drawings are
+// true: bodies that touch are neither drawn over each other nor apart, ties are no contacts, every load has its symbol.
+#include "paths.hpp"
+#include "picture_runs.hpp"
+
+using namespace test;
+
+namespace {
+
+using Curve = std::vector<app::Point>;
+
+// The closed curves of a path's data "M x yL x y ... Z".
+std::vector<Curve> curves_of(const std::string& data) {
+  std::vector<Curve> out;
+  std::istringstream in(data);
+  for (char letter = 0; in >> letter;) {
+    if (letter == 'M') out.emplace_back();
+    if (letter == 'Z') continue;
+    app::Point p;
+    in >> p.x >> p.y;
+    out.back().push_back(p);
+  }
+  return out;
+}
+
+bool lies_in(const std::vector<Curve>& curves, app::Point p) {
+  bool inside = false;
+  for (const Curve& c : curves)
+    for (size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
+      if ((c[i].y > p.y) != (c[j].y > p.y) && p.x < c[i].x + (p.y - c[i].y) / (c[j].y - c[i].y) * (c[j].x - c[i].x))
+        inside = !inside;
+  return inside;
+}
+
+double distance_to(const std::vector<Curve>& curves, app::Point p) {
+  double least = 1e9;
+  for (const Curve& c : curves)
+    for (size_t i = 0, j = c.size() - 1; i < c.size(); j = i++) {
+      const app::Point a = c[j], way{c[i].x - a.x, c[i].y - a.y};
+      const double square = way.x * way.x + way.y * way.y;
+      double part = square > 0 ? ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square : 0;
+      part = std::min(1.0, std::max(0.0, part));
+      least = std::min(least, std::hypot(p.x - a.x - part * way.x, p.y - a.y - part * way.y));
+    }
+  return least;
+}
+
+// How many pixels the nodes and middles of one body's outline lie inside another body, within a frame.
+double depth(const std::vector<Curve>& a, const std::vector<Curve>& b, const app::Box& frame) {
+  double most = 0;
+  for (const Curve& c : a)
+    for (size_t i = 0, j = c.size() - 1; i < c.size(); j = i++)
+      for (const app::Point& p : {c[i], app::Point{0.5 * (c[i].x + c[j].x), 0.5 * (c[i].y + c[j].y)}})
+        if (p.x > frame.left && p.x < frame.right && p.y > frame.top && p.y < frame.bottom && lies_in(b, p))
+          most = std::max(most, distance_to(b, p));
+  return most;
+}
+
+// The shapes of the bodies in a picture (the first paths with a fill of a body), and its frame.
+struct Shapes {
+  std::vector<std::vector<Curve>> bodies;
+  app::Box frame;
+};
+
+Shapes shapes_of(const std::string& svg) {
+  static const std::set<std::string> kFills{"#dce9f5", "#e6c88c", "#f6f3ea", "#a4b494", "#e8d0dc", "#b4b8cc"};
+  std::vector<Element> elements;
+  REQUIRE(read_xml(svg, elements).empty());
+  Shapes out;
+  for (const Element& e : elements) {
+    if (e.name == "path" && e.attributes.count("fill") != 0 && kFills.count(e.attributes.at("fill")) != 0)
+      out.bodies.push_back(curves_of(e.attributes.at("d")));
+    if (e.name == "rect" && e.attributes.count("x") != 0 && e.attributes.at("fill") == "none" && out.frame.right == 0)
+      out.frame = {number_of(e, "x"), number_of(e, "y"), number_of(e, "x") + number_of(e, "width"),
+                   number_of(e, "y") + number_of(e, "height")};
+  }
+  return out;
+}
+
+// To scale a picture is the result itself, whose gaps are measured on the undeformed surfaces.
+void check_no_overlap(const std::string& name, const std::string& svg) {
+  const Shapes s = shapes_of(svg);
+  const double most = contains(svg, "&#215;") && !contains(svg, "to scale") ? 1.0 : 1.5;
+  CHECK_MESSAGE(s.frame.right > s.frame.left, name);
+  for (size_t a = 0; a < s.bodies.size(); ++a)
+    for (size_t b = 0; b < s.bodies.size(); ++b) {
+      if (a == b) continue;
+      const double deep = depth(s.bodies[a], s.bodies[b], s.frame);
+      CHECK_MESSAGE(deep <= most, name << ": body " << a + 1 << " lies " << deep << " pixels in body " << b + 1);
+    }
+}
+
+size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+const char kShoe[] = "units mm N\nbody plate E 3000 nu 0.4\nfrom -30 -20\nline base to 30 -20\nline side to 30 0\n"
+                     "line top to -30 0\nline left close\nbody shoe rigid\nfrom -20 20\narc face to 20 20 centre 0 20\n"
+                     "line waist close\ncontact plate.top shoe.face mu 0.2\nfix plate.base\ntolerance off\n"
+                     "drive shoe about 0 20 fx 8 fy -100 moment -60\n";
+
+} // namespace
+
+TEST_CASE("page: bodies that touch are not drawn over each other, whatever the magnification") {
+  const std::map<std::string, std::string> problems{{"roller", example("roller.c2s") + " "},
+                                                    {"press fit", example("press_fit.c2s")},
+                                                    {"hertz", example("hertz.dat")},
+                                                    {"layers", example("three_bodies.dat")},
+                                                    {"receding", example("layer_receding.dat")},
+                                                    {"block", example("sliding_block.dat")}};
+  for (const auto& problem : problems) {
+    CAPTURE(problem.first);
+    Shown shown;
+    std::string file = problem.second;
+    if (file.back() == ' ') file.pop_back();
+    show(shown, file);
+    REQUIRE(shown.result.status != 2);
+    size_t drawn = 0;
+    for (const auto& figure : shown.figures)
+      if (figure.first == "deformed" || figure.first.compare(0, 7, "contact") == 0)
+        check_no_overlap(problem.first + " " + figure.first, figure.second), ++drawn;
+    CHECK(drawn >= 2);
+    // One factor for displacements and gaps, or none.
+    const std::string& deformed = shown.figures["deformed"];
+    CHECK((contains(deformed, "displacements and gaps &#215;") || contains(deformed, "to scale")));
+  }
+}
+
+TEST_CASE("page: the measure of overlap finds one") {
+  const std::vector<Curve> square{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}}, beside{{{10, 0}, {20, 0}, {20, 10}, {10, 10}}},
+      over{{{7, 2}, {20, 2}, {20, 8}, {7, 8}}};
+  const app::Box frame{-100, -100, 100, 100};
+  CHECK(depth(beside, square, frame) == 0);
+  CHECK(depth(over, square, frame) == doctest::Approx(3));
+  CHECK(depth(over, square, {-100, -100, 0, 0}) == 0);
+}
+
+TEST_CASE("page: first the contact on the deformed bodies, then numbers with units, each with its meaning") {
+  Shown shown;
+  show(shown, example("roller.c2s"));
+  REQUIRE(shown.result.status == 0);
+  check_page(shown);
+  const std::string& page = shown.page;
+  const size_t first = page.find("<section id=\""), numbers = page.find("<section id=\"numbers\">");
+  CHECK(page.compare(first, 22, "<section id=\"contact\">") == 0);
+  CHECK(numbers < page.find("<section id=\"model\">"));
+  // The highest pressure stands at the diagram, and no picture is wider than a telephone makes it.
+  CHECK(contains(shown.figures["contact"], "N/mm&#178;</text>"));
+  CHECK(contains(page, "svg{display:block;width:100%"));
+  CHECK(!contains(page, "width:680px"));
+  CHECK(count_of(page, "viewBox=\"0 0 480 ") == shown.figures.size());
+  for (const char* term : {"peak-pressure", "contact-edge", "approach"})
+    CHECK_MESSAGE(
+        (contains(page, "<a href=\"#term-" + std::string(term)) && contains(page, "<dt id=\"term-" + std::string(term))), term);
+  CHECK(contains(page, " N/mm&#178;</td>"));
+  CHECK(contains(page, "<th>x, mm</th>"));
+  // Every section stands in the contents, every table in a box that scrolls.
+  CHECK(count_of(page, "<li><a href=\"#") == count_of(page, "<section id=\""));
+  CHECK(count_of(page, "<table>") == count_of(page, "<div class=\"wide\"><table>"));
+  CHECK(contains(page, "@media screen and (min-width:1000px)"));
+}
+
+TEST_CASE("page: coordinates and forces that are round-off are 0") {
+  Shown shown;
+  show(shown, example("roller.c2s"));
+  for (const char* name : {"deformed", "stress", "stress_zone", "contact"}) {
+    const std::string caption = caption_of(shown, name);
+    CHECK_MESSAGE(!contains(caption, "e-1"), caption);
+    CHECK_MESSAGE(!contains(caption, "e-0"), caption);
+  }
+  CHECK(contains(caption_of(shown, "stress"), ") mm"));
+  CHECK(contains(caption_of(shown, "stress"), "undeformed"));
+}
+
+TEST_CASE("page: a tie is drawn as a tie, without friction and its bounds") {
+  Shown shown;
+  show(shown, made("bimaterial"));
+  REQUIRE(shown.result.status == 0);
+  check_page(shown);
+  CHECK(contains(shown.figures["model"], ">tie</text>"));
+  CHECK(!contains(shown.figures["model"], ">contact zone</text>"));
+  for (const char* name : {"tractions", "contact"}) {
+    const std::string& svg = shown.figures[name];
+    for (const char* never : {"Coulomb", "riction", "stick", "slip"}) CHECK_MESSAGE(!contains(svg, never), never);
+    CHECK(contains(svg, "shear stress"));
+  }
+}
+
+TEST_CASE("page: loads of a free rigid body are drawn, the moment as an arc") {
+  const Folder folder;
+  write_file(folder / "shoe.c2s", kShoe);
+  Shown shown;
+  show(shown, folder / "shoe.c2s");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  for (const char* entry : {">force on a rigid body</text>", ">moment on a rigid body</text>"})
+    CHECK_MESSAGE(contains(shown.figures["model"], entry), entry);
+  write_file(folder / "pushed.c2s", std::string(kShoe).replace(std::string(kShoe).find("moment -60"), 10, "turn 0"));
+  Shown pushed;
+  show(pushed, folder / "pushed.c2s");
+  REQUIRE_MESSAGE(pushed.result.status == 0, pushed.result.err);
+  CHECK(contains(pushed.figures["model"], ">force on a rigid body</text>"));
+  CHECK(!contains(pushed.figures["model"], ">moment on a rigid body</text>"));
+}
+
+TEST_CASE("page: all charts along a zone have one axis") {
+  Shown shown;
+  show(shown, example("roller.c2s"));
+  const auto name_of_axis = [&](const char* figure) {
+    std::vector<Element> elements;
+    REQUIRE(read_xml(shown.figures[figure], elements).empty());
+    std::string out;
+    for (const Element& e : elements)
+      if (e.name == "text" && contains(e.text, "along body")) out = e.text;
+    return out;
+  };
+  CHECK(name_of_axis("tractions") == "x, along body 1 [mm]");
+  for (const char* other : {"status", "gap"}) CHECK(name_of_axis(other) == name_of_axis("tractions"));
+}
+
+TEST_CASE("page: a second view of the model only where it shows something else") {
+  Shown small, large;
+  show(small, example("roller.c2s"));
+  show(large, example("three_bodies.dat"));
+  CHECK(small.figures.count("model_zone") == 1);
+  CHECK(large.figures.count("model_zone") == 0);
+}
