@@ -71,7 +71,7 @@ struct ByPlaces {
 };
 
 // Has a number a place, and are elements there bisected if it is inaccurate?
-enum class Place { kNone, kGiven, kRefined };
+enum class PlaceKind { kNone, kGiven, kRefined };
 
 struct ZoneStep;  // a zone in a solved step
 struct BodyStep;  // a rigid body or platen in a solved step
@@ -89,7 +89,7 @@ struct MeasureRow {
   // What refinement does for an inaccurate number: contact tractions are made more accurate, else the solution outside
   // contacts.
   bool by_tractions;
-  Place place;
+  PlaceKind place;
   // How it is taken from a solved step; null: it is not.
   void (*of_zone)(const ZoneStep&, Quantities&);
   void (*of_body)(const BodyStep&, Quantities&);

@@ -320,30 +320,30 @@ using TakeBody = void (*)(const BodyStep&, Quantities&);
 
 // A number of a contact: a place, which is refined; a number at a place; one that contact tractions determine; any other.
 constexpr MeasureRow place(M what, const char* name, U unit, S scale, TakeZone take, ErrorRule rule, ErrorRule other) {
-  return {what, name, unit, scale, {rule, other}, {0, 0}, true, Place::kRefined, take, nullptr};
+  return {what, name, unit, scale, {rule, other}, {0, 0}, true, PlaceKind::kRefined, take, nullptr};
 }
 constexpr MeasureRow at_place(M what, const char* name, U unit, S scale, TakeZone take, ErrorRule rule) {
-  return {what, name, unit, scale, {rule, rule}, {0, 0}, false, Place::kGiven, take, nullptr};
+  return {what, name, unit, scale, {rule, rule}, {0, 0}, false, PlaceKind::kGiven, take, nullptr};
 }
 constexpr MeasureRow local(M what, const char* name, U unit, S scale, TakeZone take, ErrorRule rule) {
-  return {what, name, unit, scale, {rule, rule}, {0, 0}, true, Place::kNone, take, nullptr};
+  return {what, name, unit, scale, {rule, rule}, {0, 0}, true, PlaceKind::kNone, take, nullptr};
 }
 constexpr MeasureRow width(M what, const char* name, S scale, TakeZone take, ByPlaces by_places) {
-  return {what, name, U::kLength, scale, {kEdge, kEdge}, by_places, true, Place::kNone, take, nullptr};
+  return {what, name, U::kLength, scale, {kEdge, kEdge}, by_places, true, PlaceKind::kNone, take, nullptr};
 }
 constexpr MeasureRow zone(M what, const char* name, U unit, S scale, TakeZone take, ErrorRule rule,
                           TakeBody of_body = nullptr) {
-  return {what, name, unit, scale, {rule, rule}, {0, 0}, false, Place::kNone, take, of_body};
+  return {what, name, unit, scale, {rule, rule}, {0, 0}, false, PlaceKind::kNone, take, of_body};
 }
 constexpr MeasureRow body(M what, const char* name, U unit, S scale, TakeBody take) {
-  return {what, name, unit, scale, {kMotion, kMotion}, {0, 0}, false, Place::kNone, nullptr, take};
+  return {what, name, unit, scale, {kMotion, kMotion}, {0, 0}, false, PlaceKind::kNone, nullptr, take};
 }
 // Requested by a sketch: at points inside, along a surface, of a cycle.
 constexpr MeasureRow inside(M what, const char* name, U unit) {
-  return {what, name, unit, S::kGiven, {kInside, kInside}, {0, 0}, false, Place::kRefined, nullptr, nullptr};
+  return {what, name, unit, S::kGiven, {kInside, kInside}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
 constexpr MeasureRow surface(M what, const char* name) {
-  return {what, name, U::kStress, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, Place::kRefined, nullptr, nullptr};
+  return {what, name, U::kStress, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
 
 constexpr MeasureRow kRows[] = {

@@ -39,7 +39,7 @@ double apart(const app::Stated& a, const app::Stated& b) {
 // The same number of another mesh: by what it is called, and where.
 const app::Stated* find(const std::vector<app::Stated>& all, const app::Stated& s) {
   for (const app::Stated& t : all) {
-    const bool inside = s.zone == 0 && s.of.empty() && app::row_of(s.what).place == app::Place::kRefined;
+    const bool inside = s.zone == 0 && s.of.empty() && app::row_of(s.what).place == app::PlaceKind::kRefined;
     if (t.what == s.what && t.of == s.of && t.zone == s.zone && t.body == s.body && t.item == s.item &&
         (!inside || (t.at[0] == s.at[0] && t.at[1] == s.at[1])))
       return &t;

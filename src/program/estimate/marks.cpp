@@ -14,7 +14,7 @@ constexpr int kMostLevels = 2;
 
 } // namespace
 
-bool is_place(const app::Stated& s) { return !std::isnan(s.at[0]) && app::row_of(s.what).place == app::Place::kRefined; }
+bool is_place(const app::Stated& s) { return !std::isnan(s.at[0]) && app::row_of(s.what).place == app::PlaceKind::kRefined; }
 
 std::vector<sketch::Spot> edges_of(const Trial& trial) {
   using app::Measure;

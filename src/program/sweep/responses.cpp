@@ -101,7 +101,8 @@ bool take_place(std::vector<std::string> words, Response& r) {
   if (r.part == Response::Part::kValue || words.size() < 2) return false;
   words.pop_back();
   take_tail(words, r);
-  return take_head(words, r) && r.of == Response::Of::kQuantity && row_of(static_cast<Measure>(r.which)).place != Place::kNone;
+  return take_head(words, r) && r.of == Response::Of::kQuantity &&
+         row_of(static_cast<Measure>(r.which)).place != PlaceKind::kNone;
 }
 
 double of_pairs(const Response& r, const CoefficientRecord& c) {
