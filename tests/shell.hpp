@@ -18,12 +18,12 @@ namespace test {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, removed at the end of the scope.
+// A folder of its own, removed at the end of the scope. (Tests that were killed leave theirs, and numbers of processes return.)
 class Folder {
 public:
   Folder() {
-    path_ = fs::temp_directory_path() / ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(next()));
-    fs::create_directories(path_);
+    do path_ = fs::temp_directory_path() / ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(next()));
+    while (!fs::create_directory(path_));
   }
   ~Folder() {
     std::error_code ignored;

@@ -73,7 +73,8 @@ TEST_CASE("examples: sketches warn of nothing but what they show") {
 }
 
 TEST_CASE("examples: those that warn on purpose say so in their first lines") {
-  for (const auto& [name, parts] : kOnPurpose) {
+  for (const auto& each : kOnPurpose) {
+    const std::string& name = each.first;
     CAPTURE(name);
     const std::vector<std::string> lines = lines_of(read_file(kExamples + name));
     bool said = false;
