@@ -256,7 +256,7 @@ class Case:
             raise
         except contact2d.Error as why:
             return outcome, str(why)
-        return outcome, [list(table[name]) for table in tables for name in table]
+        return outcome, [list(table[name]) for table in tables for name in table.columns]
 
     def run(self):
         self.disturbed()
