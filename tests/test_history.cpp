@@ -582,6 +582,8 @@ TEST_CASE("history: decks") {
 
   const std::pair<const char*, const char*> faults[] = {
       {"*PATH\n 2 1 0 3\n", "number of load factors (one per load case, that of an interference too) is 3, expected 1"},
+      {"*PATH\n 2 1 &\n 0 3 &\n 4\n",
+       "number of load factors (one per load case, that of an interference too) is 4, expected 1"},
       {"*PATH\n", "*PATH without cards"},
       {"*PATH\n 0 1\n", "number of load increments"},
       {"*CASES 2\n", "load case 2 loads nothing"},

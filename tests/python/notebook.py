@@ -34,15 +34,15 @@ def shown(value):
 
 def run_cell(source, names, count):
     """The outputs of a cell."""
-    tree, told, value = ast.parse(source), io.StringIO(), None
+    tree, printed, value = ast.parse(source), io.StringIO(), None
     last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
-    with contextlib.redirect_stdout(told):
+    with contextlib.redirect_stdout(printed):
         exec(compile(tree, "cell %d" % count, "exec"), names)
         if last is not None:
             value = eval(compile(ast.Expression(last.value), "cell %d" % count, "eval"), names)
     outputs = []
-    if told.getvalue():
-        outputs.append({"name": "stdout", "output_type": "stream", "text": lines_of(told.getvalue())})
+    if printed.getvalue():
+        outputs.append({"name": "stdout", "output_type": "stream", "text": lines_of(printed.getvalue())})
     if value is not None:
         outputs.append({"data": shown(value), "execution_count": count, "metadata": {}, "output_type": "execute_result"})
     return outputs

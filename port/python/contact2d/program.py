@@ -119,9 +119,9 @@ def run_program(*words: Any, text: Optional[str] = None, legal: Sequence[int] = 
     arguments = [library.program()] + [os.fspath(word) for word in words]
     if shown:
         arguments.insert(2, "--progress")
-    with tempfile.TemporaryFile() as told:
-        line = Line(progress, told) if shown else None
-        process = subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=told)
+    with tempfile.TemporaryFile() as messages:
+        line = Line(progress, messages) if shown else None
+        process = subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=messages)
         try:
             output = communicate(process, None if text is None else text.encode("utf-8"), line)
         except BaseException:
@@ -130,7 +130,7 @@ def run_program(*words: Any, text: Optional[str] = None, legal: Sequence[int] = 
         finally:
             if line is not None:
                 line.clear()
-        stderr = re.sub(r"\r\033\[K(contact2d: [^\r\n]*(?=\r))?", "", read_from(told, 0).decode("utf-8", "replace"))
+        stderr = re.sub(r"\r\033\[K(contact2d: [^\r\n]*(?=\r))?", "", read_from(messages, 0).decode("utf-8", "replace"))
     out = output.decode("utf-8", "replace")
     if process.returncode in legal:
         return out, stderr, process.returncode

@@ -44,10 +44,12 @@ c2d_status append_path(c2d_solver* s, c2d_status status, int32_t increments, con
 c2d_status add_factors(c2d_solver* s, int32_t increments, int32_t given, const double* load, int32_t count, bool last) {
   const int32_t cases = s->sizes.load_cases, total = given + count;
   c2d_status status = enter_building(s);
-  if (status == C2D_OK && (total > cases || (last && total < cases))) status = refuse_cases(s, total);
+  if (status == C2D_OK && last && total != cases) status = refuse_cases(s, total);
   if (status != C2D_OK || given == 0) return append_path(s, status, increments, load, count);
   status = check_factors(s, load, count);
-  if (status == C2D_OK) memcpy(factors_of(s, s->model.paths - 1) + given, load, static_cast<size_t>(count) * sizeof *load);
+  const int32_t fits = total <= cases ? count : cases - given; // what is beyond is counted, and refused with the last part
+  if (status == C2D_OK && fits > 0)
+    memcpy(factors_of(s, s->model.paths - 1) + given, load, static_cast<size_t>(fits) * sizeof *load);
   return status;
 }
 

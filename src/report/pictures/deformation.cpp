@@ -153,11 +153,14 @@ Outlines Deformation::outline(const BodyScene& shape, size_t body) const {
   return out;
 }
 
-double wanted_factor(double size, double displacement, double share) {
-  if (displacement <= 1e-12 * size || displacement >= share * size) return 1.0;
-  const double wanted = share * size / displacement;
+double round_below(double wanted) {
   const double power = std::pow(10.0, std::floor(std::log10(wanted))), part = wanted / power;
   return power * (part < 2.0 ? 1.0 : part < 5.0 ? 2.0 : 5.0);
+}
+
+double wanted_factor(double size, double displacement, double share) {
+  if (displacement <= 1e-12 * size || displacement >= share * size) return 1.0;
+  return round_below(share * size / displacement);
 }
 
 double depth_of_overlap(const Outlines& a, const Outlines& b, const Box& box) {

@@ -35,7 +35,9 @@ using ViewOf = std::function<Chart(const Deformation&)>;
 // The largest factor up to `wanted`. `reference`: see above.
 Deformation choose_deformation(const Scene& scene, const GapLift& lift, double wanted, Point reference, const ViewOf& view);
 
-// 1, 2 or 5 times a power of ten, at least 1: displacements of this size are drawn as a `share` of the size of the picture.
+// The largest of ... 1, 2, 5, 10 ... up to `wanted`.
+double round_below(double wanted);
+// Such a number, at least 1: displacements of this size are drawn as a `share` of the size of the picture.
 double wanted_factor(double size, double displacement, double share);
 
 // How deep, in pixels, one set of closed curves reaches into another, as far as that is within the box.

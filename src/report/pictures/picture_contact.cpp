@@ -41,12 +41,11 @@ private:
   std::vector<Image> images_;
 };
 
-// A round 1, 2, 5, 10 ... by which friction is magnified against pressure.
+// By which friction is magnified against pressure.
 double scale_of_friction(const Contact& c) {
   const double pressure = c.largest(C2D_TN), friction = c.largest(C2D_TT);
   if (!(friction > 1e-9 * pressure) || friction >= kLittleFriction * pressure) return 1.0;
-  const double wanted = 0.5 * pressure / friction, power = std::pow(10.0, std::floor(std::log10(wanted)));
-  return power * (wanted / power < 2.0 ? 1.0 : wanted / power < 5.0 ? 2.0 : 5.0);
+  return round_below(0.5 * pressure / friction);
 }
 
 // The mean displacement of side 1 where the bodies touch: what is drawn is relative to it.
