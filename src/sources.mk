@@ -261,6 +261,7 @@ REPORT_SOURCES += src/report/drawn/scene_loads.cpp
 REPORT_SOURCES += src/report/drawn/scene_zones.cpp
 REPORT_SOURCES += src/report/drawn/surface.cpp
 REPORT_SOURCES += src/report/drawn/svg.cpp
+REPORT_SOURCES += src/report/frames.cpp
 REPORT_SOURCES += src/report/history.cpp
 REPORT_SOURCES += src/report/inputs.cpp
 REPORT_SOURCES += src/report/interior.cpp

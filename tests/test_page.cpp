@@ -150,7 +150,7 @@ TEST_CASE("page: first the contact on the deformed bodies, then numbers with uni
   CHECK(contains(shown.figures["contact"], "N/mm&#178;</text>"));
   CHECK(contains(page, "svg{display:block;width:100%"));
   CHECK(!contains(page, "width:680px"));
-  CHECK(count_of(page, "viewBox=\"0 0 480 ") == shown.figures.size());
+  CHECK(count_of(page, "viewBox=\"0 0 480 ") == shown.figures.size() + count_of(page, "<input type=\"radio\""));
   for (const char* term : {"peak-pressure", "contact-edge", "approach"})
     CHECK_MESSAGE(
         (contains(page, "<a href=\"#term-" + std::string(term)) && contains(page, "<dt id=\"term-" + std::string(term))), term);
@@ -172,6 +172,47 @@ TEST_CASE("page: coordinates and forces that are round-off are 0") {
   }
   CHECK(contains(caption_of(shown, "stress"), ") mm"));
   CHECK(contains(caption_of(shown, "stress"), "undeformed"));
+}
+
+TEST_CASE("page: the load path in frames, one of which is shown, with one axis for all") {
+  const Folder folder;
+  write_file(folder / "deck", read_file(example("sliding_block.dat")) + "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\n"
+                                                                        "*PATH\n 2, 1, 0\n 16 1 0.3\n 16 1 -0.5\n");
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  const size_t from = shown.page.find("<fieldset class=\"frames\">");
+  REQUIRE(from != std::string::npos);
+  std::vector<Element> elements;
+  const std::string end = "</fieldset>";
+  REQUIRE(read_xml(shown.page.substr(from, shown.page.find(end, from) + end.size() - from), elements) == "");
+  std::vector<std::string> buttons, labels, axes;
+  std::string ticks, checked;
+  int pictures = 0;
+  for (const Element& e : elements) {
+    if (e.name == "input") buttons.push_back(e.attributes.at("id"));
+    if (e.name == "input" && e.attributes.count("checked") != 0) checked += e.attributes.at("id");
+    if (e.name == "label") labels.push_back(e.attributes.at("for"));
+    if (e.name == "svg" && ++pictures > 1) axes.push_back(ticks), ticks.clear();
+    if (e.name == "text") ticks += e.text + "|";
+  }
+  CHECK(buttons == labels);
+  CHECK(buttons.size() == 21); // 20 of 34 recorded steps, and that where case 2 turns
+  CHECK(pictures == 21);
+  CHECK(buttons.back() == "frames_34");
+  CHECK(checked == buttons.back());
+  for (const std::string& one : axes) CHECK(one == axes[0]);
+  CHECK(contains(shown.page, "Step 2, load factors 1, 0: the largest pressure of a pair is ")); // where case 2 begins
+}
+
+TEST_CASE("page: a path of two steps has no frames") {
+  const Folder folder;
+  write_file(folder / "deck", read_file(example("sliding_block.dat")) + "*PATH\n 2, 1\n");
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  CHECK(!contains(shown.page, "class=\"frames\""));
 }
 
 TEST_CASE("page: a tie is drawn as a tie, without friction and its bounds") {

@@ -676,7 +676,7 @@ TEST_CASE("report: a path that ended where a curve of its way was kept has that 
   hand.history.begin(4); // of which the second is the last
   for (const int32_t k : {1, 2}) hand.step({0.25 * k}, rows_of(4, {C2D_STICK, 1.0 * k, 0, 0, 0}), k);
   const CoefficientHistory& history = hand.history.coefficients()[0];
-  CHECK(history.earlier.size() == 2);
+  CHECK(history.frames.size() == 2);
   CHECK(earlier_states(history, 2, hand.record.coefficients[0].table).size() == 1);
   CHECK(earlier_states(history, 9, hand.record.coefficients[0].table).size() == 2);
 }

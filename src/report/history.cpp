@@ -7,10 +7,13 @@
 namespace app {
 namespace {
 
-bool is_kept(int32_t step, int32_t steps) {
-  for (int32_t quarter = 1; quarter <= 3; ++quarter)
-    if (step < steps && step == (static_cast<int64_t>(steps) * quarter + 2) / 4) return true;
-  return false;
+// Is this the step nearest to `part` of `parts` of all?
+bool is_nearest(int32_t step, int32_t steps, int32_t part, int32_t parts) {
+  return step == (static_cast<int64_t>(steps) * part + parts / 2) / parts;
+}
+
+bool is_at_quarter(int32_t step, int32_t steps) {
+  return step < steps && (is_nearest(step, steps, 1, 4) || is_nearest(step, steps, 2, 4) || is_nearest(step, steps, 3, 4));
 }
 
 // Do the loads reverse at `from`, on the way from `before` to `to`?
@@ -32,6 +35,12 @@ bool is_same_state(const std::vector<double>& a, const std::vector<double>& b) {
 
 } // namespace
 
+bool History::is_frame(int32_t step) const {
+  for (int32_t part = 1; part <= kMostFrames; ++part)
+    if (is_nearest(step, steps_, part, kMostFrames)) return true;
+  return false;
+}
+
 void History::note_reversal(CoefficientHistory& c, Snapshot now) {
   if (!c.last.loads.empty() && goes_back(c.before.loads, c.last.loads, now.loads)) {
     c.reversals.push_back(c.last);
@@ -45,8 +54,8 @@ std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, i
                                             const std::vector<double>& table) {
   std::vector<const Snapshot*> out;
   if (history.reversals.empty()) {
-    for (const Snapshot& s : history.earlier)
-      if (s.step != last_step) out.push_back(&s);
+    for (const Snapshot& s : history.frames)
+      if (s.is_quarter && s.step != last_step) out.push_back(&s);
     return out;
   }
   for (auto s = history.reversals.rbegin(); s != history.reversals.rend(); ++s) { // of equal ones the latest
@@ -97,8 +106,20 @@ void History::note(const c2d_step& step) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     kept.table.insert(kept.table.end(), row, row + C2D_PAIR_FIELDS);
   }
-  if (is_kept(step.step, steps_)) c.earlier.push_back(kept);
+  kept.is_quarter = is_at_quarter(step.step, steps_);
+  if (is_frame(step.step)) c.frames.push_back(kept);
   note_reversal(c, std::move(kept));
+}
+
+std::vector<const Snapshot*> frames_of(const CoefficientHistory& history) {
+  std::vector<const Snapshot*> out;
+  for (const std::vector<Snapshot>* some : {&history.frames, &history.reversals})
+    for (const Snapshot& s : *some) out.push_back(&s);
+  if (!history.last.table.empty()) out.push_back(&history.last);
+  std::stable_sort(out.begin(), out.end(), [](const Snapshot* a, const Snapshot* b) { return a->step < b->step; });
+  const auto is_same = [](const Snapshot* a, const Snapshot* b) { return a->step == b->step; };
+  out.erase(std::unique(out.begin(), out.end(), is_same), out.end());
+  return out;
 }
 
 bool rises(const CoefficientHistory& history) {

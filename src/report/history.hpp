@@ -21,6 +21,7 @@ struct PathPoint {
 };
 struct Snapshot {
   int32_t step = 0;
+  bool is_quarter = false; // at about a quarter, a half or three quarters of the steps
   double load = 0.0;
   std::vector<double> loads; // factors of all load cases
   std::vector<double> table; // C2D_PAIR_FIELDS numbers per pair
@@ -33,7 +34,7 @@ struct CoefficientHistory {
   double mu = 0.0;
   std::vector<PathPoint> points;
   std::vector<double> loads;       // factors reached, per load case
-  std::vector<Snapshot> earlier;   // at about a quarter, a half and three quarters of the steps
+  std::vector<Snapshot> frames;    // recorded steps, at most kMostFrames, spread evenly over the steps
   std::vector<Snapshot> reversals; // the last kMostReversals recorded steps from which the loads went back
   Snapshot last, before;           // of recorded steps; of the one before the loads alone
   std::vector<EnergyPoint> energy;
@@ -50,6 +51,8 @@ public:
 
 private:
   static constexpr size_t kMostReversals = 3;
+  static constexpr int32_t kMostFrames = 20; // a multiple of four
+  bool is_frame(int32_t step) const;
   static void note_reversal(CoefficientHistory& history, Snapshot now);
   static constexpr size_t kMostStatusBytes = size_t{1} << 26;
   std::vector<CoefficientHistory> coefficients_;
@@ -61,6 +64,9 @@ private:
 // `table`; on a path without reversals, intermediate states.
 std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
                                             const std::vector<double>& table);
+
+// Recorded steps in their order: frames, reversals and the last.
+std::vector<const Snapshot*> frames_of(const CoefficientHistory& history);
 
 // Does the path consist of one load factor that only grows? Then charts are drawn over the load, else over
 // the steps.

@@ -2,6 +2,7 @@
 
 #include "post/zone_line.hpp"
 #include "report/drawn/dark.hpp"
+#include "report/frames.hpp"
 #include "report/listing/key_table.hpp"
 #include "report/text.hpp"
 #include "report/totals.hpp"
@@ -353,7 +354,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   const std::string title = escape_xml(scene.summary.title[0] != '\0' ? scene.summary.title : deck_name.c_str());
   out += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         title + "</title>\n<style>\n" + kStyle;
+         title + "</title>\n<style>\n" + kStyle + kFrameStyle;
   append_dark_style(out);
   out += "</style>\n</head>\n<body>\n";
   // The contents stand beside the page, and so before it.
@@ -370,6 +371,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   page += "<div class=\"pictures\">\n";
   for (size_t i = 0; i < pictures.size(); ++i)
     if (i != first) append_picture(page, pictures[i]);
+  append_frames(page, scene);
   page += "</div>\n";
   if (scene.solved) append_balance(page, scene);
   append_sizes(page, scene);

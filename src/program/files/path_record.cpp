@@ -54,12 +54,14 @@ template <class Archive> void members(Archive& a, CoefficientRecord& c) {
 template <class Archive> void members(Archive& a, PathPoint& p) {
   a(p.step), a(p.kind), a(p.load), a(p.travel), a(p.peak), a(p.count), a(p.events), a(p.status);
 }
-template <class Archive> void members(Archive& a, Snapshot& s) { a(s.step), a(s.load), a(s.loads), a(s.table); }
+template <class Archive> void members(Archive& a, Snapshot& s) {
+  a(s.step), a(s.is_quarter), a(s.load), a(s.loads), a(s.table);
+}
 template <class Archive> void members(Archive& a, EnergyPoint& e) {
   a(e.travel), a(e.load), a(e.work), a(e.dissipated), a(e.elastic), a(e.defect);
 }
 template <class Archive> void members(Archive& a, CoefficientHistory& h) {
-  a(h.mu), a(h.points), a(h.loads), a(h.earlier), a(h.reversals), a(h.last), a(h.before), a(h.energy);
+  a(h.mu), a(h.points), a(h.loads), a(h.frames), a(h.reversals), a(h.last), a(h.before), a(h.energy);
 }
 template <class Archive> void members(Archive& a, History& h) { h.archive(a); }
 template <class Archive> void members(Archive& a, Trace::State& s) { a(s.status), a(s.side); }
@@ -86,7 +88,7 @@ struct Sizes {
     bool all = is(h.loads, cases);
     for (const PathPoint& p : h.points) all = all && is(p.status, pairs);
     const auto fits = [this](const Snapshot& s) { return is(s.table, pairs * C2D_PAIR_FIELDS) && is(s.loads, cases); };
-    for (const Snapshot& s : h.earlier) all = all && fits(s);
+    for (const Snapshot& s : h.frames) all = all && fits(s);
     for (const Snapshot& s : h.reversals) all = all && fits(s);
     return all && fits(h.last) && fits(h.before);
   }

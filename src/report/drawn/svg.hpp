@@ -72,6 +72,7 @@ public:
 
   double width() const { return width_; }
   double height() const { return height_; }
+  void set_height(double height) { height_ = height; }
   // The whole file, without an XML declaration; title and description for screen readers.
   std::string finish(const std::string& title, const std::string& description) const;
 

@@ -36,8 +36,9 @@ std::vector<Band> find_bands(const CoefficientHistory& history, const std::vecto
   return out;
 }
 
-// Borders of the samples' columns: half way to their neighbours.
-std::vector<double> borders(const ZoneScene& zone) {
+} // namespace
+
+std::vector<double> borders_of(const ZoneScene& zone) {
   const std::vector<ZoneSample>& p = zone.samples;
   const size_t n = p.size();
   std::vector<double> out(n + 1, 0.0);
@@ -47,6 +48,30 @@ std::vector<double> borders(const ZoneScene& zone) {
   if (n == 1) out[0] -= 0.5, out[1] += 0.5;
   return out;
 }
+
+void draw_status_row(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::vector<double>& border,
+                     const std::string& status, double top, double bottom, const StatusFills& fills) {
+  for (size_t i = 0; i < zone.samples.size();) {
+    const char now = status[zone.samples[i].pair];
+    size_t end = i + 1;
+    while (end < zone.samples.size() && status[zone.samples[end].pair] == now) ++end;
+    const double a = chart.at(border[i], 0.0).x, b = chart.at(border[end], 0.0).x;
+    i = end;
+    if (now != C2D_OPEN)
+      svg.rectangle({std::min(a, b), top, std::max(a, b), bottom}, fills.of[now == C2D_STICK ? 1 : 2], Stroke{});
+  }
+}
+
+StatusFills status_fills(Svg& svg) { return {{"white", colour::kBlue, svg.hatch(colour::kOrange, "#fbe3d0")}}; }
+
+std::vector<LegendEntry> fills_legend(const StatusFills& fills) {
+  const Stroke thin{colour::kFaint, 0.6, ""};
+  return {{"open", thin, Mark::kNone, true, fills.of[0]},
+          {"stick", thin, Mark::kNone, true, fills.of[1]},
+          {"slip", thin, Mark::kNone, true, fills.of[2]}};
+}
+
+namespace {
 
 std::string status_caption(const Scene& scene, const ZoneScene& zone, size_t coefficient) {
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
@@ -65,18 +90,10 @@ std::string status_caption(const Scene& scene, const ZoneScene& zone, size_t coe
 }
 
 void draw_bands(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::vector<Band>& bands,
-                const std::vector<double>& border, const std::string (&fills)[3]) {
+                const std::vector<double>& border, const StatusFills& fills) {
   svg.raw("<g shape-rendering=\"crispEdges\">\n"); // no seams
   for (const Band& band : bands)
-    for (size_t i = 0; i < zone.samples.size();) {
-      const char status = (*band.status)[zone.samples[i].pair];
-      size_t end = i + 1;
-      while (end < zone.samples.size() && (*band.status)[zone.samples[end].pair] == status) ++end;
-      const Point a = chart.at(border[i], band.from), b = chart.at(border[end], band.to);
-      i = end;
-      if (status == C2D_OPEN) continue;
-      svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2], Stroke{});
-    }
+    draw_status_row(svg, chart, zone, border, *band.status, chart.at(0.0, band.to).y, chart.at(0.0, band.from).y, fills);
   svg.raw("</g>\n");
 }
 
@@ -91,14 +108,10 @@ void draw_status_of(const Scene& scene, size_t coefficient, size_t zone_index, P
   if (bands.empty()) return;
   const std::string name = "status" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, 400.0);
-  const std::string fills[3] = {"white", colour::kBlue, svg.hatch(colour::kOrange, "#fbe3d0")};
-  const Stroke thin{colour::kFaint, 0.6, ""};
+  const StatusFills fills = status_fills(svg);
   const Box frame{66.0, 34.0, kPictureWidth - 18.0, 352.0};
-  draw_legend(&svg, {frame.left, 4.0}, frame.width(),
-              {{"open", thin, Mark::kNone, true, fills[0]},
-               {"stick", thin, Mark::kNone, true, fills[1]},
-               {"slip", thin, Mark::kNone, true, fills[2]}});
-  const std::vector<double> border = borders(zone);
+  draw_legend(&svg, {frame.left, 4.0}, frame.width(), fills_legend(fills));
+  const std::vector<double> border = borders_of(zone);
   Range y;
   y.include(0.0);
   for (const double h : height) y.include(h);

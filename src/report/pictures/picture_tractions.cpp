@@ -36,15 +36,15 @@ struct Layers {
   bool shows(double s) const { return window.empty || (s >= window.low && s <= window.high); }
 };
 
-// At an edge the pressure may be unbounded. If the rest of the zone, 97 % of its length, stays
-// below a sixth of the largest value, the axis ends above the rest.
-double find_top(const Layers& l, size_t column) {
+} // namespace
+
+double axis_limit(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table, size_t column) {
   std::vector<std::pair<double, double>> sizes; // size, and the length along which it stands
   double length = 0.0, below = 0.0;
-  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
-    const size_t before = p > l.zone.first ? p - 1 : p, behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
-    const double share = 0.5 * std::fabs(l.scene.pairs[behind].s - l.scene.pairs[before].s);
-    const double value = std::fabs(l.record.table[p * C2D_PAIR_FIELDS + column]);
+  for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
+    const size_t before = p > zone.first ? p - 1 : p, behind = p + 1 < zone.first + zone.pairs ? p + 1 : p;
+    const double share = 0.5 * std::fabs(scene.pairs[behind].s - scene.pairs[before].s);
+    const double value = std::fabs(table[p * C2D_PAIR_FIELDS + column]);
     sizes.emplace_back(value, share);
     length += share;
   }
@@ -56,6 +56,10 @@ double find_top(const Layers& l, size_t column) {
   }
   return HUGE_VAL;
 }
+
+namespace {
+
+double find_top(const Layers& l, size_t column) { return axis_limit(l.scene, l.zone, l.record.table, column); }
 
 // Values and, with a coefficient, the Coulomb limits, up to `top`.
 Range range_of(const Layers& l, size_t column, double mu_bound, double top) {

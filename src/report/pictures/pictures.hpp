@@ -25,6 +25,9 @@ constexpr size_t kMostCharts = 16;
 void draw_contact(const Scene& scene, Pictures& out);
 // All bodies, nodes, supports, loads, pairs; beside it what is in contact.
 void draw_model(const Scene& scene, Pictures& out);
+// At an edge the pressure may be unbounded: the size at which an axis of tn or tt (`column`) ends above the rest of the zone
+// (all of the zone but 3 % of its length, if this stays below a sixth of the largest), else infinity.
+double axis_limit(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table, size_t column);
 // Pressure and friction along a zone with the Coulomb bounds, per coefficient and zone.
 void draw_tractions(const Scene& scene, Pictures& out);
 // Open, stick and slip over position and load, per coefficient and zone.
@@ -65,6 +68,17 @@ std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
 // How a status is marked everywhere: stick a full circle, slip a triangle, open a cross, tied a square.
 Mark status_mark(int status);
 std::vector<LegendEntry> status_legend(bool tied); // of a zone
+// How a status is filled where it is a strip: open white, stick blue, slip hatched.
+struct StatusFills {
+  std::string of[3];
+};
+StatusFills status_fills(Svg& svg);
+std::vector<LegendEntry> fills_legend(const StatusFills& fills);
+// Borders of the columns of a zone's samples: half way to their neighbours.
+std::vector<double> borders_of(const ZoneScene& zone);
+// A strip from `top` to `bottom`, filled by the status of each pair.
+void draw_status_row(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::vector<double>& border,
+                     const std::string& status, double top, double bottom, const StatusFills& fills);
 bool is_tied(const CoefficientRecord& record, const ZoneScene& zone);
 // The pairs of contact and of ties, without those of platens, which are as long as the end of a body that they move.
 bool is_of_contact(const Scene& scene, const PairScene& pair);
