@@ -17,7 +17,7 @@ const char kFrameStyle[] =
 
 namespace {
 
-constexpr double kLeft = 66.0, kStrip = 12.0, kHigh = 250.0;
+constexpr double kFilmLeft = 66.0, kFilmStrip = 12.0, kFilmHigh = 250.0;
 
 // What all frames of a zone share.
 struct Film {
@@ -84,14 +84,14 @@ std::string draw_frame(const Film& film, const Snapshot& s, const std::string& n
   Svg svg(name, kPictureWidth, 0.0);
   const StatusFills fills = status_fills(svg);
   const std::vector<LegendEntry> entries = legend_of(film, fills);
-  const double top = draw_legend(nullptr, {kLeft, 4.0}, right - kLeft, entries) + kStrip + 12.0;
-  svg.set_height(top + kHigh + 44.0);
-  draw_legend(&svg, {kLeft, 4.0}, right - kLeft, entries);
-  const Chart chart{{kLeft, top, right, top + kHigh}, film.place, film.stress};
+  const double top = draw_legend(nullptr, {kFilmLeft, 4.0}, right - kFilmLeft, entries) + kFilmStrip + 12.0;
+  svg.set_height(top + kFilmHigh + 44.0);
+  draw_legend(&svg, {kFilmLeft, 4.0}, right - kFilmLeft, entries);
+  const Chart chart{{kFilmLeft, top, right, top + kFilmHigh}, film.place, film.stress};
   std::string status;
   for (size_t p = 0; p * C2D_PAIR_FIELDS < s.table.size(); ++p)
     status += static_cast<char>(static_cast<int>(s.table[p * C2D_PAIR_FIELDS + C2D_STATUS]));
-  draw_status_row(svg, chart, film.zone, borders_of(film.zone), status, top - kStrip - 4.0, top - 4.0, fills);
+  draw_status_row(svg, chart, film.zone, borders_of(film.zone), status, top - kFilmStrip - 4.0, top - 4.0, fills);
   if (film.friction && film.mu > 0.0 && std::isfinite(film.mu)) draw_bounds(svg, film, s.table, chart);
   draw_axes(svg, chart);
   svg.begin_clip(chart.frame);
