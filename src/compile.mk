@@ -15,7 +15,7 @@ DEPS      := -MMD -MP
 BATCH ?= 30
 FLAGS_NOW := $(BATCH) $(ONE_FILE) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
-	@mkdir -p $(BUILD)/obj $(BUILD)/tests
+	@mkdir -p $(BUILD)/obj $(BUILD)/tests/only
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
 ifneq ($(findstring x86_64,$(MACHINE)),)

@@ -5,19 +5,17 @@
 #: make small                       the tests with the small code of the boards
 .PHONY: hostile hostile-blocks
 HOSTILE_WIDTHS ?= 1 3
-BLOCK_TESTS := $(patsubst %,*test_%.cpp,elimination direct assembly memory store tapes ahead tasks persist model_sweep store_sweep \
-  bodies holes body_force symmetry parts threads interior events)
-empty :=
-in_one = CXXFLAGS=-O1 ONE_FILE=$(AMALGAMATION)/contact2d.cpp
-# $(1) width, $(2) test or test-all, $(3) files of tests, with commas, or nothing: all; $(4) variables
+BLOCK_TESTS := elimination assembly memory store tapes ahead tasks persist bodies holes body_force symmetry threads interior events
+# $(1) width, $(2) test or test-all, $(3) variables
 hostile_run = echo "hostile: panels of $(1) columns, least workspace, poisoned memory, assertions, failing store, late transfers"; \
   rm -f $(BUILD)/hostile/obj/tests_hostile_hostile_port.o; \
-  C2D_TESTS_NOT="tests/hostile.txt $$C2D_TESTS_NOT" C2D_TESTS_FILES='$(3)' $(MAKE) -s $(2) BUILD=$(BUILD)/hostile TESTS_FROM=$(BUILD) \
-    HOSTILE_WIDTH=$(1) CPPFLAGS='$(CPPFLAGS) -DC2D_HOSTILE=1' $(4)
+  C2D_TESTS_NOT="tests/hostile.txt $$C2D_TESTS_NOT" $(MAKE) -s $(2) BUILD=$(BUILD)/hostile TESTS_FROM=$(BUILD) \
+    HOSTILE_WIDTH=$(1) CPPFLAGS='$(CPPFLAGS) -DC2D_HOSTILE=1' $(3)
 hostile: all-test-objects
 	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,test-all) || exit 1; done
-hostile-blocks: test-objects amalgamation
-	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,test,$(subst $(empty) $(empty),$(comma),$(BLOCK_TESTS)),$(in_one)) || exit 1; done
+hostile-blocks: support-objects amalgamation
+	+@for width in $(HOSTILE_WIDTHS); do $(call hostile_run,$$width,test,TEST_FILES='$(BLOCK_TESTS)' CXXFLAGS=-O1 \
+	  ONE_FILE=$(AMALGAMATION)/contact2d.cpp) || exit 1; done
 # make small: the whole test suite in small code (src/memory/config.hpp), as firmware has it. tests/small.txt: what
 # cannot hold there.
 .PHONY: small

@@ -18,7 +18,7 @@ namespace test {
 // Can this be tested here? A missing tool is said aloud, and is a failure where C2D_ALL_HOSTS says that all
 // are there.
 inline bool can_host(const std::string& tool) {
-  if (kSanitized) {
+  if (paths::sanitized()) {
     MESSAGE("skipped: the library needs the sanitizer's run-time, which " << tool << " does not link");
     return false;
   }

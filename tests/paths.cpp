@@ -14,4 +14,10 @@ std::string program() { return C2D_TEST_PROGRAM; }
 std::string chapter9() { return C2D_TEST_CHAPTER9; }
 bool hardened() { return C2D_TEST_HARDENED != 0; }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+bool sanitized() { return true; }
+#else
+bool sanitized() { return false; }
+#endif
+
 } // namespace paths

@@ -17,5 +17,6 @@ std::string shared();   // libcontact2d.so.VERSION
 std::string program();  // contact2d
 std::string chapter9(); // the program of examples/chapter9
 bool hardened();        // port/packaging/hardening.mk
+bool sanitized();       // address and undefined-behaviour sanitizers are in library and program
 
 } // namespace paths

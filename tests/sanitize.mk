@@ -1,6 +1,5 @@
 # make sanitize: every test under the address and undefined-behaviour sanitizers, tests and all. make sanitize-library: the tests of
-# `make test` on library and program as `make fuzz` has them, by clang++; of the tests those alone are compiled again that see the
-# core's configuration or ask for sanitizers. Included by the Makefile.
+# `make test` on library and program as `make fuzz` has them, by clang++; the tests are those of the build. Included by the Makefile.
 #: make sanitize, sanitize-library  the tests under the address and undefined-behaviour sanitizers
 #: make sanitize-threads            the parallel parts under the thread sanitizer (THREADS_NOT=)
 .PHONY: sanitize sanitize-library sanitize-threads

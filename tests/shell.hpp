@@ -92,13 +92,4 @@ inline bool contains(const std::string& text, const std::string& part) { return 
 
 inline bool has_command(const std::string& name) { return run_shell("command -v " + name).status == 0; }
 
-// Were the tests, and so the library, built with a sanitizer? Its calls are in every object then.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__SANITIZE_UNDEFINED__)
-constexpr bool kSanitized = true;
-#elif defined(C2D_TEST_SANITIZED)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
 } // namespace test

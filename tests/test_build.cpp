@@ -278,7 +278,7 @@ Result run_example(const std::string& compiler, const std::string& deck) {
 } // namespace
 
 TEST_CASE("example: static_array.c is C99, links with plain cc and -lm, and solves the sample") {
-  if (kSanitized) return; // its library needs the sanitizer's run-time
+  if (paths::sanitized()) return; // its library needs the sanitizer's run-time
   const Result result = run_example(paths::c_compiler() + " -std=c99 -pedantic", "hertz.dat");
   CHECK_MESSAGE(result.status == 0, result.out << result.err);
   const std::vector<std::string> lines = lines_of(result.out);
@@ -291,7 +291,7 @@ TEST_CASE("example: static_array.c is C99, links with plain cc and -lm, and solv
 }
 
 TEST_CASE("example: static_array.c is C++ as well, and tells an unusable deck") {
-  if (kSanitized) return;
+  if (paths::sanitized()) return;
   const std::string cxx = paths::cxx_compiler() + " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti";
   const Result result = run_example(cxx, "plate_tension.dat");
   CHECK_MESSAGE(result.status == 0, result.out << result.err);
@@ -300,7 +300,7 @@ TEST_CASE("example: static_array.c is C++ as well, and tells an unusable deck") 
 
 // Hertz' half width of the example is 1: the pressure on the axis is 2 P/pi.
 TEST_CASE("example: adapt.c is C99 and C++, and states errors of its pressures that hold") {
-  if (kSanitized) return;
+  if (paths::sanitized()) return;
   for (const std::string& compiler : {paths::c_compiler() + " -std=c99 -pedantic",
                                       paths::cxx_compiler() + " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti"}) {
     const Result result = run_program(compiler, "adapt", "");

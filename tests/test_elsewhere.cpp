@@ -104,7 +104,7 @@ TEST_CASE("elsewhere: -DC2D_PLAIN leaves no word in the core that C++17 has not"
 }
 
 TEST_CASE("elsewhere: a parent of CMake keeps its names, its build type and its installation") {
-  if (!has_command("cmake") || kSanitized) return;
+  if (!has_command("cmake") || paths::sanitized()) return;
   const Folder folder;
   write_file(folder / "CMakeLists.txt",
              "cmake_minimum_required(VERSION 3.13)\nproject(parent C CXX)\n"
@@ -140,7 +140,7 @@ TEST_CASE("elsewhere: a parent of CMake keeps its names, its build type and its 
 }
 
 TEST_CASE("elsewhere: model_by_calls.c is C99 and C++, balances its forces and restores its state to the bit") {
-  if (kSanitized) return; // its library needs the sanitizer's run-time
+  if (paths::sanitized()) return; // its library needs the sanitizer's run-time
   const Folder folder;
   for (const std::string& compile : {paths::c_compiler() + " -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror ",
                                      paths::cxx_compiler() + " -x c++ -std=c++17 -Wall -Wextra -Werror "}) {

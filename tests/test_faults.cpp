@@ -15,11 +15,13 @@ using namespace faults;
 namespace {
 
 // The preloaded library takes the place of functions of glibc; a sanitizer does that itself.
+bool can_preload() {
 #if defined(__GLIBC__) && defined(__linux__)
-constexpr bool kCanPreload = !test::kSanitized;
+  return !paths::sanitized();
 #else
-constexpr bool kCanPreload = false;
+  return false;
 #endif
+}
 
 // The jobs, in a folder of their own, each gone through once.
 struct Workplace {
@@ -50,8 +52,8 @@ const Workplace& workplace() {
 }
 
 bool can_preload() {
-  if (!kCanPreload) MESSAGE("not run: functions of the C library cannot be replaced here");
-  return kCanPreload;
+  if (!can_preload()) MESSAGE("not run: functions of the C library cannot be replaced here");
+  return can_preload();
 }
 
 void nothing_found(const Tally& tally) {

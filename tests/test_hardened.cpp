@@ -45,7 +45,7 @@ void count_marks(const std::string& archive, const std::string& mark, int& membe
 }
 
 bool can_look() {
-  if (kSanitized || !has_command("readelf")) return false;
+  if (paths::sanitized() || !has_command("readelf")) return false;
   if (!paths::hardened()) MESSAGE("skipped: this build is not hardened");
   return paths::hardened();
 }
@@ -90,7 +90,7 @@ TEST_CASE("hardened: this test finds what is missing") {
 
 // What is compiled without it is what a host without a C library gets.
 TEST_CASE("hardened: HARDENING= leaves nothing of it in the library") {
-  if (!has_command("make") || kSanitized) return;
+  if (!has_command("make") || paths::sanitized()) return;
   const Folder folder;
   const std::string commands = run_shell("make -n -C '" + paths::root() + "' BUILD='" + folder.path() +
                                          "' HARDENING= MAKEFLAGS= '" + (folder / "contact2d") + "'")

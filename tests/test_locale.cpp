@@ -38,7 +38,7 @@ std::string without_times(const std::string& text) {
 } // namespace
 
 TEST_CASE("locale: every output of the program is the same in a locale with a decimal comma") {
-  if (kSanitized) return; // its run-time must be loaded first
+  if (paths::sanitized()) return; // its run-time must be loaded first
   const Folder locale;
   make_comma_locale(locale);
   if (run_shell(in_comma_locale(locale) + "'" + (locale / "say") + "'").out != "1,5") {

@@ -103,7 +103,7 @@ TEST_CASE("packaging: the man page has every option, command and exit status of 
 }
 
 TEST_CASE("packaging: the library in one file compiles with one command and solves the sample alike") {
-  if (!has_command("make") || kSanitized) return; // twice the same sources: what is compared is not the library's own
+  if (!has_command("make") || paths::sanitized()) return; // twice the same sources: what is compared is not the library's own
   const Folder folder;
   const Result made = run_shell("make -s -C '" + kRoot + "' amalgamation BUILD='" + folder.path() + "' MAKEFLAGS=");
   REQUIRE_MESSAGE(made.status == 0, made.out << made.err);

@@ -179,7 +179,7 @@ std::string status_line(c2d_status status) { return "status " + std::to_string(s
 } // namespace
 
 TEST_CASE("parts: a program without them, and the same with their calls") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
   const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "

@@ -148,14 +148,8 @@ TEST_CASE("readers: the list of bodies is as long as the deck says, and not long
   CHECK(app::room_for_bodies(file).size() == 1);
 }
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kMemoryIsOurs = false;
-#else
-constexpr bool kMemoryIsOurs = true;
-#endif
-
 TEST_CASE("readers: 48 MB of blank lines take little memory, and reading takes little stack") {
-  if (!kMemoryIsOurs) return; // the sanitizer has memory of its own
+  if (paths::sanitized()) return; // the sanitizer has memory of its own
   const Folder folder;
   const std::string program = "'" + paths::program() + "' ", blank = folder / "blank.dat";
   write_file(blank, std::string(48 << 20, '\n'));

@@ -64,7 +64,7 @@ std::set<std::string> quoted_words(const std::string& text) {
 // Compiles a C program with this command; "" or what the compiler said. A library with a sanitizer in it
 // needs that one's run-time: then nothing is linked.
 std::string compile(const std::string& compiler, const std::string& source, const std::string& out) {
-  const std::string rest = kSanitized ? " -c" : " -x none '" + paths::library() + "' -lm";
+  const std::string rest = paths::sanitized() ? " -c" : " -x none '" + paths::library() + "' -lm";
   const Result result = run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
                                   "/port/memory' '" + source + "'" + rest + " -o '" + out + "'");
   return result.status == 0 ? "" : result.err + "(failed)";
@@ -112,7 +112,7 @@ TEST_CASE("pages: the C programs compile as C99 and as C++ and run") {
       const Folder folder;
       write_file(folder / "example.c", program);
       REQUIRE(compile(compiler, folder / "example.c", folder / "example") == "");
-      if (kSanitized) continue;
+      if (paths::sanitized()) continue;
       const Result run = run_shell("cd '" + kRoot + "' && '" + (folder / "example") + "'");
       if (program == programs[0])
         check_sample(run);

@@ -168,20 +168,20 @@ const char kInPath[] = "continues after step";
 } // namespace
 
 TEST_CASE("resume in the path: killed at any operation, with several coefficients and a cyclic history") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", cyclic_deck(), "--save-every 0");
   kill_and_resume(whole, "path", effort<size_t>(1, 4), kInPath, effort(1, 2));
   kill_and_resume(whole, "tape0", effort<size_t>(1, 4), kInPath, effort(1, 2));
 }
 
 TEST_CASE("resume in the path: with the increments of the deck, and little memory") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", cyclic_deck(), "--save-every 0 --stepping deck --memory 180K");
   kill_and_resume(whole, "path", effort<size_t>(1, 3), kInPath, 1);
 }
 
 TEST_CASE("resume in the path: with a tie, and two coefficients of friction") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   std::string deck = family("coating n=3 L=8 ratio=2");
   const auto replace = [&deck](const std::string& what, const std::string& by) {
     const size_t at = deck.find(what);
@@ -196,7 +196,7 @@ TEST_CASE("resume in the path: with a tie, and two coefficients of friction") {
 }
 
 TEST_CASE("resume in the path: with gaps that follow slip") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const Folder folder;
   write_file(folder / "pads.c2s", slip_pads() + "history normal 1; shift 1, -1\nsteps 3\ntolerance 9 %\n");
   const Result mesh = run_shell("'" + paths::program() + "' mesh '" + (folder / "pads.c2s") + "' mu=0.3 d=0.4");
@@ -206,7 +206,7 @@ TEST_CASE("resume in the path: with gaps that follow slip") {
 }
 
 TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const std::string deck = cyclic_deck();
   const Whole whole("deck.dat", deck, "--save-every 1000");
   const std::vector<uint64_t> prepared = whole.run.operations("tape0"); // of the path there is nothing saved
@@ -248,7 +248,7 @@ TEST_CASE("resume in the path: SIGTERM saves first, exit status 143") {
 }
 
 TEST_CASE("resume in the path: states that are damaged, of another run or gone are told, and the numbers are the same") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", cyclic_deck(), "--save-every 0");
   const Run& run = whole.run; // kept: it can be resumed again and again
   std::map<std::string, std::string> files;
@@ -289,7 +289,7 @@ TEST_CASE("resume in the path: states that are damaged, of another run or gone a
 }
 
 TEST_CASE("resume in the path: a sketch's loop over meshes takes up the meshes that were solved") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const std::string sketch = read_file(paths::root() + "/examples/fretting_pad.c2s");
   const std::string options = "--save-every 0 q=10 --set p=150";
   const std::string loose = std::regex_replace(sketch, std::regex("want  .*"), "want       pressure 20 %");
@@ -314,7 +314,7 @@ TEST_CASE("resume in the path: a sketch's loop over meshes takes up the meshes t
 }
 
 TEST_CASE("resume in the path: a folder that is in use, exit status 75") {
-  if (kSanitized) return; // whose run-time must be loaded first
+  if (paths::sanitized()) return; // whose run-time must be loaded first
   const Whole whole("deck.dat", family("hertz n=2 L=5 ratio=1.6"), "");
   c2d_posix_store other;
   REQUIRE(c2d_posix_store_init(&other, whole.run.folder().path().c_str()) == 0);

@@ -69,7 +69,7 @@ bool is_forbidden(const std::string& name) {
 } // namespace
 
 TEST_CASE("symbols: the core asks only for memory moves and mathematics") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   std::set<std::string> allowed = allowed_symbols();
   REQUIRE(allowed.size() > 10);
   if (paths::hardened()) allowed.merge(page_list("- hardened builds"));
@@ -85,7 +85,7 @@ TEST_CASE("symbols: the core asks only for memory moves and mathematics") {
 }
 
 TEST_CASE("symbols: what a hardened build asks for besides") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   std::set<std::string> allowed = allowed_symbols();
   allowed.merge(page_list("- hardened builds"));
   const Folder folder;
@@ -110,7 +110,7 @@ TEST_CASE("symbols: what a hardened build asks for besides") {
 }
 
 TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static constructors") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   // d, b, c: initialised, zeroed and common data. .data.rel.ro (constant tables of addresses) is d too in
   // nm's eyes, so sections decide where there are any.
   for (const Symbol& s : core_symbols())
@@ -138,7 +138,7 @@ TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static
 // The deck reader may declare every optional part of a model (src/memory/parts.hpp), so the program has all of them.
 // New loads are asked for by a call that it has not, c2d_change_loads.
 TEST_CASE("symbols: no optional part is missing where the deck reader is linked") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   const Result names = run_shell("nm -C -u '" + paths::program() + "'");
   REQUIRE(names.status == 0);
   for (const std::string& line : lines_of(names.out))
@@ -146,7 +146,7 @@ TEST_CASE("symbols: no optional part is missing where the deck reader is linked"
 }
 
 TEST_CASE("symbols: every public function is in the library, and all C names begin with c2d_") {
-  if (kSanitized || !has_command("nm")) return;
+  if (paths::sanitized() || !has_command("nm")) return;
   std::set<std::string> defined;
   for (const Symbol& s : core_symbols())
     if (s.kind == 'T') defined.insert(s.name);

@@ -10,7 +10,7 @@ const std::string kRoot = paths::root();
 
 // A program or a library that this needs is missing: said aloud, or a failure where all are there.
 bool can_look(const std::string& page) {
-  if (kSanitized) return false; // (the page has none of this build)
+  if (paths::sanitized()) return false; // (the page has none of this build)
   for (const char* tool : {"python3", "chromium", "chromedriver"})
     if (!can_host(tool)) return false;
   if (fs::exists(page)) return true;

@@ -15,7 +15,7 @@ const std::string kExamples = paths::root() + "/examples/";
 
 // A program that this needs is missing: said aloud, or a failure where all are there.
 bool can_try() {
-  if (kSanitized) return false; // (it has none of this build)
+  if (paths::sanitized()) return false; // (it has none of this build)
   if (!can_host(kCompiler) || !can_host("wine")) return false;
   if (fs::exists(kProgram)) return true;
   const char* all = std::getenv("C2D_ALL_HOSTS");

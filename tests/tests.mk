@@ -2,13 +2,13 @@
 #   make test               the tests required before every commit: all but what tests/proof.txt lists, with short loops
 #   make test-all           all of it; C2D_TESTS_FULL=1: with the loops at their full length (a stage of make proof)
 #   make test-times         the same as make test, from nothing, with processor seconds: a line for each source, the 40 slowest tests
-#   make build/tests/only/NAME   a program with only the tests of tests/test_NAME.cpp
+#   make build/tests/only/NAME   a program with only the tests of tests/test_NAME.cpp; NAME,NAME,NAME: of several, compiled together
 # A file that tests/proof.txt lists is compiled for run_proof alone. tests/README.md tells the rest.
 #: make test                        the tests required before every commit
 #: make test-all                    all tests; C2D_TESTS_FULL=1: full loops; C2D_ALL_HOSTS=1: a missing tool is a failure
 #: make test-times                  processor time of make demo and make test from a clean tree
 #: make build/tests/only/NAME       a program with only the tests of tests/test_NAME.cpp
-.PHONY: test test-all test-times test-objects all-test-objects
+.PHONY: test test-all test-times support-objects test-objects all-test-objects
 TEST_CC  ?= $(CC)
 TEST_CXX ?= $(CXX)
 # What differs from one copy of the tree to the next, for one file alone (tests/paths.hpp).
@@ -20,13 +20,13 @@ TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD)
 
 # ---------------------------------------------------------------- which files, in which batches
 PROOF_TESTS  := $(shell sed -n 's/^\(test_[a-z0-9_]*\.cpp\) .*/tests\/\1/p' tests/proof.txt)
-TEST_SOURCES := $(filter-out $(PROOF_TESTS),$(wildcard tests/test_*.cpp))
+TEST_SOURCES := $(filter-out $(PROOF_TESTS),$(or $(TEST_FILES:%=tests/test_%.cpp),$(wildcard tests/test_*.cpp)))
 TEST_SUPPORT := $(filter-out tests/test_%,$(wildcard tests/*.cpp))
 # Files that another build compiles again go with their like (tests/borrow.mk), and so do those with <regex>, the heaviest of headers.
 REGEX_TESTS := $(shell grep -l '^\#include <regex>' tests/test_*.cpp)
 regex_first = $(filter $(REGEX_TESTS),$(1)) $(filter-out $(REGEX_TESTS),$(1))
-test_batches = $(call batches,$(call regex_first,$(filter $(CORE_TESTS),$(1)))) $(call batches,$(filter $(SANITIZER_TESTS),$(1))) \
-  $(call batches,$(call regex_first,$(filter-out $(CORE_TESTS) $(SANITIZER_TESTS),$(1))))
+test_batches = $(call batches,$(call regex_first,$(filter $(CORE_TESTS),$(1)))) \
+  $(call batches,$(call regex_first,$(filter-out $(CORE_TESTS),$(1))))
 test_objects = $(foreach b,$(1),$(patsubst $(BUILD)/obj/tests_%,$(BUILD)/tests/%,$(call batch_object,$(b))))
 TEST_BATCHES  := $(call test_batches,$(TEST_SOURCES))
 PROOF_BATCHES := $(call test_batches,$(PROOF_TESTS))
@@ -38,7 +38,8 @@ judges_of = $(if $(filter $(RANDOM_USERS),$(1)),$(RANDOM_JUDGE)) $(if $(filter $
   $(if $(filter tests/test_fuzz.cpp,$(1)),$(FUZZ_OBJECTS)) $(if $(filter tests/test_chapter9.cpp,$(1)),$(STUDY_OBJECT))
 TEST_OBJECTS  := $(SUPPORT_OBJECTS) $(call test_objects,$(TEST_BATCHES)) $(call judges_of,$(TEST_SOURCES))
 PROOF_OBJECTS := $(SUPPORT_OBJECTS) $(call test_objects,$(PROOF_BATCHES)) $(call judges_of,$(PROOF_TESTS))
-test-objects: $(call borrowed,$(TEST_OBJECTS)) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS)
+support-objects: $(call borrowed,$(SUPPORT_OBJECTS)) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS)
+test-objects: support-objects $(call borrowed,$(TEST_OBJECTS))
 all-test-objects: test-objects $(call borrowed,$(PROOF_OBJECTS)) $(CHAPTER9_OBJECTS)
 
 # ---------------------------------------------------------------- compiled
@@ -64,14 +65,14 @@ TESTED := $(PROGRAM) $(LIBRARY) $(SHARED) # what tests run
 WRAP_CALLS := $(if $(filter Linux,$(shell uname -s)),$(patsubst %,-Wl$(comma)--wrap=%,\
   $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p; s/.* __wrap_\([a-z0-9_]*\)(.*) {$$/\1/p' \
   tests/refused_calls.cpp tests/system_calls.cpp)))
-# What counts stands first: of functions that stand in headers the linker takes the first copy.
-COUNTS_FIRST := $(if $(COUNTED),$(CORE_OBJECTS) $(PORT_OBJECTS) $(FAMILY_OBJECTS) $(REPORT_OBJECTS))
+# What counts or is checked stands first: of functions that stand in headers the linker takes the first copy.
+WATCHED_FIRST := $(if $(COUNTED)$(SANITIZED),$(CORE_OBJECTS) $(PORT_OBJECTS) $(FAMILY_OBJECTS) $(REPORT_OBJECTS))
 TEST_LIBRARIES := $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 LINK_TESTS = $(CXX) $(CXXFLAGS) $(LDFLAGS) $(WRAP_CALLS) -o $@ $^ -lm -pthread
 PROOFS := $(BUILD)/tests/run_proof
-$(TESTS): $(COUNTS_FIRST) $(call borrowed,$(TEST_OBJECTS)) $(TEST_LIBRARIES)
+$(TESTS): $(WATCHED_FIRST) $(call borrowed,$(TEST_OBJECTS)) $(TEST_LIBRARIES)
 	$(LINK_TESTS)
-$(PROOFS): $(COUNTS_FIRST) $(call borrowed,$(PROOF_OBJECTS)) $(TEST_LIBRARIES)
+$(PROOFS): $(WATCHED_FIRST) $(call borrowed,$(PROOF_OBJECTS)) $(TEST_LIBRARIES)
 	$(LINK_TESTS)
 define only
 $(BUILD)/tests/only/$(1): $(BUILD)/tests/test_$(1).o $(SUPPORT_OBJECTS) $(call judges_of,tests/test_$(1).cpp) $(TEST_LIBRARIES) \
@@ -80,6 +81,13 @@ $(BUILD)/tests/only/$(1): $(BUILD)/tests/test_$(1).o $(SUPPORT_OBJECTS) $(call j
 	$$(LINK_TESTS)
 endef
 $(foreach s,$(TEST_SOURCES) $(PROOF_TESTS),$(eval $(call only,$(s:tests/test_%.cpp=%))))
+# Several, with commas: compiled together.
+define several
+$(call compile_tests,$(subst $() ,$(comma),$(patsubst %,tests/test_%.cpp,$(call files,$(1)))),$(BUILD)/tests/only/$(1).o)
+$(BUILD)/tests/only/$(1): $(BUILD)/tests/only/$(1).o $(SUPPORT_OBJECTS) $(TEST_LIBRARIES) | $(TESTED)
+	$$(LINK_TESTS)
+endef
+$(foreach g,$(MAKECMDGOALS:$(BUILD)/tests/only/%=%),$(if $(findstring $(comma),$(g)),$(eval $(call several,$(g)))))
 
 # ---------------------------------------------------------------- run
 test: $(TESTS) $(TESTED)

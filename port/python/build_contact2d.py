@@ -76,12 +76,12 @@ def core_flags(source):
     return out
 
 
-def batches(sources, folder, name):
+def batches(sources, folder):
     """Sources that include ten or more each, as the headers of the C++ library take longer to compile than what follows them."""
     out = []
     size = max(10, len(sources) // (2 * (os.cpu_count() or 2)) + 1)
     for i in range(0, len(sources), size):
-        out.append(folder / ("%s%d.cpp" % (name, i)))
+        out.append(folder / ("program%d.cpp" % i))
         out[-1].write_text("".join('#include "%s"\n' % source for source in sources[i:i + size]), encoding="utf-8")
     return out
 
@@ -92,7 +92,7 @@ def compile_all(folder):
     one = os.environ.get("CONTACT2D_ONE_FILE")
     ports = [source for source in listed("PORT_SOURCES") if not (one and source.startswith("port/memory/"))]
     core = ([str(ROOT / one)] if one else listed("CORE_SOURCES")) + ports
-    program = batches(listed("POST_SOURCES"), folder, "post") + batches(listed("REPORT_SOURCES"), folder, "report") + batches(listed("PROGRAM_SOURCES"), folder, "program")
+    program = batches(listed("POST_SOURCES") + listed("REPORT_SOURCES") + listed("PROGRAM_SOURCES"), folder)
     objects = {source: folder / (source.replace("/", "_") + ".o") for source in core}
     objects.update((source, source.with_suffix(".o")) for source in program)
 
