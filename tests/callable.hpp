@@ -9,20 +9,15 @@ public:
   Callable() = default;
   Callable(decltype(nullptr)) {}
   Callable(const Callable& other)
-      : object_(other.object_ == nullptr ? nullptr : other.copy_(other.object_)), call_(other.call_), copy_(other.copy_),
-        drop_(other.drop_) {}
+      : object_(other.object_ == nullptr ? nullptr : other.keep_(other.object_, true)), call_(other.call_), keep_(other.keep_) {}
   template <class F, class = decltype((*static_cast<F*>(nullptr))(static_cast<A (*)()>(nullptr)()...))>
-  Callable(F f)
-      : object_(new F(static_cast<F&&>(f))),
-        call_([](void* o, A... a) -> R { return (*static_cast<F*>(o))(static_cast<A&&>(a)...); }),
-        copy_([](const void* o) -> void* { return new F(*static_cast<const F*>(o)); }),
-        drop_([](void* o) { delete static_cast<F*>(o); }) {}
+  Callable(F f) : object_(new F(static_cast<F&&>(f))), call_(&call<F>), keep_(&keep<F>) {}
   Callable& operator=(Callable other) {
-    swap(object_, other.object_), swap(call_, other.call_), swap(copy_, other.copy_), swap(drop_, other.drop_);
+    swap(object_, other.object_), swap(call_, other.call_), swap(keep_, other.keep_);
     return *this;
   }
   ~Callable() {
-    if (object_ != nullptr) drop_(object_);
+    if (object_ != nullptr) keep_(object_, false);
   }
   R operator()(A... a) const { return call_(object_, static_cast<A&&>(a)...); }
   explicit operator bool() const { return object_ != nullptr; }
@@ -34,10 +29,17 @@ private:
     T c = a;
     a = b, b = c;
   }
+  // (Functions, not lambdas: a lambda is three of them to a compiler that does not optimise.)
+  template <class F> static R call(void* object, A... a) { return (*static_cast<F*>(object))(static_cast<A&&>(a)...); }
+  // Copies the object, or deletes it.
+  template <class F> static void* keep(void* object, bool copies) {
+    if (copies) return new F(*static_cast<const F*>(object));
+    delete static_cast<F*>(object);
+    return nullptr;
+  }
   void* object_ = nullptr;
   R (*call_)(void*, A...) = nullptr;
-  void* (*copy_)(const void*) = nullptr;
-  void (*drop_)(void*) = nullptr;
+  void* (*keep_)(void*, bool) = nullptr;
 };
 
 } // namespace test

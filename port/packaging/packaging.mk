@@ -8,7 +8,9 @@
 # The core and the block store in memory as one contact2d.cpp, and the headers beside it.
 AMALGAMATION := $(BUILD)/amalgamation
 AMALGAMATED  := $(CORE_SOURCES) port/memory/c2d_memory.cpp
-$(BUILD)/obj/amalgamate: port/packaging/amalgamate.cpp $(BUILD)/flags
+# (Not after $(BUILD)/flags: `make web ONE_FILE=` would write its own there, and all of this build would be compiled again.)
+$(BUILD)/obj/amalgamate: port/packaging/amalgamate.cpp
+	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
 $(AMALGAMATION)/contact2d.cpp: $(BUILD)/obj/amalgamate $(AMALGAMATED) $(wildcard include/*.h src/*/*.hpp src/*/*/*.hpp port/memory/*.h) LICENSE
 	@mkdir -p $(@D)

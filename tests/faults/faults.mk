@@ -4,15 +4,17 @@
 #: make faults                      the program with every operation and allocation failing in turn (PART=, JOB=, FAULTS_STEP=)
 .PHONY: faults
 FAULTS_STEP ?= 1
-FAULTS_SOURCES := $(wildcard tests/faults/*.cpp)
-FAULTS_OBJECTS := $(patsubst tests/faults/%.cpp,$(BUILD)/tests/faults_%.o,$(FAULTS_SOURCES))
-FAULTS_JUDGE := $(filter-out %/faults_main.o,$(FAULTS_OBJECTS))
+FAULTS_JUDGE   := $(BUILD)/tests/faults_judge.o # all of them but main, compiled together
 FAULTS_PRELOAD := $(BUILD)/tests/faults.so
-$(BUILD)/tests/faults_%.o: tests/faults/%.cpp $(BUILD)/flags
-	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(PROGRAM_FLAGS) $(EXACT) $(DEPS) -c $< -o $@
+compile_faults = $(CXX) $(CPPFLAGS) -I. $(COMMON) $(CXXFLAGS) -O0 $(EXACT) $(DEPS) -o $@ -c
+$(FAULTS_JUDGE): $(filter-out %/main.cpp,$(wildcard tests/faults/*.cpp)) $(BUILD)/flags
+	@printf '\043include "%s"\n' $(filter %.cpp,$^) > $(@:.o=.cpp)
+	$(compile_faults) $(@:.o=.cpp)
+$(BUILD)/tests/faults_main.o: tests/faults/main.cpp $(BUILD)/flags
+	$(compile_faults) $<
 $(FAULTS_PRELOAD): $(wildcard tests/faults/preload/*.[ch]) $(BUILD)/flags
 	$(CC) -std=gnu11 -Wall -Wextra -Wconversion -Wshadow -O2 -fPIC -shared -o $@ $(filter %.c,$^) -ldl -pthread
-$(BUILD)/tests/run_faults: $(FAULTS_OBJECTS)
+$(BUILD)/tests/run_faults: $(FAULTS_JUDGE) $(BUILD)/tests/faults_main.o
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^
 PART ?= operations lies kills power memory
 faults: $(PART:%=faults-%)
