@@ -9,7 +9,8 @@ public:
   Callable() = default;
   Callable(decltype(nullptr)) {}
   Callable(const Callable& other)
-      : object_(other.object_ == nullptr ? nullptr : other.keep_(other.object_, true)), call_(other.call_), keep_(other.keep_) {}
+      : object_(other.object_ == nullptr ? nullptr : other.keep_(other.object_, true)), call_(other.call_), keep_(other.keep_) {
+  }
   template <class F, class = decltype((*static_cast<F*>(nullptr))(static_cast<A (*)()>(nullptr)()...))>
   Callable(F f) : object_(new F(static_cast<F&&>(f))), call_(&call<F>), keep_(&keep<F>) {}
   Callable& operator=(Callable other) {

@@ -84,7 +84,8 @@ $(foreach s,$(TEST_SOURCES) $(PROOF_TESTS),$(eval $(call only,$(s:tests/test_%.c
 # Several, with commas: compiled together.
 define several
 $(call compile_tests,$(subst $() ,$(comma),$(patsubst %,tests/test_%.cpp,$(call files,$(1)))),$(BUILD)/tests/only/$(1).o)
-$(BUILD)/tests/only/$(1): $(BUILD)/tests/only/$(1).o $(SUPPORT_OBJECTS) $(TEST_LIBRARIES) | $(TESTED)
+$(BUILD)/tests/only/$(1): $(BUILD)/tests/only/$(1).o $(SUPPORT_OBJECTS) \
+    $(call judges_of,$(patsubst %,tests/test_%.cpp,$(call files,$(1)))) $(TEST_LIBRARIES) | $(TESTED)
 	$$(LINK_TESTS)
 endef
 $(foreach g,$(MAKECMDGOALS:$(BUILD)/tests/only/%=%),$(if $(findstring $(comma),$(g)),$(eval $(call several,$(g)))))
