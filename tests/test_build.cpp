@@ -215,6 +215,18 @@ TEST_CASE("build: make without a target makes library and program") {
   CHECK(needs.find("build/contact2d") != std::string::npos);
 }
 
+// Its objects depend on the flags of its own: those of the build would make all of the build be compiled again.
+TEST_CASE("build: the page made of one file leaves the flags of the build as they are") {
+  const test::Folder folder;
+  const std::string build = folder / "b", one = build + "/amalgamation/contact2d.cpp";
+  const test::Result made = test::run_shell("cd '" + kRoot.string() + "' && env -u MAKEFLAGS -u MAKELEVEL make -n web BUILD='" +
+                                            build + "' ONE_FILE='" + one + "' NO_INSTALL=1");
+  CHECK_MESSAGE(made.status == 0, made.err);
+  CHECK(test::contains(made.out, "> " + build + "/web/flags"));
+  CHECK(test::contains(made.out, "-c " + one));
+  CHECK(!test::contains(made.out, "> " + build + "/flags"));
+}
+
 TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
   std::vector<fs::path> files = {kRoot / "README.md", kRoot / "CMakeLists.txt", kRoot / "Makefile"};
   for (const char* folder : {"src", "include", "port", "tests", "examples"})

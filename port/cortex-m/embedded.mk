@@ -98,8 +98,6 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 	@mkdir -p $(@D)
 	$(PROGRAM) run examples/hertz.dat --no-progress --listing $(@:.csv=.lst) --csv $@ 2>/dev/null
 
-EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
-
 # $(1) which run, $(2) its results, $(3) the allowed differences. Printed in one piece, because other runs end at the same time.
 agree = @text=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=$$?; \
   printf 'embedded: %s\n%s\n' '$(1)' "$$text"; exit $$status
@@ -204,6 +202,10 @@ $(EMBEDDED)/workspace: tests/footprint/workspace.cpp $(LIBRARY)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 BILL_HEAD := | target | calls | code | constants | static data | stack | workspace | painted |
 BILLS := $(EMBEDDED)/desktop/bill $(BOARDS:%=$(EMBEDDED)/%/bill)
+# tests/test_embedded.cpp on all that it looks at.
+.PHONY: test-embedded
+test-embedded: $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace $(BUILD)/tests/only/embedded
+	@C2D_ALL_HOSTS=1 $(BUILD)/tests/only/embedded
 .PHONY: footprint footprint-readme
 # The rows of the table in README.md of this folder, anew.
 footprint-readme: $(BILLS)

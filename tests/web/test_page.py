@@ -2,8 +2,7 @@
 
     python3 tests/web/test_page.py PAGE PROGRAM SCREENSHOTS [-k NAME] ...
 
-PROGRAM is the program of this machine, whose digits the page must have; screenshots go to a folder. C2D_WEB_FLAGS are more flags
-of the browser. Run by tests/test_web.cpp.
+PROGRAM is the program of this machine, whose digits the page must have; screenshots go to a folder. Run by tests/test_web.cpp.
 """
 
 import base64
@@ -26,7 +25,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE, PROGRAM, SCREENSHOTS = (pathlib.Path(each).resolve() for each in sys.argv[1:4])
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--window-size=1280,1000"]
-FLAGS += os.environ.get("C2D_WEB_FLAGS", "").split()
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
 PATIENCE = 120
 
