@@ -14,15 +14,6 @@ using namespace faults;
 
 namespace {
 
-// The preloaded library takes the place of functions of glibc; a sanitizer does that itself.
-bool can_preload() {
-#if defined(__GLIBC__) && defined(__linux__)
-  return !paths::sanitized();
-#else
-  return false;
-#endif
-}
-
 // The jobs, in a folder of their own, each gone through once.
 struct Workplace {
   test::Folder folder;
@@ -51,9 +42,13 @@ const Workplace& workplace() {
   return only;
 }
 
+// The preloaded library takes the place of functions of glibc; a sanitizer does that itself.
 bool can_preload() {
-  if (!can_preload()) MESSAGE("not run: functions of the C library cannot be replaced here");
-  return can_preload();
+#if defined(__GLIBC__) && defined(__linux__)
+  if (!paths::sanitized()) return true;
+#endif
+  MESSAGE("not run: functions of the C library cannot be replaced here");
+  return false;
 }
 
 void nothing_found(const Tally& tally) {

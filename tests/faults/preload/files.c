@@ -191,7 +191,7 @@ static ssize_t keep_for_later(int file, const void* data, size_t bytes, off64_t 
 }
 
 static ssize_t write_struck(int kind, int file, const void* data, size_t bytes, off64_t offset) {
-  const size_t half = bytes > 1 ? bytes / 2 : kind == FAULT_SHORT ? 1 : 0;
+  const size_t half = bytes > 1 ? bytes / 2 : kind == FAULT_SHORT ? bytes : 0; /* (of none, none) */
   switch (kind) {
   case FAULT_SHORT: return put_at(file, data, half, offset);
   case FAULT_FLIPPED: return put_flipped(file, data, bytes, offset);
