@@ -1,4 +1,4 @@
-#include "model/validate/validate.hpp"
+#include "memory/math.hpp"
 #include "results/interior/interior.hpp"
 
 #include "interface/model/refuse.hpp"
@@ -16,7 +16,7 @@ namespace {
   if (status == C2D_OK) status = check_array(s, "out", out, "out_stride", out_stride, C2D_POINT_FIELDS, count);
   for (int32_t i = 0; i < count && status == C2D_OK; ++i)
     for (int c = 0; c < 2 && status == C2D_OK; ++c)
-      if (!is_usable(xy[i * xy_stride + c]))
+      if (!isfinite(xy[i * xy_stride + c]))
         status = refuse_value(s, "a coordinate in xy", xy[i * xy_stride + c], "a finite number");
   return status;
 }
