@@ -14,7 +14,7 @@
 #include "program/files/store_choice.hpp"
 #include "program/files/system_file.hpp"
 #include "program/messages.hpp"
-#include "program/outputs.hpp"
+#include "program/outputs/outputs.hpp"
 #include "program/run.hpp"
 #include "program/sweep/answer.hpp"
 #include "program/sweep/journal.hpp"

@@ -106,10 +106,7 @@ int main(int argc, char** argv) {
       app::say("contact2d: " + app::shown(error) + "\ncontact2d: " + help_hint(options.command) + "\n");
       return refuse(options, error, app::kExitUsage);
     }
-    if (!take_parameters(options, error)) {
-      app::say("contact2d: " + app::coloured(app::Colour::kError, "error:") + " " + app::shown(error) + "\n");
-      return refuse(options, error, app::kExitInput);
-    }
+    if (!take_parameters(options, error)) return refuse(options, error, app::fail(error, app::kExitInput));
     const int exit = run_command(options);
     return exit == app::kExitSolved && app::pipe_is_broken() ? static_cast<int>(app::kExitPipe) : exit;
   } catch (const std::bad_alloc&) {

@@ -308,19 +308,4 @@ bool has_listing(const Options& o) {
   return true;
 }
 
-const std::array<OutputName, kOutputs> kOutputTable = {{
-    {"--listing", "listing.txt"},
-    {"--csv", "contact.csv"},
-    {"--boundary", "boundary.csv"},
-    {"--interior", "interior.csv"},
-    {"--json", "run.json"},
-    {"--report", "report.html"},
-    {"--vtk", "boundary.vtk"},
-    {"--trace", "trace.csv"},
-    {"--bodies", "bodies.csv"},
-    {"--summary", "summary.csv"},
-    {"--stresses", nullptr},
-    {"--ranges", nullptr},
-}};
-
 } // namespace app

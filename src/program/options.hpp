@@ -1,6 +1,7 @@
 // The command line.
 #pragma once
 
+#include "program/outputs/output_row.hpp"
 #include "program/sweep/responses.hpp"
 
 #include <array>
@@ -14,15 +15,6 @@ namespace app {
 
 enum class Command { kRun, kCheck, kSketch, kMesh, kResume, kSweep, kConvert, kMake, kCompletion, kHelp, kVersion };
 enum class Progress { kAutomatic, kAlways, kNever };
-
-// Outputs that are single files. Each is named here, in kOutputTable (options.cpp) and in the table of options.
-enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies, kSummary, kStresses, kRanges };
-struct OutputName {
-  const char* option;
-  const char* file; // in the folder of --out; null: not there, as it may be long
-};
-constexpr size_t kOutputs = 12;
-extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
 
 struct Job; // program/commands/job.hpp
 

@@ -10,10 +10,15 @@ Session::~Session() {
   if (solver != nullptr) c2d_close(solver);
 }
 
-int Session::failed(c2d_status status) {
-  if (status == C2D_ERR_CANCELLED) return kExitCancelled;
+c2d_error Session::last_error() const {
   c2d_error error = C2D_INIT(c2d_error);
   if (solver != nullptr) c2d_last_error(solver, &error);
+  return error;
+}
+
+int Session::failed(c2d_status status) {
+  if (status == C2D_ERR_CANCELLED) return kExitCancelled;
+  c2d_error error = last_error();
   if (error.status != status) { // no error stored
     error = C2D_INIT(c2d_error);
     error.status = status;

@@ -32,6 +32,7 @@ public:
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK);    // the solver, and the model in it
   // Both in the minimum memory, for a model that is not solved.
   int read_model_alone(int32_t symmetry = C2D_SYMMETRY_DECK);
+  c2d_error last_error() const;
   // Prints the reason of the last failed call of the library; returns the exit status.
   int failed(c2d_status status);
 

@@ -47,6 +47,11 @@ void say(const std::string& text) {
   std::fwrite(out.data(), 1, out.size(), stderr);
 }
 
+int fail(const std::string& text, int exit) {
+  say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(text) + "\n");
+  return exit;
+}
+
 std::string reason_told() { return reason; }
 void forget_reason() { reason.clear(); }
 

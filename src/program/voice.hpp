@@ -8,6 +8,8 @@ namespace app {
 // As it stands, with its line ends; of control characters only those of the program itself. All that goes to standard error
 // goes this way; what comes from an input has been through shown() (report/text.hpp), so that it has no colours either.
 void say(const std::string& text);
+// Says `contact2d: error: TEXT`; returns `exit`.
+int fail(const std::string& text, int exit);
 constexpr const char* kClearLine = "\r\033[K";
 
 // Text of the first error of this thread since forget_reason(), without its place; empty: none.

@@ -68,6 +68,12 @@ std::string load_reached(const CoefficientRecord& c) {
   return text;
 }
 
+std::string incomplete_text(const CoefficientRecord& c) {
+  std::string text = "incomplete: mu ";
+  append_number(text, c.mu);
+  return text + ", step " + std::to_string(c.step) + ", " + load_reached(c) + ": " + c.why;
+}
+
 namespace {
 
 // Do the loads leave the last step in another direction than they arrived?

@@ -77,6 +77,8 @@ std::string fault_of_steps(const c2d_summary& model);
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // "load factor 1", or "load factors 1, 0.3": loads reached by a coefficient, of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
+// "incomplete: mu 0.3, step 2, load factor 0.5: why".
+std::string incomplete_text(const CoefficientRecord& coefficient);
 // A path that ended in the state of its last row has that state twice: is it the first of the two?
 bool is_repeated(const CoefficientRecord& coefficient, size_t step);
 // The same step's energy, its stress intensities and, unless solver is null, its zones, its bodies and what sums up its

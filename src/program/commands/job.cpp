@@ -4,7 +4,9 @@
 #include "program/estimate/kept.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/sealed_file.hpp"
+#include "program/files/sha256.hpp"
 #include "program/files/system_file.hpp"
+#include "program/option_table.hpp"
 
 #include <c2d_posix.h>
 
@@ -41,10 +43,9 @@ bool read_text(const std::string& text, Job& job) {
   return reader.is_sound_to_the_end() && estimate::read_meshes(meshes, job.meshes);
 }
 
-// Options whose value is not a file name.
-bool is_word(const std::string& name) {
-  return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--elimination" ||
-         name == "--threads" || name == "--touching" || name == "--response" || name == "--save-every";
+bool is_file_name(const std::string& option) {
+  const OptionRow* const row = find_option(Command::kRun, option);
+  return row != nullptr && row->value != nullptr && (row->value == std::string("FILE") || row->value == std::string("DIR"));
 }
 // Options that the job contains itself or that apply to one call only.
 bool is_left_out(const std::string& name) {
@@ -64,7 +65,7 @@ std::vector<std::string> words_of(const Options& options) {
   std::vector<std::string> words;
   for (const auto& [name, value] : options.given) {
     if (is_left_out(name)) continue;
-    words.push_back(value.empty() ? name : name + "=" + (is_word(name) ? value : absolute(value)));
+    words.push_back(value.empty() ? name : name + "=" + (is_file_name(name) ? absolute(value) : value));
   }
   return words;
 }
@@ -76,6 +77,14 @@ std::vector<std::string> words_that_change_digits(const Options& options) {
   for (const auto& [name, value] : options.given)
     for (const char* one : names)
       if (name == one) out.push_back(value.empty() ? name : name + "=" + value);
+  return out;
+}
+
+Inputs inputs_of(const Options& options, const Inputs& of_deck, const std::string& points) {
+  if (options.job != nullptr) return options.job->inputs;
+  Inputs out = of_deck;
+  out.options = words_that_change_digits(options);
+  if (!options.points.empty()) out.files.push_back(input_file(options.points, points));
   return out;
 }
 

@@ -38,6 +38,10 @@ std::vector<std::string> words_of(const Options& options);
 // Those that can change a digit of a result: not outputs, threads and stores.
 std::vector<std::string> words_that_change_digits(const Options& options);
 
+// What a run reads: its deck with the parameters, and `points`, the text of --points. A resumed run has the inputs of the run
+// that began.
+Inputs inputs_of(const Options& options, const Inputs& of_deck, const std::string& points);
+
 // Identifies a job.
 std::string id_of(const Job& job);
 

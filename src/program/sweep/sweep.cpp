@@ -9,7 +9,7 @@
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
-#include "program/outputs.hpp"
+#include "program/outputs/outputs.hpp"
 #include "program/progress.hpp"
 #include "program/run.hpp"
 #include "program/sweep/journal.hpp"
@@ -32,11 +32,6 @@
 
 namespace app {
 namespace {
-
-int fail(const std::string& text, int exit) {
-  say("contact2d: " + coloured(Colour::kError, "error:") + " " + shown(text) + "\n");
-  return exit;
-}
 
 class Sweep {
 public:

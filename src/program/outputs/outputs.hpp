@@ -4,6 +4,7 @@
 #include "program/files/figure_folder.hpp"
 #include "program/files/output_file.hpp"
 #include "program/options.hpp"
+#include "program/outputs/output_row.hpp"
 
 #include <string>
 #include <vector>
@@ -18,14 +19,16 @@ struct Outputs {
   bool shows_end_alone = false; // only the summary of the listing: terminal, without --listing
 
   OutputFile& file(Output output) { return files[static_cast<size_t>(output)]; }
-  bool has(Output output) const { return files[static_cast<size_t>(output)].is_open(); }
-  std::string& text(Output output) { return file(output).text; } // append here
+  uint32_t needs() const; // OutputNeeds of all
 
   // Opens the requested outputs; the listing goes to standard output by default, unless another output
   // does.
   bool open(const Options& options, bool has_points, std::string& error);
-  // For the file beside every table.
-  void write_inputs(const std::string& all);
+  // What each writes when the model is complete, at a step of c2d_run, and after the last (OutputRow). Statuses are those of
+  // the first that failed: C2D_ERR_CALLBACK with an error text for a file.
+  c2d_status begin(RunResults& run);
+  void step(RunResults& run, const StepResults& now);
+  c2d_status end(RunResults& run, std::string& error);
   // Writes what has gathered.
   bool flush(std::string& error);
   // As publish_all, and keeps the folders.

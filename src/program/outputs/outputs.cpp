@@ -1,6 +1,7 @@
-#include "program/outputs.hpp"
+#include "program/outputs/outputs.hpp"
 
 #include "program/files/system_file.hpp"
+#include "program/outputs/results.hpp"
 #include "report/interior.hpp"
 
 #include <c2d_posix.h>
@@ -17,9 +18,7 @@ constexpr char kInputs[] = ".inputs";
 
 // Is the output a table in a regular file? The inputs go into a file beside it.
 bool has_inputs(size_t output, const std::string& name) {
-  const auto is = [&](Output which) { return output == static_cast<size_t>(which); };
-  if (name.empty() || name == "-" || is(Output::kListing) || is(Output::kJson) || is(Output::kReport) || is(Output::kVtk))
-    return false;
+  if (name.empty() || name == "-" || (kOutputTable[output].needs & kIsTable) == 0) return false;
   struct stat about = {};
   return ::stat(name.c_str(), &about) != 0 || S_ISREG(about.st_mode);
 }
@@ -68,9 +67,9 @@ std::vector<Named> named_files(const Options& o, const std::vector<std::string>&
   }
   for (const std::string& name : also_read) all.emplace_back(name, "the file " + name + " of the sketch", false);
   for (size_t i = 0; i < kOutputs; ++i) {
-    if (!o.files[i].empty()) all.emplace_back(o.files[i], kOutputTable[i].option, true);
-    if (has_inputs(i, o.files[i]))
-      all.emplace_back(o.files[i] + kInputs, std::string("the inputs of ") + kOutputTable[i].option, true);
+    const char* const option = kOutputTable[i].option;
+    if (!o.files[i].empty()) all.emplace_back(o.files[i], option, true);
+    if (has_inputs(i, o.files[i])) all.emplace_back(o.files[i] + kInputs, std::string("the inputs of ") + option, true);
   }
   if (!o.results.empty()) all.emplace_back(o.results, "--results", true);
   if (!o.row.empty()) all.emplace_back(o.row, "--row", true);
@@ -127,9 +126,39 @@ bool Outputs::open(const Options& o, bool has_points, std::string& error) {
   return o.figures.empty() || figures.open(o.figures, error);
 }
 
-void Outputs::write_inputs(const std::string& all) {
+uint32_t Outputs::needs() const {
+  uint32_t all = figures.is_open() ? kOutputTable[static_cast<size_t>(Output::kReport)].needs : 0;
+  for (size_t i = 0; i < kOutputs; ++i) all |= files[i].is_open() ? kOutputTable[i].needs : 0;
+  return all;
+}
+
+c2d_status Outputs::begin(RunResults& run) {
+  run.has_short_listing = shows_end_alone;
+  c2d_status status = C2D_OK;
+  for (size_t i = 0; i < kOutputs && status == C2D_OK; ++i)
+    if (files[i].is_open() && kOutputTable[i].begin != nullptr) status = kOutputTable[i].begin(run, files[i].text);
+  return status;
+}
+
+void Outputs::step(RunResults& run, const StepResults& now) {
+  for (size_t i = 0; i < kOutputs; ++i)
+    if (files[i].is_open() && kOutputTable[i].step != nullptr) kOutputTable[i].step(run, now, files[i].text);
+}
+
+c2d_status Outputs::end(RunResults& run, std::string& error) {
+  for (const Picture& picture : run.pictures)
+    if (figures.is_open() && !figures.add(picture.name + ".svg", picture.svg, error)) return C2D_ERR_CALLBACK;
+  c2d_status status = run.refresh();
+  for (const bool with_times : {false, true})
+    for (size_t i = 0; i < kOutputs && status == C2D_OK; ++i) {
+      const OutputRow& row = kOutputTable[i];
+      if (!files[i].is_open() || row.end == nullptr || ((row.needs & kNeedsTimes) != 0) != with_times) continue;
+      status = row.end(run, files[i].text);
+      if (status == C2D_OK) status = run.refresh(); // with what this output has taken
+    }
   for (OutputFile& file : inputs)
-    if (file.is_open()) file.text = all;
+    if (file.is_open()) file.text = inputs_text(run.record.inputs);
+  return status;
 }
 
 bool Outputs::flush(std::string& error) {
