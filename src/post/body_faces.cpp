@@ -11,14 +11,12 @@ const double kChord = 50 * kPi / 180;  // chords of an arc turn by less than thi
 const double kAlike = 3;               // and successive ones by similar angles: within this factor
 
 // Angle from one direction to another, positive to the left; -pi at the tip of a slit.
-double turn(const Spot& a, const Spot& b) {
+double turn(const Point& a, const Point& b) {
   const double angle = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
   return angle > kPi - 1e-6 ? -kPi : angle;
 }
 
 } // namespace
-
-double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 c2d_status BodyFaces::read(c2d_solver* solver, const Summary& s, int32_t body) {
   const c2d_body_result& own = s.body[body - 1];
@@ -67,8 +65,7 @@ c2d_status BodyFaces::read_curves(c2d_solver* solver, const Summary& s, int32_t 
   curve_.assign(zone_.size(), 0);
   for (int32_t i = 1; i <= s.curves; ++i) {
     c2d_curve curve = C2D_INIT(c2d_curve);
-    const c2d_status status = c2d_get_curve(solver, i, &curve);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_curve(solver, i, &curve); status != C2D_OK) return status;
     if (curve.body != body || curve.kind == C2D_CURVE_LINE) continue;
     for (int32_t e = curve.first_element; e <= curve.last_element; ++e) curve_[index(e)] = i;
   }
@@ -82,7 +79,7 @@ int32_t BodyFaces::next(int32_t element, bool up) const {
   return next == 0 || on_line_[index(next)] ? 0 : next;
 }
 
-Spot BodyFaces::node(int32_t element, int32_t k) const {
+Point BodyFaces::node(int32_t element, int32_t k) const {
   const size_t r = region_[index(element)];
   const bool wraps = !regions_[r].open && element == regions_[r].last && k == per_element_ - 1;
   int32_t open = 0; // regions before it that are open have one node more
@@ -91,15 +88,15 @@ Spot BodyFaces::node(int32_t element, int32_t k) const {
   const size_t i = static_cast<size_t>(first * (per_element_ - 1) + (wraps ? 0 : k) + open);
   return {x_[i], y_[i]};
 }
-Spot BodyFaces::at(int32_t element, bool end) const { return node(element, end ? per_element_ - 1 : 0); }
+Point BodyFaces::at(int32_t element, bool end) const { return node(element, end ? per_element_ - 1 : 0); }
 double BodyFaces::length(int32_t element) const { return distance(at(element, false), at(element, true)); }
 
-Spot BodyFaces::direction(int32_t element, bool end) const {
+Point BodyFaces::direction(int32_t element, bool end) const {
   static const double kSlopes[3][4] = {{-1, 1}, {-3, 4, -1}, {-11, 18, -9, 2}}; // at the begin, times a length
   const double* slope = kSlopes[per_element_ - 2];
-  Spot d;
+  Point d;
   for (int32_t k = 0; k < per_element_; ++k) {
-    const Spot p = node(element, end ? per_element_ - 1 - k : k);
+    const Point p = node(element, end ? per_element_ - 1 - k : k);
     d.x += (end ? -1 : 1) * slope[k] * p.x;
     d.y += (end ? -1 : 1) * slope[k] * p.y;
   }
@@ -112,16 +109,16 @@ bool BodyFaces::lies_on(int32_t element, int axis) const {
   for (int32_t k = 0; k < per_element_; ++k) all = all && is_at_line(node(element, k), axis);
   return all;
 }
-bool BodyFaces::is_at_line(const Spot& p, int axis) const {
+bool BodyFaces::is_at_line(const Point& p, int axis) const {
   const double at = symmetry_at_[axis], x = axis == 0 ? p.x : p.y;
   return (symmetry_ >> axis & 1) != 0 && std::fabs(x - at) <= 1e-12 * (std::fabs(p.x) + std::fabs(p.y));
 }
 
 double BodyFaces::angle_at_image(int32_t element, bool up) const {
-  const Spot end = at(element, up), own = direction(element, up);
+  const Point end = at(element, up), own = direction(element, up);
   for (int axis = 0; axis < 2; ++axis) {
     if (!is_at_line(end, axis)) continue;
-    const Spot image = axis == 0 ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // reflected, and in the opposite direction
+    const Point image = axis == 0 ? Point{own.x, -own.y} : Point{-own.x, own.y}; // reflected, and in the opposite direction
     return kPi - (up ? turn(own, image) : turn(image, own));
   }
   return 0;
@@ -164,7 +161,7 @@ bool BodyFaces::face(int32_t element, Face& out) const {
   if (zone_[index(element)] != 0) return false;
   const int32_t known = condition_[index(element)];
   if (known == 0) return true;
-  const Spot d = direction(element, false);
+  const Point d = direction(element, false);
   const double across = known == 1 ? d.x : d.y, along = known == 1 ? d.y : d.x; // in the supported direction
   const double kStraight = 1e-6;
   if (known == 3)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "post/corner_exponent.hpp"
+#include "post/point.hpp"
 #include "post/summary.hpp"
 
 #include <contact2d.h>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace app {
-
-struct Spot {
-  double x = 0, y = 0;
-};
-inline Spot operator-(const Spot& a, const Spot& b) { return {a.x - b.x, a.y - b.y}; }
-double distance(const Spot& a, const Spot& b);
 
 // An end of a range of elements; up: at its highest number.
 struct StretchEnd {
@@ -30,8 +25,8 @@ public:
   int32_t elements() const { return static_cast<int32_t>(zone_.size()); }
   // Elements count from 1; 0: the curve ends there, on a line of symmetry by images.
   int32_t next(int32_t element, bool up) const;
-  Spot at(int32_t element, bool end) const;
-  Spot direction(int32_t element, bool end) const; // of length 1, along rising numbers
+  Point at(int32_t element, bool end) const;
+  Point direction(int32_t element, bool end) const; // of length 1, along rising numbers
   double length(int32_t element) const;
   // Angle through the material between the end of an element and the next one: 2 pi at the tip of a slit.
   double angle_after(int32_t element) const;
@@ -49,20 +44,20 @@ public:
   void enter_zone(const c2d_side& side, int32_t zone);
   // End of the range of a side; `first`: whether a range of one element runs up.
   void find_ends(const c2d_side& side, bool first, StretchEnd out[2]) const;
-  Spot at(const StretchEnd& end) const { return at(end.element, end.up); }
+  Point at(const StretchEnd& end) const { return at(end.element, end.up); }
   // The same for the joint at this end: angle, is it a corner, the element beyond (0: none).
   int32_t before(const StretchEnd& end) const { return end.up ? end.element : next(end.element, false); }
   int32_t beyond(const StretchEnd& end) const { return next(end.element, end.up); }
 
 private:
   static size_t index(int32_t element) { return static_cast<size_t>(element) - 1; }
-  Spot node(int32_t element, int32_t k) const;
+  Point node(int32_t element, int32_t k) const;
   double turn_after(int32_t element) const;
   double turn_at_image(int32_t element, bool up) const; // 0: the curve does not end on a line
   double turn_beyond(int32_t element, bool up) const;   // at that end of an element, whatever follows
   bool is_of_chords(double turn, double before, double after) const;
   bool lies_on(int32_t element, int axis) const; // a line of symmetry: x = ... is axis 0
-  bool is_at_line(const Spot& p, int axis) const;
+  bool is_at_line(const Point& p, int axis) const;
   c2d_status read_regions(c2d_solver* solver, const Summary& summary, int32_t body);
   c2d_status read_conditions(c2d_solver* solver, const Summary& summary, int32_t body);
   c2d_status read_curves(c2d_solver* solver, const Summary& summary, int32_t body);

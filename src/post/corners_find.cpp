@@ -111,10 +111,10 @@ void CornerFinder::sample_face(int32_t body, int32_t element, bool up, Corner& c
   f.face(element, own);
   int32_t e = element;
   for (int32_t count = 0; count < f.elements(); ++count) {
-    const Spot along = f.direction(e, false);
+    const Point along = f.direction(e, false);
     for (int32_t local = 0; local < s_.function_nodes; ++local) {
       const size_t i = static_cast<size_t>((e - 1) * s_.function_nodes + local);
-      const Spot at{end_x_[static_cast<size_t>(body) - 1][i], end_y_[static_cast<size_t>(body) - 1][i]};
+      const Point at{end_x_[static_cast<size_t>(body) - 1][i], end_y_[static_cast<size_t>(body) - 1][i]};
       corner.samples.push_back({static_cast<int32_t>(i), distance(at, {corner.at[0], corner.at[1]}), up, {along.y, -along.x}});
     }
     const int32_t next = f.next(e, up);
@@ -133,7 +133,7 @@ void CornerFinder::find_at_image(int32_t body, int32_t element, bool up, std::ve
   Corner c;
   c.kind = CornerKind::kNotch;
   c.body[0] = body;
-  const Spot at = f.at(element, up), along = f.direction(element, up);
+  const Point at = f.at(element, up), along = f.direction(element, up);
   c.at[0] = at.x, c.at[1] = at.y;
   c.element = f.length(element);
   c.shape = {{sector(body, angle)}, {face, face}};
@@ -161,7 +161,7 @@ void CornerFinder::find_in_body(int32_t body, std::vector<Corner>& out) const {
     Corner c;
     c.kind = free ? CornerKind::kNotch : CornerKind::kSupport;
     c.body[0] = body;
-    const Spot at = f.at(e, true), along = f.direction(behind, false);
+    const Point at = f.at(e, true), along = f.direction(behind, false);
     c.at[0] = at.x, c.at[1] = at.y;
     c.element = std::min(f.length(e), f.length(behind));
     c.shape = {{sector(body, angle)}, {after, before}};
@@ -180,7 +180,7 @@ void CornerFinder::find_in_body(int32_t body, std::vector<Corner>& out) const {
 // At the end of a zone on `own`: the facing place of the other body, or the nearest place of its boundary.
 bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const {
   const BodyFaces& f = faces(other);
-  const Spot tip = faces(own.body).at(own.end);
+  const Point tip = faces(own.body).at(own.end);
   StretchEnd end;
   if (facing != nullptr) {
     end = *facing;
@@ -189,7 +189,7 @@ bool CornerFinder::project(const End& own, int32_t other, const StretchEnd* faci
     int32_t at = 0;
     double place = 0;
     for (int32_t e = 1; e <= f.elements(); ++e) {
-      const Spot a = f.at(e, false), side = f.at(e, true) - a, to = tip - a;
+      const Point a = f.at(e, false), side = f.at(e, true) - a, to = tip - a;
       const double square = side.x * side.x + side.y * side.y;
       const double t = std::min(1.0, std::max(0.0, (to.x * side.x + to.y * side.y) / square));
       const double off = std::hypot(to.x - t * side.x, to.y - t * side.y);
@@ -233,7 +233,7 @@ bool CornerFinder::meet(const c2d_zone& zone, const End& own, int32_t other, con
   // Both bodies are fixed along a line on which the zone ends: symmetry.
   const bool own_line = is_rigid(own.body) || own_face.kind == FaceKind::kSmooth;
   if (own_line && (is_rigid(other) || other_face.kind == FaceKind::kSmooth)) return false;
-  const Spot at = f.at(own.end);
+  const Point at = f.at(own.end);
   c.kind = tied ? CornerKind::kTie : CornerKind::kContact;
   c.at[0] = at.x, c.at[1] = at.y;
   c.element = std::min(f.length(own.end.element), platen ? f.length(own.end.element) : there.element);
@@ -309,7 +309,7 @@ void CornerFinder::find_in_zone(int32_t number, std::vector<Corner>& out) const 
         const StretchEnd* facing = free || platen ? nullptr : &ends[1 - k][ends[1 - k][0].up != own.up ? 0 : 1];
         const double length = distance(f.at(ends[k][0]), f.at(ends[k][1]));
         if (!meet(zone, {side[k]->body, own, length}, side[1 - k]->body, facing, c)) continue;
-        const Spot at{c.at[0], c.at[1]};
+        const Point at{c.at[0], c.at[1]};
         const auto is_here = [&](const Corner& known) {
           return distance(at, {known.at[0], known.at[1]}) < 2 * f.length(own.element);
         };
@@ -335,8 +335,7 @@ double CornerFinder::distance_to_next(const Corner& c) const {
 }
 
 c2d_status CornerFinder::find(std::vector<Corner>& out) {
-  const c2d_status status = read();
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = read(); status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) find_in_zone(z, out);
   for (int32_t b = 1; b <= s_.bodies; ++b)
     if (!is_rigid(b)) find_in_body(b, out); // (platens have no elements)

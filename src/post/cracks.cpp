@@ -1,5 +1,7 @@
 #include "post/cracks.hpp"
 
+#include "post/point.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +13,6 @@ namespace {
 // Faces farther apart at their other end than this fraction of their length form a notch: the rotation there,
 // times their distance, would count as slip.
 const double kNarrow = 0.0101;
-
-struct Place {
-  double x, y;
-};
-double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 // Corners of the elements of a body, from its element ends.
 class Corners {
@@ -30,7 +27,7 @@ public:
     }
     return status;
   }
-  Place at(int32_t element, bool end) const {
+  Point at(int32_t element, bool end) const {
     const size_t i = static_cast<size_t>((element - 1) * nodes_ + (end ? nodes_ - 1 : 0));
     return {ends_[0][i], ends_[1][i]};
   }
@@ -51,7 +48,7 @@ private:
 
 // An end of a side of a zone: position, element, and whether the curve leaves the side upwards.
 struct SideEnd {
-  Place at;
+  Point at;
   int32_t element;
   bool up;
 };

@@ -312,8 +312,7 @@ ZoneLine PlaceFinder::line_of(int32_t number) const {
 }
 
 c2d_status PlaceFinder::find(std::vector<ZoneLine>& out) {
-  const c2d_status status = read();
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = read(); status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) out.push_back(line_of(z));
   return C2D_OK;
 }

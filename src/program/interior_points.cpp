@@ -77,10 +77,8 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
     c2d_points set = C2D_INIT(c2d_points);
     status = c2d_get_points(solver, i, &set);
     if (status != C2D_OK) break;
-    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
-      error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
-      return false;
-    }
+    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size())
+      return error = "more than " + std::to_string(kMostPoints) + " points under *POINTS", false;
     take_set(set);
   }
   if (status != C2D_OK) error = c2d_message(status);
@@ -140,8 +138,7 @@ c2d_status InteriorPoints::compute(c2d_solver* solver, int32_t bodies, std::vect
 
 c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
   std::vector<double> values;
-  const c2d_status status = compute(solver, bodies, values);
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = compute(solver, bodies, values); status != C2D_OK) return status;
   keep(values);
   return find_others(solver, bodies);
 }

@@ -78,10 +78,8 @@ bool KeptRun::write_state(const c2d_step& step, RunResults& run, std::string& er
   const std::string record = heading(step.coefficient, step.step) + text_of(run.path);
   std::swap(run.path.coefficients, run.record.coefficients);
   if (!write_sealed(path_of(slot_), kPathKind, record, error)) return false;
-  if (const c2d_status status = c2d_save(run.session.solver); status != C2D_OK) {
-    error = store_.kept_folder() + ": the state of the path cannot be saved: " + c2d_message(status);
-    return false;
-  }
+  if (const c2d_status status = c2d_save(run.session.solver); status != C2D_OK)
+    return error = store_.kept_folder() + ": the state of the path cannot be saved: " + c2d_message(status), false;
   slot_ = 1 - slot_;
   const double end = clock_seconds(nullptr);
   next_ = end + std::max(options_.save_every, kWork * (end - start));

@@ -1,6 +1,8 @@
 #include "program/messages.hpp"
 
 #include "program/commands/drawn_words.hpp"
+#include "program/exit_code.hpp"
+#include "program/files/output_file.hpp"
 #include "program/voice.hpp"
 #include "report/text.hpp"
 
@@ -59,23 +61,30 @@ void Messages::log_cards(void* context, const c2d_error* entry) {
   log(context, &error);
 }
 
-void Messages::fault(const c2d_error& error) {
-  if (faults_ > 0) return;
+int Messages::fault(const c2d_error& error, int exit) {
+  if (faults_ > 0) return exit;
   c2d_error shown = error;
   if (shown.text[0] == '\0') std::snprintf(shown.text, sizeof shown.text, "%s", c2d_message(shown.status));
   if (deck_.is_made())
     std::snprintf(shown.text, sizeof shown.text, "%s", in_words_of_drawing(std::string(shown.text), deck_.text()).c_str());
   say(quote(deck_, shown, "error"));
   faults_ = 1;
+  return exit;
 }
 
-void Messages::fail(const std::string& text) const {
+int Messages::fail(const std::string& text, int exit) const {
   const std::string words = deck_.is_made() ? in_words_of_drawing(text, deck_.text()) : text;
   say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kError, "error:") + " " + shown(words) + '\n');
+  return exit;
 }
 
 void Messages::note(const std::string& text) const {
   if (!quiet) say("contact2d: " + shown(deck_.name()) + ": " + coloured(Colour::kNote, "note:") + " " + shown(text) + '\n');
+}
+
+int write_or_fail(const std::string& name, const std::string& text, const Messages& messages) {
+  std::string error;
+  return write_output(name, text, error) ? static_cast<int>(kExitSolved) : messages.fail(error, kExitFiles);
 }
 
 } // namespace app

@@ -19,10 +19,10 @@ public:
   static void log(void* context, const c2d_error* entry);
   // The same while cards are read with room_for_bodies().
   static void log_cards(void* context, const c2d_error* entry);
-  // Prints the error of a failed call, unless the call has reported faults itself.
-  void fault(const c2d_error& error);
-  // A line `contact2d: DECK: error: text` of the program's own.
-  void fail(const std::string& text) const;
+  // Prints the error of a failed call, unless the call has reported faults itself. Returns `exit`.
+  int fault(const c2d_error& error, int exit = 0);
+  // A line `contact2d: DECK: error: text` of the program's own. Returns `exit`.
+  int fail(const std::string& text, int exit = 0) const;
   // Information below a warning: `contact2d: DECK: note: text`.
   void note(const std::string& text) const;
 
@@ -52,5 +52,8 @@ private:
   std::string latest_;
   int faults_ = 0;
 };
+
+// Writes a text as an output (write_output). Returns the exit status of the program; a failure is printed.
+int write_or_fail(const std::string& name, const std::string& text, const Messages& messages);
 
 } // namespace app

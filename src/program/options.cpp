@@ -2,6 +2,7 @@
 
 #include "program/near_word.hpp"
 #include "program/option_table.hpp"
+#include "program/read_number.hpp"
 
 #include <c2d_threads.h>
 #include <contact2d.h>
@@ -22,57 +23,39 @@ std::string listed(const std::vector<std::string>& words) {
   return out;
 }
 
-bool read_seconds(const std::string& value, double& seconds) {
-  const char* end = value.data() + value.size();
-  const auto result = std::from_chars(value.data(), end, seconds);
-  return result.ec == std::errc() && result.ptr == end && seconds >= 0 && seconds <= 1e9;
-}
-
-bool read_count(const std::string& value, int32_t& count) {
-  const char* end = value.data() + value.size();
-  const auto result = std::from_chars(value.data(), end, count);
-  return result.ec == std::errc() && result.ptr == end && count >= 0;
-}
-
-bool read_threads(const std::string& value, int32_t& threads) {
-  return read_count(value, threads) && threads >= 1 && threads <= C2D_THREADS_MOST;
-}
-
-bool read_distance(const std::string& value, double& distance) {
-  const char* end = value.data() + value.size();
-  const auto result = std::from_chars(value.data(), end, distance);
-  return result.ec == std::errc() && result.ptr == end && distance > 0 && distance < 1e100;
-}
-
-// Names of files and folders, and what takes no value.
+// What is stored as it is given; an option without a value sets its member.
 void set_name(Options& o, const std::string& name, const std::string& value) {
+  const std::pair<const char*, std::string Options::*> names[] = {
+      {"--points", &Options::points},   {"--figures", &Options::figures}, {"--out", &Options::out},
+      {"--with", &Options::conditions}, {"--output", &Options::output},   {"--params", &Options::params},
+      {"--results", &Options::results}, {"--row", &Options::row},         {"--to", &Options::convert_to}};
+  const std::pair<const char*, bool Options::*> switches[] = {{"--keep", &Options::keep},
+                                                              {"--estimate", &Options::estimate},
+                                                              {"--halve", &Options::halve},
+                                                              {"--quiet", &Options::quiet},
+                                                              {"--resume", &Options::resume}};
+  for (const auto& [option, member] : names)
+    if (name == option) o.*member = value;
+  for (const auto& [option, member] : switches)
+    if (name == option) o.*member = true;
   for (size_t i = 0; i < kOutputs; ++i)
     if (name == kOutputTable[i].option) o.files[i] = value;
-  if (name == "--points") o.points = value;
-  if (name == "--figures") o.figures = value;
-  if (name == "--out") o.out = value;
-  if (name == "--with") o.conditions = value;
-  if (name == "--output") o.output = value;
   if (name == "--set") o.settings.push_back(value);
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;
-  if (name == "--keep") o.keep = true;
-  if (name == "--estimate") o.estimate = true;
-  if (name == "--halve") o.halve = true;
-  if (name == "--quiet") o.quiet = true;
-  if (name == "--params") o.params = value;
-  if (name == "--results") o.results = value;
-  if (name == "--row") o.row = value;
-  if (name == "--resume") o.resume = true;
 }
 
 // One of the words of its value, which are counted from 0.
-void set_choice(Options& o, const std::string& name, const std::string& value, int32_t choice) {
+void set_choice(Options& o, const std::string& name, int32_t choice) {
   if (name == "--stepping") o.stepping = choice;
   if (name == "--quadrature") o.quadrature = choice;
   if (name == "--symmetry") o.symmetry = choice;
   if (name == "--elimination") o.elimination = choice;
-  if (name == "--to") o.convert_to = value;
+}
+
+// Reads a number within bounds.
+template <class Number> bool read_between(const std::string& value, Number least, Number most, Number& number) {
+  return read_number(value, number) && number >= least && number <= most;
 }
 
 // Takes over one option with its value; false with `error` if the value is none of those allowed.
@@ -85,19 +68,18 @@ bool set_option(Options& o, const OptionRow& row, const std::string& value, std:
   if (const std::vector<std::string> words = words_of_value(row); !words.empty()) {
     const auto found = std::find(words.begin(), words.end(), value);
     if (found == words.end()) return wrong(listed(words));
-    set_choice(o, name, value, static_cast<int32_t>(found - words.begin()));
+    set_choice(o, name, static_cast<int32_t>(found - words.begin()));
   }
   set_name(o, name, value);
   if (name == "--memory" && (!read_size(value, o.memory) || o.memory == 0))
     return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
-  if (name == "--save-every" && !read_seconds(value, o.save_every)) return wrong("a number of seconds, 0 or more");
-  if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1 to 64");
-  if (name == "--touching" && !read_count(value, o.touching)) return wrong("a whole number of pairs, 0 for all");
-  if (name == "--response" && !read_responses(value, o.responses, error)) {
-    error = name + " " + error;
-    return false;
-  }
-  if (name == "--join" && !read_distance(value, o.join)) return wrong("a distance above 0");
+  if (name == "--save-every" && !read_between(value, 0.0, 1e9, o.save_every)) return wrong("a number of seconds, 0 or more");
+  if (name == "--threads" && !read_between<int32_t>(value, 1, C2D_THREADS_MOST, o.threads))
+    return wrong("a whole number from 1 to 64");
+  if (name == "--touching" && !read_between(value, 0, INT32_MAX, o.touching))
+    return wrong("a whole number of pairs, 0 for all");
+  if (name == "--response" && !read_responses(value, o.responses, error)) return error = name + " " + error, false;
+  if (name == "--join" && !(read_number(value, o.join) && o.join > 0 && o.join < 1e100)) return wrong("a distance above 0");
   if (name == "--store") {
     if (value != "memory" && (value.compare(0, 5, "file:") != 0 || value.size() == 5)) return wrong("memory or file:DIR");
     o.store = value;
@@ -116,19 +98,12 @@ bool read_option(const CommandRow& command, const std::vector<std::string>& word
     name.resize(equals);
   }
   const OptionRow* row = find_option(command.command, name);
-  if (row == nullptr) {
-    error = std::string(command.name) + " takes no option " + name + did_you_mean(name, option_names(command.command));
-    return false;
-  }
-  if (joined && row->value == nullptr) {
-    error = name + " takes no value";
-    return false;
-  }
+  if (row == nullptr)
+    return error = std::string(command.name) + " takes no option " + name + did_you_mean(name, option_names(command.command)),
+           false;
+  if (joined && row->value == nullptr) return error = name + " takes no value", false;
   if (row->value != nullptr && !joined && at + 1 < words.size()) value = words[++at];
-  if (row->value != nullptr && value.empty()) {
-    error = name + " needs a value";
-    return false;
-  }
+  if (row->value != nullptr && value.empty()) return error = name + " needs a value", false;
   options.given.emplace_back(row->name, value);
   return set_option(options, *row, value, error);
 }
@@ -149,17 +124,9 @@ bool read_size(const std::string& text, uint64_t& bytes) {
   for (const char* c = result.ptr; c != end; ++c) unit += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
   if (unit.size() == 3 && unit.compare(1, 2, "IB") == 0) unit.resize(1);
   if (unit.size() == 2 && unit[1] == 'B') unit.resize(1);
-  int shift = 0;
-  if (unit == "K")
-    shift = 10;
-  else if (unit == "M")
-    shift = 20;
-  else if (unit == "G")
-    shift = 30;
-  else if (unit == "T")
-    shift = 40;
-  else if (!unit.empty() && unit != "B")
-    return false;
+  const size_t power = unit.empty() ? 0 : std::string_view("BKMGT").find(unit[0]);
+  if (unit.size() > 1 || power == std::string_view::npos) return false;
+  const size_t shift = 10 * power;
   if (number > (UINT64_MAX >> shift)) return false;
   bytes = number << shift;
   return true;
@@ -275,10 +242,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
   std::string known;
   for (const std::string& name : command_names()) known += name + ", ";
   known += "--version or --help";
-  if (words.empty()) {
-    error = "no command: expected " + known;
-    return false;
-  }
+  if (words.empty()) return error = "no command: expected " + known, false;
   if (words[0] == "--version" || words[0] == "-V" || asks_for_help(words[0])) {
     options.command = asks_for_help(words[0]) ? Command::kHelp : Command::kVersion;
     return true;

@@ -70,14 +70,10 @@ private:
   int close_store();
   int publish();
   int cancelled();
-  int failed(const std::string& text, int exit = kExitInput) {
-    session_.messages.fail(text);
-    return exit;
-  }
+  int failed(const std::string& text, int exit = kExitInput) const { return session_.messages.fail(text, exit); }
   int file_failed() {
     if (interrupted()) return kExitCancelled; // a waiting call was cancelled
-    session_.messages.fail(error_);
-    return store_.is_busy() ? kExitBusy : kExitFiles;
+    return failed(error_, store_.is_busy() ? kExitBusy : kExitFiles);
   }
   int library_failed(c2d_status status);
 

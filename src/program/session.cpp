@@ -23,27 +23,23 @@ int Session::failed(c2d_status status) {
     error = C2D_INIT(c2d_error);
     error.status = status;
   }
-  messages.fault(error);
-  return exit_code(status);
+  return messages.fault(error, exit_code(status));
 }
 
 int Session::read_file(const std::string& name, const Drawing& drawing) {
   c2d_error why = C2D_INIT(c2d_error);
   if (!deck.read(name, why)) {
     if (interrupted()) return kExitCancelled;
-    messages.fault(why);
-    return kExitInput;
+    return messages.fault(why, kExitInput);
   }
-  if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
-  return check_cards();
+  return take_cards(&drawing);
 }
 
 int Session::read_text(const std::string& name, const std::string& text, const Drawing& drawing) {
   is_one_of_many_ = true;
   deck.call(name);
   deck.replace(text);
-  if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
-  return check_cards();
+  return take_cards(&drawing);
 }
 
 int Session::take_job(const Job& job, const Drawing& drawing) {
@@ -53,11 +49,12 @@ int Session::take_job(const Job& job, const Drawing& drawing) {
   else
     deck.replace(job.deck);
   meshes = job.meshes;
-  const int status = job.form == JobForm::kSketch ? take_sketch(deck, drawing, meshes) : 0;
-  return status == 0 ? check_cards() : status;
+  return take_cards(job.form == JobForm::kSketch ? &drawing : nullptr);
 }
 
-int Session::check_cards() {
+int Session::take_cards(const Drawing* drawing) {
+  const int exit = drawing != nullptr ? take_sketch(deck, *drawing, meshes) : 0;
+  if (exit != 0) return exit;
   messages.print_warnings = false; // reading the model repeats them
   bodies = room_for_bodies(deck);
   limits.bodies = static_cast<int32_t>(bodies.size());
@@ -73,8 +70,7 @@ int Session::check_cards() {
   c2d_limits ignored = limits;
   c2d_scan_deck(DeckFile::read_line, &deck, &ignored, &why);
   if (why.status == C2D_OK) why.status = status;
-  messages.fault(why);
-  return exit_code(status);
+  return messages.fault(why, exit_code(status));
 }
 
 int Session::take_memory(uint64_t wanted, int32_t elimination) {
@@ -87,15 +83,11 @@ int Session::take_memory(uint64_t wanted, int32_t elimination) {
 int Session::read_model(const c2d_port& port, int32_t symmetry) {
   c2d_error why = C2D_INIT(c2d_error);
   c2d_status status = c2d_create(&solver, workspace.memory.get(), static_cast<size_t>(workspace.bytes), &limits, &port, &why);
-  if (status == C2D_ERR_MEMORY) {
-    messages.fail("workspace of " + std::to_string(workspace.bytes) +
-                  " bytes is too small: " + std::to_string(why.bytes_needed) + " bytes would do");
-    return kExitMemory;
-  }
-  if (status != C2D_OK) {
-    messages.fault(why);
-    return exit_code(status);
-  }
+  if (status == C2D_ERR_MEMORY)
+    return messages.fail("workspace of " + std::to_string(workspace.bytes) +
+                             " bytes is too small: " + std::to_string(why.bytes_needed) + " bytes would do",
+                         kExitMemory);
+  if (status != C2D_OK) return messages.fault(why, exit_code(status));
   if (!is_one_of_many_) set_interrupt_target(solver);
   if (deck.is_made() && limits.platens > 0) messages.first_platen_zone = limits.zones - limits.platens + 1;
   deck.rewind();

@@ -45,7 +45,7 @@ public:
   MeshLoop meshes; // how the mesh of a sketch was found
 
 private:
-  int check_cards();
+  int take_cards(const Drawing* drawing); // null: the text is a deck
   bool is_one_of_many_ = false;
 };
 

@@ -98,17 +98,15 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, int32_t eli
     out.bytes = useful;
   else
     out.bytes = std::max(std::min(useful, free_memory() / 2), out.minimum);
-  if (out.bytes < out.minimum) {
-    error = "workspace of " + std::to_string(wanted) +
-            " bytes is too small: " + std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do";
-    return C2D_ERR_MEMORY;
-  }
+  if (out.bytes < out.minimum)
+    return error = "workspace of " + std::to_string(wanted) +
+                   " bytes is too small: " + std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do",
+           C2D_ERR_MEMORY;
   if (out.bytes <= SIZE_MAX) out.memory.reset(std::malloc(static_cast<size_t>(out.bytes)));
-  if (out.memory == nullptr) {
-    error = "cannot allocate " + std::to_string(out.bytes) + " bytes of memory: a workspace of " +
-            std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do (--memory)";
-    return C2D_ERR_MEMORY;
-  }
+  if (out.memory == nullptr)
+    return error = "cannot allocate " + std::to_string(out.bytes) + " bytes of memory: a workspace of " +
+                   std::to_string(least_bytes(limits, elimination, out.minimum)) + " bytes would do (--memory)",
+           C2D_ERR_MEMORY;
   ask_for_huge_pages(out.memory.get(), out.bytes);
   return C2D_OK;
 }

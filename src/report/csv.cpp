@@ -200,8 +200,7 @@ c2d_status append_boundary(std::string& out, c2d_solver* solver, const Summary& 
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY};
   std::vector<std::vector<double>> values;
   for (int32_t body = 1; body <= summary.bodies; ++body) {
-    const c2d_status status = get_ends(solver, summary, body, fields, 7, values);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = get_ends(solver, summary, body, fields, 7, values); status != C2D_OK) return status;
     for (size_t i = 0; i < values[0].size(); ++i) {
       append_integer(out, body);
       add(out, static_cast<int64_t>(i) / summary.function_nodes + 1);

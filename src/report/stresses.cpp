@@ -82,8 +82,7 @@ c2d_status add_end_places(c2d_solver* solver, const Summary& summary, std::vecto
   const int32_t fields[] = {C2D_END_X, C2D_END_Y};
   std::vector<std::vector<double>> values;
   for (int32_t body = 1; body <= summary.bodies; ++body) {
-    const c2d_status status = get_ends(solver, summary, body, fields, 2, values);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = get_ends(solver, summary, body, fields, 2, values); status != C2D_OK) return status;
     for (size_t i = 0; i < values[0].size(); ++i)
       out.push_back({body, static_cast<int32_t>(i) / summary.function_nodes + 1, 0, values[0][i], values[1][i], false});
   }

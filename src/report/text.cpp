@@ -141,6 +141,16 @@ void append_integer(std::string& out, int64_t value) {
   out.append(text, static_cast<size_t>(end.ptr - text));
 }
 
+std::string shortest(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string rounded(double value, int digits) {
+  char text[40];
+  return std::string(text, static_cast<size_t>(print_slowly(text, value, Form::kGeneral, digits)));
+}
+
 void append_column(std::string& out, int64_t value, int width) {
   char text[24];
   const auto end = std::to_chars(text, text + sizeof text, value);

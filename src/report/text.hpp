@@ -13,6 +13,9 @@ namespace app {
 // Appends `value` with 12 significant digits, as printf's %.12g would; minus zero as 0.
 void append_number(std::string& out, double value);
 void append_integer(std::string& out, int64_t value);
+// With the fewest digits that give the same double, and with so many significant ones.
+std::string shortest(double value);
+std::string rounded(double value, int digits = 6);
 // Right-aligned in `width` columns: an integer, a word, a number with `digits` digits after the point of its
 // scientific form, and a number in its general form with `digits` significant digits.
 void append_column(std::string& out, int64_t value, int width);

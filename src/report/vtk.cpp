@@ -134,8 +134,7 @@ c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& inte
   Collected c;
   for (size_t image = 0; image < scene.images.size(); ++image)
     for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
-      const c2d_status status = collect_body(c, scene, body, image);
-      if (status != C2D_OK) return status;
+      if (const c2d_status status = collect_body(c, scene, body, image); status != C2D_OK) return status;
     }
   if (scene.solved) collect_interior(c, interior);
   std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";

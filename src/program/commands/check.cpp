@@ -137,11 +137,9 @@ int check_one(const std::string& deck, const Options& options) {
 
   Summary summary;
   if (const c2d_status status = get_summary(session.solver, summary); status != C2D_OK) return session.failed(status);
-  std::string text, error;
+  std::string text;
   if (!options.quiet) append_check(text, session, summary, options.elimination, expected);
-  if (write_output("-", text, error)) return kExitSolved;
-  session.messages.fail(error);
-  return kExitFiles;
+  return write_or_fail("-", text, session.messages);
 }
 
 } // namespace

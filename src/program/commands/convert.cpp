@@ -2,7 +2,6 @@
 
 #include "program/exit_code.hpp"
 #include "program/files/deck_file.hpp"
-#include "program/files/output_file.hpp"
 #include "program/messages.hpp"
 #include "program/real_in_columns.hpp"
 #include "report/text.hpp"
@@ -218,17 +217,9 @@ bool says_the_same(const std::vector<Item>& items, const std::string& text, std:
 }
 
 c2d_error fault_at(const DeckFile& deck, const Item& item, const std::string& text) {
-  c2d_error fault = C2D_INIT(c2d_error);
-  fault.status = C2D_ERR_INPUT;
-  fault.severity = C2D_FAULT;
-  fault.line = item.line;
   const size_t found = deck.card(static_cast<size_t>(item.line)).find(item.text);
-  if (found != std::string_view::npos) {
-    fault.column = static_cast<int32_t>(found) + 1;
-    fault.column_end = static_cast<int32_t>(found + item.text.size());
-  }
-  text.copy(fault.text, sizeof fault.text - 1);
-  return fault;
+  if (found == std::string_view::npos) return fault_in(item.line, 0, 0, text);
+  return fault_in(item.line, static_cast<int32_t>(found) + 1, static_cast<int32_t>(found + item.text.size()), text);
 }
 
 bool convert_items(const std::vector<Item>& items, bool to_free, std::string& out, size_t& at, std::string& error) {
@@ -245,10 +236,7 @@ int convert_deck(const Options& options) {
   DeckFile deck;
   Messages messages(deck);
   c2d_error fault = C2D_INIT(c2d_error);
-  if (!deck.read(options.deck, fault)) {
-    messages.fault(fault);
-    return kExitInput;
-  }
+  if (!deck.read(options.deck, fault)) return messages.fault(fault, kExitInput);
   std::vector<Item> items;
   std::vector<c2d_body_limits> bodies = room_for_bodies(deck);
   const c2d_status status = c2d_walk_deck(DeckFile::read_line, &deck, bodies.data(), static_cast<int32_t>(bodies.size()), keep,
@@ -259,17 +247,12 @@ int convert_deck(const Options& options) {
   const bool to_free = options.convert_to.empty() ? !is_free : options.convert_to == "free";
   std::string error, text;
   size_t at = 0;
-  if (!convert_items(items, to_free, text, at, error)) {
-    messages.fault(fault_at(deck, items[at], error));
-    return kExitInput;
-  }
+  if (!convert_items(items, to_free, text, at, error)) return messages.fault(fault_at(deck, items[at], error), kExitInput);
   if (!says_the_same(items, text, bodies)) {
     messages.fail("the converted deck would not give the same model; nothing was written (please report this)");
     return kExitFiles;
   }
-  if (write_output(options.output, text, error)) return kExitSolved;
-  messages.fail(error);
-  return kExitFiles;
+  return write_or_fail(options.output, text, messages);
 }
 
 } // namespace app

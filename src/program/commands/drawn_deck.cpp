@@ -3,19 +3,18 @@
 #include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
-#include "program/files/output_file.hpp"
 #include "program/files/sha256.hpp"
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
 #include "program/progress.hpp"
+#include "program/read_number.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read/read.hpp"
 #include "program/sketch/read/words.hpp"
 #include "program/sweep/parameters.hpp"
 #include "program/voice.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -23,20 +22,16 @@ namespace app {
 namespace {
 
 void print(const DeckFile& deck, const sketch::Fault& fault) {
-  c2d_error entry = C2D_INIT(c2d_error);
-  entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
-  std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-  say(quote(deck, entry, "error"));
+  say(quote(deck, fault_in(fault.at.line, fault.at.column, fault.at.end, fault.text), "error"));
 }
 
-bool read_number(const std::string& word, sketch::Parameters& given) {
+bool read_given(const std::string& word, sketch::Parameters& given) {
   const size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0) return false;
   double value = 0;
-  const char *const begin = word.data() + equals + 1, *const end = word.data() + word.size();
-  const auto result = std::from_chars(begin, end, value);
+  const bool is_read = read_number(std::string_view(word).substr(equals + 1), value) && !std::isnan(value);
   given[word.substr(0, equals)] = value;
-  return result.ec == std::errc() && result.ptr == end && !std::isnan(value);
+  return is_read;
 }
 
 // File names in a sketch are relative to the folder of the sketch.
@@ -99,10 +94,8 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<
   estimate::Adapted adapted = estimate::adapt(sketch, demand, on_round, drawing.keeper);
   if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;
   if (interrupted()) put_off_interrupt();
-  if (drawing.keeper != nullptr && !drawing.keeper->error().empty()) {
-    Messages(deck).fail(drawing.keeper->error());
-    return kExitFiles;
-  }
+  if (drawing.keeper != nullptr && !drawing.keeper->error().empty())
+    return Messages(deck).fail(drawing.keeper->error(), kExitFiles);
   deck.replace_by_deck(adapted.deck);
   print_misses(deck, adapted.loop);
   loop = std::move(adapted.loop);
@@ -146,7 +139,7 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
   sketch::Parameters given;
   for (const std::string& word : drawing.settings)
-    if (!read_number(word, given)) {
+    if (!read_given(word, given)) {
       print(deck, {{}, word + ": expected the name of a parameter, = and a number"});
       return kExitUsage;
     }
@@ -193,23 +186,15 @@ int write_mesh(const Options& options) {
   MeshLoop loop;
   Messages messages(deck);
   c2d_error fault = C2D_INIT(c2d_error);
-  if (!deck.read(options.deck, fault)) {
-    messages.fault(fault);
-    return kExitInput;
-  }
-  if (!sketch::is_sketch(deck.text(), deck.name())) {
-    messages.fail("the file is a deck and has a mesh, expected a sketch");
-    return kExitInput;
-  }
+  if (!deck.read(options.deck, fault)) return messages.fault(fault, kExitInput);
+  if (!sketch::is_sketch(deck.text(), deck.name()))
+    return messages.fail("the file is a deck and has a mesh, expected a sketch", kExitInput);
   if (const int status =
           take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active(), true}, loop);
       status != 0)
     return status;
-  std::string error;
-  if (write_output(options.output, deck.text(), error))
-    return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
-  messages.fail(error);
-  return kExitFiles;
+  if (const int exit = write_or_fail(options.output, deck.text(), messages); exit != 0) return exit;
+  return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
 }
 
 } // namespace app

@@ -4,7 +4,6 @@
 #include "program/drawing/write.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/deck_file.hpp"
-#include "program/files/output_file.hpp"
 #include "program/files/system_file.hpp"
 #include "program/messages.hpp"
 #include "program/sketch/read/read.hpp"
@@ -12,16 +11,12 @@
 #include "report/text.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace app {
 namespace {
 
 int print(const DeckFile& file, const drawing::Fault& fault) {
-  c2d_error entry = C2D_INIT(c2d_error);
-  entry.line = fault.line;
-  std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-  say(quote(file, entry, "error"));
+  say(quote(file, fault_in(fault.line, 0, 0, fault.text), "error"));
   return kExitInput;
 }
 
@@ -48,12 +43,8 @@ void warn(const DeckFile& drawing, const std::string& text, const std::string& o
   sketch.call(output.empty() ? "sketch of " + drawing.name() : output);
   sketch.replace(text);
   const sketch::Reading reading = sketch::read_sketch(text, {}, [](const std::string&, std::string&) { return false; });
-  for (const sketch::Fault& fault : reading.faults) {
-    c2d_error entry = C2D_INIT(c2d_error);
-    entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
-    std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-    say(quote(sketch, entry, "warning"));
-  }
+  for (const sketch::Fault& fault : reading.faults)
+    say(quote(sketch, fault_in(fault.at.line, fault.at.column, fault.at.end, fault.text), "warning"));
 }
 
 // Its lines become lines of the sketch: control characters in them are refused.
@@ -62,10 +53,10 @@ bool is_plain(const DeckFile& file, c2d_error& fault) {
     const std::string card(file.card(line));
     for (size_t i = 0; i < card.size(); i += std::max<size_t>(character_at(card, i), 1)) {
       if (card[i] == '\t' || character_at(card, i) > 0) continue;
-      std::snprintf(fault.text, sizeof fault.text, "column %zu has the byte %d, expected text", i + 1,
-                    static_cast<unsigned char>(card[i]));
-      fault.status = C2D_ERR_INPUT, fault.severity = C2D_FAULT;
-      fault.line = static_cast<int32_t>(line), fault.column = fault.column_end = static_cast<int32_t>(i) + 1;
+      const int32_t column = static_cast<int32_t>(i) + 1;
+      fault = fault_in(static_cast<int32_t>(line), column, column,
+                       "column " + std::to_string(column) + " has the byte " +
+                           std::to_string(static_cast<unsigned char>(card[i])) + ", expected text");
       return false;
     }
   }
@@ -83,10 +74,8 @@ int sketch_drawing(const Options& options) {
   drawing::Conditions conditions;
   if (!options.conditions.empty()) {
     c2d_error fault = C2D_INIT(c2d_error);
-    if (!statements.read_named(options.conditions, fault) || !is_plain(statements, fault)) {
-      Messages(statements).fault(fault);
-      return kExitInput;
-    }
+    if (!statements.read_named(options.conditions, fault) || !is_plain(statements, fault))
+      return Messages(statements).fault(fault, kExitInput);
     conditions = drawing::read_conditions(statements.text());
   }
   drawing::Drawing drawn;
@@ -97,7 +86,7 @@ int sketch_drawing(const Options& options) {
     for (const std::string& note : notes) messages.note(note);
     return print(file, fault);
   }
-  std::string text, error;
+  std::string text;
   try {
     text = drawing::sketch_of(std::move(drawn), last_part(file.name()), conditions, &notes);
   } catch (const drawing::Fault& fault) {
@@ -106,9 +95,7 @@ int sketch_drawing(const Options& options) {
   }
   for (const std::string& note : notes) messages.note(note);
   warn(file, text, options.output);
-  if (write_output(options.output, text, error)) return kExitSolved;
-  messages.fail(error);
-  return kExitFiles;
+  return write_or_fail(options.output, text, messages);
 }
 
 } // namespace app

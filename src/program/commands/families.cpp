@@ -1,22 +1,18 @@
 #include "program/commands/families.hpp"
 
 #include "program/near_word.hpp"
+#include "program/read_number.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read/read.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 namespace families {
 namespace {
 
-bool read_number(const std::string& text, double& value) {
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end && !std::isnan(value);
-}
+bool read_value(const std::string& text, double& value) { return app::read_number(text, value) && !std::isnan(value); }
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> out;
@@ -41,7 +37,7 @@ bool read_value(const Parameter& parameter, const std::string& text, double& val
   const std::vector<std::string> words = words_of_choice(parameter);
   const auto found = std::find(words.begin(), words.end(), text);
   expected = words.empty() ? "a number" : "one of " + parameter.meaning.substr(0, parameter.meaning.find(':'));
-  if (words.empty()) return read_number(text, value);
+  if (words.empty()) return read_value(text, value);
   value = static_cast<double>(found - words.begin());
   return found != words.end();
 }
@@ -113,7 +109,7 @@ std::vector<Parameter> parameters_of(const Family& family) {
     const std::vector<std::string> meanings = parts_of(comment == std::string::npos ? "" : line.substr(comment + 1), ';');
     for (size_t i = 1; i + 1 < words.size(); i += 2) {
       double number = 0;
-      if (!read_number(words[i + 1].text, number) || i / 2 >= meanings.size()) continue;
+      if (!read_value(words[i + 1].text, number) || i / 2 >= meanings.size()) continue;
       out.push_back({words[i].text, words[i + 1].text, meanings[i / 2]});
       const std::vector<std::string> choice = words_of_choice(out.back());
       if (!choice.empty()) out.back().value = choice.at(static_cast<size_t>(number));

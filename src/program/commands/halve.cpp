@@ -2,7 +2,6 @@
 
 #include "program/estimate/mesh/halved.hpp"
 #include "program/exit_code.hpp"
-#include "program/files/output_file.hpp"
 #include "program/session.hpp"
 
 namespace app {
@@ -15,13 +14,8 @@ int halve_deck(const Options& options) {
 
   std::string error;
   const std::string halved = estimate::halved_deck(session.solver, session.deck.text(), error);
-  if (halved.empty()) {
-    session.messages.fail(error);
-    return kExitInput;
-  }
-  if (write_output(options.output, halved, error)) return kExitSolved;
-  session.messages.fail(error);
-  return kExitFiles;
+  if (halved.empty()) return session.messages.fail(error, kExitInput);
+  return write_or_fail(options.output, halved, session.messages);
 }
 
 } // namespace app

@@ -114,10 +114,7 @@ int find_job(Options& options, std::string& error) {
   words.insert(words.end(), {"--", "deck"});
   Options read;
   sound = sound && read_options(static_cast<int>(words.size()), words.data(), read, error);
-  if (!sound) {
-    error = path + ": has another version" + (error.empty() ? "" : ": " + error);
-    return kExitFiles;
-  }
+  if (!sound) return error = path + ": has another version" + (error.empty() ? "" : ": " + error), kExitFiles;
   read.deck = job->deck_name;
   read.folder = options.folder;
   read.memory = job->workspace;

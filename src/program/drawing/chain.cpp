@@ -30,8 +30,7 @@ bool circle_through(Point a, Point b, Point c, Point& centre) {
   const Point p = b - a, q = c - a;
   const double area = sketch::cross(p, q);
   if (std::fabs(area) <= 1e-9 * sketch::length(p) * sketch::length(q)) return false;
-  centre = a + (1 / (2 * area)) *
-                   Point{sketch::dot(p, p) * q.y - sketch::dot(q, q) * p.y, sketch::dot(q, q) * p.x - sketch::dot(p, p) * q.x};
+  centre = app::circle_centre(a, b, c);
   return true;
 }
 

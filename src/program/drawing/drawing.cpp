@@ -1,9 +1,10 @@
 #include "program/drawing/drawing.hpp"
 
 #include "program/drawing/text.hpp"
+#include "program/sketch/outline.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace drawing {
@@ -114,10 +115,7 @@ void append_polygon(std::vector<Point>& out, const Curve& curve) {
   for (int i = 0; i < n; ++i) out.push_back(shape->at(static_cast<double>(i) / n));
 }
 
-std::string text_of(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value == 0 ? 0 : value, std::chars_format::general, 6).ptr);
-}
+std::string text_of(double value) { return app::rounded(value == 0 ? 0 : value); }
 
 std::string text_of(Point p) { return "(" + text_of(p.x) + ", " + text_of(p.y) + ")"; }
 
@@ -134,13 +132,7 @@ double size_of(const std::vector<Curve>& curves) {
     append_polygon(points, curve);
     points.push_back(curve.end);
   }
-  if (points.empty()) return 0;
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
+  return points.empty() ? 0 : sketch::size_of(points);
 }
 
 } // namespace drawing

@@ -1,6 +1,7 @@
 #include "program/drawing/text.hpp"
 
-#include <charconv>
+#include "program/read_number.hpp"
+
 #include <cmath>
 
 namespace drawing {
@@ -42,25 +43,26 @@ std::string printable(std::string_view text) {
 
 std::string shown(std::string_view text) { return "'" + printable(text) + "'"; }
 
-double real(std::string_view text, int line, const char* what) {
+namespace {
+
+template <class Number> bool read_trimmed(std::string_view text, Number& number) {
   std::string_view digits = trimmed(text);
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  return app::read_number(digits, number);
+}
+
+} // namespace
+
+double real(std::string_view text, int line, const char* what) {
   double value = 0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value) ||
-      std::fabs(value) > 1e100)
-    throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a number"};
-  return value;
+  if (read_trimmed(text, value) && std::fabs(value) <= 1e100) return value; // neither infinite nor NaN
+  throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a number"};
 }
 
 int64_t whole_number(std::string_view text, int line, const char* what) {
-  std::string_view digits = trimmed(text);
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   int64_t value = 0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size())
-    throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a whole number"};
-  return value;
+  if (read_trimmed(text, value)) return value;
+  throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a whole number"};
 }
 
 } // namespace drawing

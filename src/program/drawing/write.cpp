@@ -2,6 +2,7 @@
 
 #include "program/drawing/examples.hpp"
 #include "program/drawing/formats/names.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -65,11 +66,7 @@ void Writer::comment(const std::string& text) {
 }
 
 // To 1e-13 of the drawing's size.
-std::string Writer::number(double value) const {
-  char text[32];
-  if (decimals_ < 0) return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-  return fixed(value, decimals_);
-}
+std::string Writer::number(double value) const { return decimals_ < 0 ? app::shortest(value) : fixed(value, decimals_); }
 
 void Writer::give_names() {
   Names bodies, curves;

@@ -208,8 +208,7 @@ c2d_status History::begin() {
   std::vector<double> mu;
   for (int32_t z = 1; z <= summary_.zones; ++z) {
     mu.push_back(0);
-    const c2d_status status = c2d_get_friction(solver_, z, 1, &mu.back());
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_friction(solver_, z, 1, &mu.back()); status != C2D_OK) return status;
   }
   if (mu.empty()) mu.push_back(0);
   return c2d_begin(solver_, mu.data(), static_cast<int32_t>(mu.size()));

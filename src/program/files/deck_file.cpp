@@ -173,6 +173,13 @@ std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
 
 size_t most_bodies(const DeckFile& deck) { return std::min<size_t>(deck.cards() / kLeastCards + 1, INT32_MAX); }
 
+c2d_error fault_in(int32_t line, int32_t column, int32_t column_end, const std::string& text) {
+  c2d_error out = C2D_INIT(c2d_error);
+  set_fault(out, C2D_ERR_INPUT, text);
+  out.line = line, out.column = column, out.column_end = column_end;
+  return out;
+}
+
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {
   std::string out = "contact2d: " + shown(deck.name()) + ":";
   const bool has_line = entry.line > 0 && !deck.is_made();

@@ -65,5 +65,7 @@ size_t most_bodies(const DeckFile& deck);
 // and the deck is the user's, and no file that is only named in it or by an option.
 // `word` is error or warning.
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);
+// A fault of the program's own in a file, from column to column_end of a line.
+c2d_error fault_in(int32_t line, int32_t column, int32_t column_end, const std::string& text);
 
 } // namespace app

@@ -58,10 +58,8 @@ bool FigureFolder::add(const std::string& name, const std::string& text, std::st
 bool FigureFolder::remove_earlier(std::string& error) const {
   if (!is_open() || made_) return true;
   std::vector<std::string> there;
-  if (const int code = list_folder(folder_, there); code != 0) {
-    error = folder_ + ": cannot be read: " + system_text(code);
-    return false;
-  }
+  if (const int code = list_folder(folder_, there); code != 0)
+    return error = folder_ + ": cannot be read: " + system_text(code), false;
   for (const std::string& name : there) {
     const std::string path = folder_ + "/" + name;
     if (!is_picture(name) || names_.count(name) > 0 || !is_as_written(path, name)) continue;

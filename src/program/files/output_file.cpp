@@ -166,10 +166,8 @@ bool publish_all(const std::vector<OutputFile*>& files, std::string& error) {
     if (!file->publish(error)) return false;
   }
   for (const std::string& folder : folders)
-    if (const int code = sync_folder(folder); code != 0) {
-      error = folder + ": names of outputs cannot be flushed to disk: " + system_text(code);
-      return false;
-    }
+    if (const int code = sync_folder(folder); code != 0)
+      return error = folder + ": names of outputs cannot be flushed to disk: " + system_text(code), false;
   return true;
 }
 

@@ -1,8 +1,8 @@
 #include "program/files/points_file.hpp"
 
-#include <charconv>
+#include "program/read_number.hpp"
+
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace app {
@@ -36,32 +36,13 @@ bool is_word(const Field& field, const char* word) {
   return i == field.text.size();
 }
 
-// Also with a plus sign, and with D as in FORTRAN before the exponent.
-template <class Number> bool read_number(const Field& field, Number& number) {
-  std::string text(field.text);
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);
-  if (!std::is_integral<Number>::value)
-    for (char& c : text)
-      if (c == 'd' || c == 'D') c = 'e';
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  return !text.empty() && result.ec == std::errc() && result.ptr == end;
-}
-
 class PointsReader {
 public:
   PointsReader(int32_t bodies, Messages& messages) : bodies_(bodies), messages_(messages) {}
   bool row(const std::vector<Field>& fields, int32_t line, WantedPoint& point);
   void fault(int32_t line, const Field* field, const std::string& text) {
-    c2d_error entry = C2D_INIT(c2d_error);
-    entry.status = C2D_ERR_INPUT;
-    entry.severity = C2D_FAULT;
-    entry.line = line;
-    if (field != nullptr) {
-      entry.column = field->column;
-      entry.column_end = field->column_end;
-    }
-    std::snprintf(entry.text, sizeof entry.text, "%s", text.c_str());
+    const c2d_error entry =
+        field != nullptr ? fault_in(line, field->column, field->column_end, text) : fault_in(line, 0, 0, text);
     Messages::log(&messages_, &entry);
     sound_ = false;
   }
@@ -83,7 +64,7 @@ std::string in_quotes(const Field& field) {
 }
 
 bool PointsReader::coordinate(const Field& field, const char* name, int32_t line, double& value) {
-  if (read_number(field, value) && std::isfinite(value)) return true;
+  if (read_fortran_number(std::string(field.text), value) && std::isfinite(value)) return true;
   fault(line, &field, std::string(name) + " is " + in_quotes(field) + ", expected a number");
   return false;
 }
@@ -95,7 +76,7 @@ bool PointsReader::row(const std::vector<Field>& fields, int32_t line, WantedPoi
               ", expected 3 separated by commas: body,x,y");
     return false;
   }
-  bool good = read_number(fields[0], point.body) && point.body >= 1 && point.body <= bodies_;
+  bool good = read_fortran_number(std::string(fields[0].text), point.body) && point.body >= 1 && point.body <= bodies_;
   if (!good)
     fault(line, &fields[0],
           "body is " + in_quotes(fields[0]) + ", expected " +

@@ -18,7 +18,12 @@ template <void (*header)(std::string&, int32_t)> c2d_status heading(RunResults& 
   return C2D_OK;
 }
 
-void add_contact(RunResults& run, const StepResults& now, std::string& out) {
+template <void (*append)(std::string&, const RunRecord&, const Summary&)> c2d_status ending(RunResults& run, std::string& out) {
+  append(out, run.record, run.summary);
+  return C2D_OK;
+}
+
+void step_contact(RunResults& run, const StepResults& now, std::string& out) {
   if (now.adds_row) append_contact_rows(out, now.step, run.summary);
 }
 
@@ -46,22 +51,17 @@ c2d_status end_report(RunResults& run, std::string& out) {
   return C2D_OK;
 }
 
-void add_trace(RunResults& run, const StepResults& now, std::string& out) { run.path.trace.append(out, now.step); }
+void step_trace(RunResults& run, const StepResults& now, std::string& out) { run.path.trace.append(out, now.step); }
 
-void add_bodies(RunResults& run, const StepResults& now, std::string& out) {
+void step_bodies(RunResults& run, const StepResults& now, std::string& out) {
   if (now.adds_row) append_bodies_rows(out, now.step, run.session.solver);
 }
 
-c2d_status end_summary(RunResults& run, std::string& out) {
-  append_summary(out, run.record, run.summary);
-  return C2D_OK;
-}
-
-void add_stresses(RunResults& run, const StepResults& now, std::string& out) {
+void step_stresses(RunResults& run, const StepResults& now, std::string& out) {
   if (now.adds_row) append_stresses_rows(out, now.step, run.places, run.stresses);
 }
 
-void keep_stresses(RunResults& run, const StepResults& now, std::string&) {
+void step_ranges(RunResults& run, const StepResults& now, std::string&) {
   if (now.adds_row) now.record->steps.back().stresses = run.stresses;
 }
 
@@ -70,7 +70,7 @@ c2d_status end_ranges(RunResults& run, std::string& out) {
   return C2D_OK;
 }
 
-void keep_corners_of(RunResults& run, const StepResults& now, std::string&) {
+void step_json(RunResults& run, const StepResults& now, std::string&) {
   if (now.record != nullptr) keep_corners(*now.record, now.step, run.corners);
 }
 
@@ -85,7 +85,7 @@ c2d_status begin_listing(RunResults& run, std::string& out) {
   return status;
 }
 
-void add_to_listing(RunResults& run, const StepResults& now, std::string& out) {
+void step_listing(RunResults& run, const StepResults& now, std::string& out) {
   if (run.has_short_listing || now.record == nullptr) return;
   const bool first = run.path.coefficient_shown != now.step.coefficient; // of its coefficient of friction
   if (first && run.path.coefficient_shown > 0) append_contact_zone(out, *(now.record - 1), run.ends.data(), run.summary);
@@ -94,10 +94,7 @@ void add_to_listing(RunResults& run, const StepResults& now, std::string& out) {
 }
 
 c2d_status end_listing(RunResults& run, std::string& out) {
-  if (run.has_short_listing) {
-    append_short_ending(out, run.record, run.summary);
-    return C2D_OK;
-  }
+  if (run.has_short_listing) return ending<append_short_ending>(run, out);
   if (!run.record.coefficients.empty()) append_contact_zone(out, run.record.coefficients.back(), run.ends.data(), run.summary);
   const bool all = run.summary.analysis == C2D_ANALYSIS_STRESS || run.summary.analysis >= C2D_ANALYSIS_FULL;
   if (run.solved && all) {
@@ -107,31 +104,25 @@ c2d_status end_listing(RunResults& run, std::string& out) {
   }
   if (run.record.interior != nullptr) append_interior_section(out, *run.record.interior, run.summary, run.loads_reached());
   if (run.solved && (run.needs & kNeedsTables) != 0) append_key_tables(out, run.record, run.summary);
-  append_ending(out, run.record, run.summary);
-  return C2D_OK;
-}
-
-c2d_status end_json(RunResults& run, std::string& out) {
-  append_json(out, run.record, run.summary);
-  return C2D_OK;
+  return ending<append_ending>(run, out);
 }
 
 } // namespace
 
 const std::array<OutputRow, kOutputs> kOutputTable = {{
-    {"--listing", "listing.txt", kNeedsLastSums | kNeedsTimes, begin_listing, add_to_listing, end_listing},
-    {"--csv", "contact.csv", kIsTable, heading<append_contact_header>, add_contact, nullptr},
+    {"--listing", "listing.txt", kNeedsLastSums | kNeedsTimes, begin_listing, step_listing, end_listing},
+    {"--csv", "contact.csv", kIsTable, heading<append_contact_header>, step_contact, nullptr},
     {"--boundary", "boundary.csv", kIsTable, heading<append_boundary_header>, nullptr, end_boundary},
     {"--interior", "interior.csv", kIsTable, heading<append_interior_header>, nullptr, end_interior},
-    {"--json", "run.json", kNeedsSums | kNeedsCorners | kNeedsTimes, nullptr, keep_corners_of, end_json},
+    {"--json", "run.json", kNeedsSums | kNeedsCorners | kNeedsTimes, nullptr, step_json, ending<append_json>},
     {"--report", "report.html", kNeedsPictures | kNeedsScene | kNeedsChanges | kNeedsSums | kNeedsCorners, nullptr, nullptr,
      end_report},
     {"--vtk", "boundary.vtk", kNeedsScene, nullptr, nullptr, end_vtk},
-    {"--trace", "trace.csv", kIsTable | kNeedsChanges, heading<append_trace_header>, add_trace, nullptr},
-    {"--bodies", "bodies.csv", kIsTable, heading<append_bodies_header>, add_bodies, nullptr},
-    {"--summary", "summary.csv", kIsTable | kNeedsSums | kNeedsTables, nullptr, nullptr, end_summary},
-    {"--stresses", nullptr, kIsTable | kNeedsPlaces, heading<append_stresses_header>, add_stresses, nullptr},
-    {"--ranges", nullptr, kIsTable | kNeedsPlaces, nullptr, keep_stresses, end_ranges},
+    {"--trace", "trace.csv", kIsTable | kNeedsChanges, heading<append_trace_header>, step_trace, nullptr},
+    {"--bodies", "bodies.csv", kIsTable, heading<append_bodies_header>, step_bodies, nullptr},
+    {"--summary", "summary.csv", kIsTable | kNeedsSums | kNeedsTables, nullptr, nullptr, ending<append_summary>},
+    {"--stresses", nullptr, kIsTable | kNeedsPlaces, heading<append_stresses_header>, step_stresses, nullptr},
+    {"--ranges", nullptr, kIsTable | kNeedsPlaces, nullptr, step_ranges, end_ranges},
 }};
 
 } // namespace app

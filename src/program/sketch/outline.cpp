@@ -232,12 +232,8 @@ bool holds(const std::vector<Point>& polygon, Point p) {
 }
 
 double size_of(const std::vector<Point>& polygon) {
-  Point low = polygon.front(), high = low;
-  for (const Point& p : polygon) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
+  const Point extent = app::extent_of(polygon);
+  return std::max(extent.x, extent.y);
 }
 
 std::vector<Fault> faults_of_shapes(const Sketch& sketch) { return Check(sketch).run(); }

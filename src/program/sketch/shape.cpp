@@ -5,8 +5,6 @@
 
 namespace sketch {
 
-double length(Point a) { return std::hypot(a.x, a.y); }
-
 double angle_between(Point a, Point b) { return std::atan2(cross(a, b), dot(a, b)); }
 
 Point Shape::tangent(double u) const {

@@ -1,6 +1,7 @@
 // Shapes of boundary curves: points and derivatives by a parameter u from 0 to 1, and lengths along the curve.
 #pragma once
 
+#include "post/point.hpp"
 #include "program/sketch/read/expression.hpp"
 
 #include <memory>
@@ -8,16 +9,8 @@
 
 namespace sketch {
 
-struct Point {
-  double x = 0, y = 0;
-};
-inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-inline Point operator*(double f, Point a) { return {f * a.x, f * a.y}; }
-inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-inline Point turned_left(Point a) { return {-a.y, a.x}; }
-double length(Point a);
+using app::cross, app::distance, app::dot, app::length, app::turned_left;
+using app::Point;
 double angle_between(Point a, Point b); // from a to b, in radians, above 0 to the left
 
 enum class Form { kLine, kArc, kSmooth }; // its type on a *CURVE card

@@ -44,10 +44,8 @@ int Journal::open(const std::string& path, uint64_t inputs, bool resume, std::st
   path_ = path;
   const std::string heading = "contact2d sweep " + hexadecimal(inputs) + "\n";
   file_ = open_file(path, O_RDWR | O_APPEND | O_CREAT | (resume ? 0 : O_EXCL));
-  if (file_ < 0 && errno == EEXIST) {
-    error = path + ": contains rows of an interrupted sweep, expected --resume, or the file removed";
-    return kExitInput;
-  }
+  if (file_ < 0 && errno == EEXIST)
+    return error = path + ": contains rows of an interrupted sweep, expected --resume, or the file removed", kExitInput;
   if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
     const bool busy = file_ >= 0 && errno == EWOULDBLOCK;
     error = path + ": " + (busy ? "another process is running this sweep" : system_text(errno));
@@ -70,14 +68,10 @@ int Journal::take_rows(const std::string& heading, std::string& error) {
   } else if (code == 0 && torn) {
     code = write_all(file_, "\n");
   }
-  if (code != 0) {
-    error = path_ + ": " + system_text(code);
-    return kExitFiles;
-  }
-  if (all.compare(0, heading.size(), heading) != 0) {
-    error = path_ + ": contains rows of another sweep: the table, the deck, the options or the program differ";
-    return kExitInput;
-  }
+  if (code != 0) return error = path_ + ": " + system_text(code), kExitFiles;
+  if (all.compare(0, heading.size(), heading) != 0)
+    return error = path_ + ": contains rows of another sweep: the table, the deck, the options or the program differ",
+           kExitInput;
   for (size_t at = heading.size(); at < all.size();) {
     const size_t end = std::min(all.find('\n', at), all.size());
     size_t row = 0;

@@ -181,10 +181,8 @@ bool read_parameters(const std::string& text, std::vector<std::string>& words, s
     Setting setting;
     const bool two = two_words(line, first, second);
     if (two && dakota && line[0] != '{') std::swap(first, second); // a value, then its name
-    if (!two || !read_setting(first + "=" + second, setting)) {
-      error = "line " + std::to_string(i + 1) + ": expected the name of a parameter and its value";
-      return false;
-    }
+    if (!two || !read_setting(first + "=" + second, setting))
+      return error = "line " + std::to_string(i + 1) + ": expected the name of a parameter and its value", false;
     words.push_back(first + "=" + second);
     --left;
   }

@@ -1,8 +1,8 @@
 #include "program/sweep/responses.hpp"
 
+#include "program/read_number.hpp"
 #include "report/text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -41,11 +41,7 @@ template <size_t n> const Word* find_word(const Word (&words)[n], const std::str
   return nullptr;
 }
 
-bool read_ordinal(const std::string& word, int32_t& number) {
-  const char* end = word.data() + word.size();
-  const auto read = std::from_chars(word.data(), end, number);
-  return read.ec == std::errc() && read.ptr == end && number > 0;
-}
+bool read_ordinal(const std::string& word, int32_t& number) { return read_number(word, number) && number > 0; }
 
 // Takes `zone Z` and a number off the end.
 void take_tail(std::vector<std::string>& words, Response& r) {
@@ -150,10 +146,7 @@ bool read_responses(const std::string& text, std::vector<Response>& responses, s
     Response r;
     r.words = all;
     take_tail(words, r);
-    if (!take_head(words, r) && !take_place(words, r)) {
-      error = "'" + all + "': expected " + kResponseWords;
-      return false;
-    }
+    if (!take_head(words, r) && !take_place(words, r)) return error = "'" + all + "': expected " + kResponseWords, false;
     responses.push_back(r);
   }
   if (responses.empty()) error = std::string("no response is given, expected ") + kResponseWords;

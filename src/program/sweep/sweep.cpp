@@ -68,16 +68,10 @@ int Sweep::read() {
   DeckFile file;
   Messages messages(file);
   c2d_error why = C2D_INIT(c2d_error);
-  if (!file.read(options_.table, why)) {
-    messages.fault(why);
-    return kExitInput;
-  }
+  if (!file.read(options_.table, why)) return messages.fault(why, kExitInput);
   DeckFile deck;
   Messages deck_messages(deck);
-  if (!deck.read(options_.deck, why)) {
-    deck_messages.fault(why);
-    return kExitInput;
-  }
+  if (!deck.read(options_.deck, why)) return deck_messages.fault(why, kExitInput);
   *deck_ = deck.text();
   named_.files = {input_file(deck.name(), deck.text()), input_file(file.name(), file.text())};
   named_.options = words_that_change_digits(options_);

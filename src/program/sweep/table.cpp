@@ -3,7 +3,6 @@
 #include "program/sweep/parameters.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace app {
 namespace {
@@ -41,10 +40,7 @@ private:
 };
 
 void TableReader::fault(int32_t line, const Cell& cell, const std::string& text) {
-  c2d_error entry = C2D_INIT(c2d_error);
-  entry.status = C2D_ERR_INPUT, entry.severity = C2D_FAULT;
-  entry.line = line, entry.column = cell.column, entry.column_end = cell.column_end;
-  std::snprintf(entry.text, sizeof entry.text, "%s", text.c_str());
+  const c2d_error entry = fault_in(line, cell.column, cell.column_end, text);
   Messages::log(&messages_, &entry);
   sound_ = false;
 }

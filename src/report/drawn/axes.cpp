@@ -136,6 +136,16 @@ Point Chart::at(double vx, double vy) const {
   return {frame.left + place_on(x, vx) * frame.width(), frame.bottom - place_on(y, vy) * frame.height()};
 }
 
+Outlines Chart::at(Outlines curves) const {
+  for (std::vector<Point>& curve : curves)
+    for (Point& p : curve) p = at(p);
+  return curves;
+}
+
+bool Chart::is_near(Point p) const {
+  return p.x > frame.left - 20 && p.x < frame.right + 20 && p.y > frame.top - 20 && p.y < frame.bottom + 20;
+}
+
 void draw_axes(Svg& svg, const Chart& chart, bool labels_x) {
   const Box& f = chart.frame;
   const Stroke grid{colour::kGrid, 0.7, ""}, edge{colour::kInk, 1.0, ""}, zero{colour::kFaint, 1.0, ""};

@@ -40,6 +40,9 @@ struct Chart {
   Axis x, y;
   bool zero_line = true; // where y = 0
   Point at(double vx, double vy) const;
+  Point at(Point value) const { return at(value.x, value.y); }
+  Outlines at(Outlines curves) const;
+  bool is_near(Point pixel) const; // in the frame, or at most 20 pixels outside
 };
 // Grid, frame, tick labels and names. Without `labels_x` the x axis has ticks only (the chart below has the
 // labels).

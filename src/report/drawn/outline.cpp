@@ -160,8 +160,7 @@ c2d_status trace_outline(c2d_solver* solver, const Summary& s, int32_t body, con
   Tracer tracer(s, body, nodes, out);
   for (int32_t r = 1; r <= s.body[body - 1].regions; ++r) {
     int32_t first = 0, last = 0;
-    const c2d_status status = c2d_get_region(solver, body, r, &first, &last);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_region(solver, body, r, &first, &last); status != C2D_OK) return status;
     tracer.region(r - 1, first, last);
   }
   std::vector<Curve> closed = tracer.closed(), open = tracer.open();

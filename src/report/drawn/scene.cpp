@@ -89,8 +89,8 @@ double friction_of(const Scene& scene, size_t coefficient, size_t zone) {
   return mu;
 }
 
-std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification) {
-  std::vector<std::vector<Point>> out;
+Outlines outline_of(const BodyScene& body, double magnification) {
+  Outlines out;
   for (const std::vector<OutlinePoint>& curve : body.curves) {
     out.emplace_back();
     for (const OutlinePoint& p : curve)

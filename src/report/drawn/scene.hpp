@@ -133,7 +133,7 @@ std::vector<Image> images_of(const Scene& scene, const ZoneScene& zone);
 int image_line_at(const Summary& summary, Point p);
 
 // Outlines moved by `magnification` times the displacement.
-std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification);
+Outlines outline_of(const BodyScene& body, double magnification);
 
 // State of a zone from a table (C2D_PAIR_FIELDS per pair).
 struct ZoneFacts {

@@ -108,8 +108,7 @@ std::vector<Image> images_of(const Scene& scene, const ZoneScene& zone) {
 c2d_status gather_zones(Scene& scene) {
   if (scene.summary.pairs == 0) return C2D_OK;
   PairFields fields;
-  const c2d_status status = get_pairs(scene, fields);
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = get_pairs(scene, fields); status != C2D_OK) return status;
   for (const c2d_zone& zone : scene.summary.zone) {
     ZoneScene out;
     out.body[0] = zone.side1.body, out.body[1] = zone.side2.body;

@@ -88,8 +88,8 @@ std::vector<Point> closed_on_paper(std::vector<Point> curve) {
 }
 
 // The parts of lines that lie within a box.
-std::vector<std::vector<Point>> parts_within(const std::vector<Point>& line, bool closed, const Box& box) {
-  std::vector<std::vector<Point>> out;
+Outlines parts_within(const std::vector<Point>& line, bool closed, const Box& box) {
+  Outlines out;
   bool joined = false;
   for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
     Point a = line[i], b = line[(i + 1) % line.size()];
@@ -107,10 +107,10 @@ std::vector<std::vector<Point>> parts_within(const std::vector<Point>& line, boo
 
 } // namespace
 
-std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Point>>& curves, const Box& box) {
+Outlines pieces_within(const Outlines& curves, const Box& box) {
   const double room = 10.0;
   const Box wider{box.left - room, box.top - room, box.right + room, box.bottom + room};
-  std::vector<std::vector<Point>> out;
+  Outlines out;
   for (const std::vector<Point>& curve : curves)
     for (std::vector<Point>& part : parts_within(curve, true, wider)) out.push_back(std::move(part));
   return out;
@@ -154,7 +154,7 @@ static std::vector<Point> thinned(const std::vector<Point>& curve) {
   return out;
 }
 
-void append_curves(std::string& out, const std::vector<std::vector<Point>>& curves) {
+void append_curves(std::string& out, const Outlines& curves) {
   for (const std::vector<Point>& whole : curves) {
     const std::vector<Point> curve = thinned(closed_on_paper(whole));
     for (size_t i = 0; i < curve.size(); ++i) {
@@ -216,7 +216,7 @@ void Svg::line(Point from, Point to, const Stroke& stroke) {
 
 void Svg::polyline(const std::vector<Point>& points, const Stroke& stroke) {
   if (points.empty()) return;
-  std::vector<std::vector<Point>> parts{points};
+  Outlines parts{points};
   if (!std::all_of(points.begin(), points.end(), on_paper)) parts = parts_within(points, false, kPaper);
   for (const std::vector<Point>& part : parts) {
     body_ += "<polyline points=\"";
@@ -233,7 +233,7 @@ void Svg::polyline(const std::vector<Point>& points, const Stroke& stroke) {
   }
 }
 
-void Svg::area(const std::vector<std::vector<Point>>& curves, const std::string& fill, const Stroke& stroke) {
+void Svg::area(const Outlines& curves, const std::string& fill, const Stroke& stroke) {
   body_ += "<path d=\"";
   append_curves(body_, curves);
   body_ += "\" fill=\"" + fill + "\" fill-rule=\"evenodd\" stroke-linejoin=\"round\"";
@@ -327,7 +327,7 @@ void Svg::begin_clip(const Box& box) {
   begin_clip({{{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}});
 }
 
-void Svg::begin_clip(const std::vector<std::vector<Point>>& curves) {
+void Svg::begin_clip(const Outlines& curves) {
   const std::string id = name_ + "-" + std::to_string(++ids_);
   definitions_ += "<clipPath id=\"" + id + "\"><path clip-rule=\"evenodd\" d=\"";
   append_curves(definitions_, curves);

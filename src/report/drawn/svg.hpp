@@ -3,15 +3,15 @@
 // reaches far out of the picture only the parts within 5e4 pixels are written.
 #pragma once
 
+#include "post/point.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace app {
 
-struct Point {
-  double x = 0.0, y = 0.0;
-};
+using Outlines = std::vector<std::vector<Point>>; // closed curves; holes are curves of their own
 struct Box {
   double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
   double width() const { return right - left; }

@@ -42,8 +42,7 @@ c2d_status append_zones(std::string& out, c2d_solver* solver, const Summary& s) 
                  "nodes\n";
   for (int32_t i = 1; i <= s.zones; ++i) {
     c2d_zone z = C2D_INIT(c2d_zone);
-    const c2d_status status = c2d_get_zone(solver, i, &z);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_zone(solver, i, &z); status != C2D_OK) return status;
     append_column(out, i, 8);
     append_column(out, z.pairs, 8);
     append_column(out, z.side2.elements, 11);
@@ -121,12 +120,8 @@ void append_end(std::string& out, const CoefficientRecord& c, const ContactEnd& 
     append_column(out, end.local, 7);
   else
     append_place(out, end.eta);
-  append_scientific(out, end.x, 13);
-  append_scientific(out, end.y, 13);
-  append_scientific(out, row[end.side == 1 ? C2D_UN1 : C2D_UN2], 13);
-  append_scientific(out, row[end.side == 1 ? C2D_UT1 : C2D_UT2], 13);
-  append_scientific(out, row[C2D_TN], 13);
-  append_scientific(out, row[C2D_TT], 13);
+  const double un = row[end.side == 1 ? C2D_UN1 : C2D_UN2], ut = row[end.side == 1 ? C2D_UT1 : C2D_UT2];
+  for (const double number : {end.x, end.y, un, ut, row[C2D_TN], row[C2D_TT]}) append_scientific(out, number, 13);
   append_column(out, status_word(static_cast<int32_t>(row[C2D_STATUS])), 8);
   out += '\n';
 }

@@ -123,8 +123,7 @@ c2d_status append_path(std::string& out, c2d_solver* solver, const Summary& s) {
   append_name(out, "coefficients of friction");
   for (int32_t i = 1; i <= s.coefficients; ++i) {
     double mu = 0.0;
-    const c2d_status status = c2d_get_friction(solver, 0, i, &mu);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_friction(solver, 0, i, &mu); status != C2D_OK) return status;
     if (i > 1) out += ", ";
     append_number(out, mu);
   }

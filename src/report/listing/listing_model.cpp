@@ -48,8 +48,7 @@ c2d_status append_regions(std::string& out, c2d_solver* solver, const Summary& s
   out += "\n   curve   first element   last element\n";
   for (int32_t i = 1; i <= s.body[body - 1].regions; ++i) {
     int32_t first = 0, last = 0;
-    const c2d_status status = c2d_get_region(solver, body, i, &first, &last);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = c2d_get_region(solver, body, i, &first, &last); status != C2D_OK) return status;
     append_column(out, i, 8);
     append_column(out, first, 16);
     append_column(out, last, 15);

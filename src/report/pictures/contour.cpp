@@ -135,7 +135,18 @@ std::vector<Polygons> fill_bands(const Grid& g, const std::vector<double>& level
   return out;
 }
 
-bool is_inside(const std::vector<std::vector<Point>>& curves, Point p) {
+double distance_to_outline(const Outlines& curves, Point p) {
+  double least = HUGE_VAL;
+  for (const std::vector<Point>& curve : curves)
+    for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+      const Point a = curve[j], way = curve[i] - a;
+      const double square = dot(way, way), along = square > 0.0 ? dot(p - a, way) / square : 0.0;
+      least = std::min(least, distance(p, a + std::min(1.0, std::max(0.0, along)) * way));
+    }
+  return least;
+}
+
+bool is_inside(const Outlines& curves, Point p) {
   bool inside = false;
   for (const std::vector<Point>& curve : curves)
     for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {

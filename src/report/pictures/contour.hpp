@@ -25,11 +25,12 @@ void extend(Grid& grid, int rings);
 // Polygons of the places where levels[k] <= value <= levels[k + 1] (linear on half cells); below the first
 // level counts as the first band, above the last as the last. Cells with an unknown node are left out. Runs
 // of cells inside one band are one rectangle.
-using Polygons = std::vector<std::vector<Point>>;
+using Polygons = Outlines;
 std::vector<Polygons> fill_bands(const Grid& grid, const std::vector<double>& levels);
 
 // Is a point inside closed curves, by the even-odd rule?
-bool is_inside(const std::vector<std::vector<Point>>& curves, Point p);
+bool is_inside(const Outlines& curves, Point p);
+double distance_to_outline(const Outlines& curves, Point p);
 
 // "#rrggbb" of a place 0 ... 1 on a scale from light to dark.
 std::string scale_colour(double place);

@@ -21,7 +21,7 @@ Outlines in_pixels(const Outlines& curves, const Chart& view) {
     out.emplace_back();
     std::vector<Point>& kept = out.back();
     for (const Point& p : curve) {
-      const Point at = view.at(p.x, p.y);
+      const Point at = view.at(p);
       if (kept.empty() || std::hypot(at.x - kept.back().x, at.y - kept.back().y) >= kLeastStep) kept.push_back(at);
     }
   }
@@ -40,22 +40,6 @@ Box common(const Box& a, const Box& b) {
 }
 
 bool is_empty(const Box& box) { return !(box.left <= box.right && box.top <= box.bottom); }
-
-double distance_to_segment(Point p, Point a, Point b) {
-  const Point way{b.x - a.x, b.y - a.y};
-  const double square = way.x * way.x + way.y * way.y;
-  const double along = square > 0.0 ? ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square : 0.0;
-  const double part = std::min(1.0, std::max(0.0, along));
-  return std::hypot(p.x - a.x - part * way.x, p.y - a.y - part * way.y);
-}
-
-double distance_to_outline(const Outlines& curves, Point p) {
-  double least = HUGE_VAL;
-  for (const std::vector<Point>& curve : curves)
-    for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++)
-      least = std::min(least, distance_to_segment(p, curve[j], curve[i]));
-  return least;
-}
 
 // Calls `take` for points at most a pixel apart along the curves, within the box.
 template <class Take> void each_point(const Outlines& curves, const Box& box, Take&& take) {

@@ -10,8 +10,6 @@
 
 namespace app {
 
-using Outlines = std::vector<std::vector<Point>>; // the curves of a body
-
 class Deformation {
 public:
   Deformation() = default;

@@ -27,18 +27,13 @@ Head head_of(Symbol symbol) {
   return symbol == Symbol::kDisplacement || symbol == Symbol::kRigidMotion ? Head::kOpen : Head::kFilled;
 }
 
-bool visible(const Chart& view, Point p) {
-  const Box& f = view.frame;
-  return p.x > f.left - 20 && p.x < f.right + 20 && p.y > f.top - 20 && p.y < f.bottom + 20;
-}
-
 // Is there room around a place of the model and its images? Then it is taken. Only the model counts, so that all images
 // have the same symbols.
 bool take_place(std::vector<Point>& placed, const Scene& scene, const Chart& view, Point at, double spacing) {
-  const Point p = view.at(at.x, at.y);
+  const Point p = view.at(at);
   const auto near = [&](Point other) { return std::hypot(p.x - other.x, p.y - other.y) < spacing; };
   for (const Image& image : scene.images) {
-    const Point there = image.place(at), q = view.at(there.x, there.y);
+    const Point there = image.place(at), q = view.at(there);
     if (near(q) && std::hypot(p.x - q.x, p.y - q.y) > 1.0) return false;
   }
   if (std::any_of(placed.begin(), placed.end(), near)) return false;
@@ -110,7 +105,7 @@ void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head
 }
 
 // Centre of the area within closed curves.
-Point centroid(const std::vector<std::vector<Point>>& curves) {
+Point centroid(const Outlines& curves) {
   double area = 0.0;
   Point moment;
   for (const std::vector<Point>& curve : curves)
@@ -128,7 +123,7 @@ Point centroid(const std::vector<std::vector<Point>>& curves) {
 // platen, the middle of the ends that it moves.
 Point centre_of(const Scene& scene, int32_t number) {
   const BodyScene& body = scene.bodies[static_cast<size_t>(number) - 1];
-  const std::vector<std::vector<Point>> curves = outline_of(body, 0.0);
+  const Outlines curves = outline_of(body, 0.0);
   for (const ZoneScene& zone : scene.zones)
     if (body.platen && zone.body[0] == number && zone.pairs > 0) return scene.pairs[zone.first + zone.pairs / 2].on[0];
   const Point all = centroid(curves);
@@ -152,8 +147,8 @@ public:
       const bool moves = std::hypot(u.x, u.y) > 0.0 && take_place(motions, scene_, view_, body.ends[i], 1.5 * kSpacing);
       const bool pulls = size > 1e-12 * largest && take_place(tractions, scene_, view_, body.ends[i], 0.8 * kSpacing);
       for (const Image& image : scene_.images) {
-        const Point at = image.place(body.ends[i]), p = view_.at(at.x, at.y);
-        if (!visible(view_, p)) continue;
+        const Point at = image.place(body.ends[i]), p = view_.at(at);
+        if (!view_.is_near(p)) continue;
         if (moves) arrow(Symbol::kDisplacement, p, image.direction(u), {0.0, 0.0}, 26.0, 7.0);
         if (pulls)
           arrow(Symbol::kTraction, p, image.direction(t), image.direction(body.normals[i]), 10.0 + 18.0 * size / largest, 6.5);
@@ -163,8 +158,8 @@ public:
 
   void point_load(const PointLoad& load) {
     for (const Image& image : scene_.images) {
-      const Point at = image.place(load.at), p = view_.at(at.x, at.y);
-      if (!visible(view_, p) || std::hypot(load.force.x, load.force.y) == 0.0) continue;
+      const Point at = image.place(load.at), p = view_.at(at);
+      if (!view_.is_near(p) || std::hypot(load.force.x, load.force.y) == 0.0) continue;
       arrow(Symbol::kPointLoad, p, image.direction(load.force), {0.0, 0.0}, 34.0, 9.0);
       svg_.mark(Mark::kCircle, p, 5.0, stroke_of(Symbol::kPointLoad, case_).colour);
     }
@@ -173,24 +168,24 @@ public:
   // Starts at the middle of the body.
   void body_force(const BodyForce& force) {
     const Point middle = centre_of(scene_, force.body);
-    const Point p = view_.at(middle.x, middle.y), axis = view_.at(force.axis.x, force.axis.y);
-    if ((force.force.x != 0.0 || force.force.y != 0.0) && visible(view_, p))
+    const Point p = view_.at(middle), axis = view_.at(force.axis);
+    if ((force.force.x != 0.0 || force.force.y != 0.0) && view_.is_near(p))
       arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, kInnerArrow, 13.0);
-    if (force.rho_omega2 != 0.0 && visible(view_, axis)) turn(Symbol::kRotation, axis, true);
+    if (force.rho_omega2 != 0.0 && view_.is_near(axis)) turn(Symbol::kRotation, axis, true);
   }
 
   void rigid_motion(const RigidMotion& motion) {
     const Point middle = centre_of(scene_, motion.body);
-    const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
-    if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
+    const Point p = view_.at(middle), axis = view_.at(motion.axis);
+    if ((motion.by.x != 0.0 || motion.by.y != 0.0) && view_.is_near(p))
       arrow(Symbol::kRigidMotion, p, motion.by, motion.by, kInnerArrow, 12.0);
-    if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
+    if (motion.rotation != 0.0 && view_.is_near(axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
   }
 
   void rigid_load(const RigidLoad& load) {
     for (const Image& image : scene_.images) {
-      const Point at = image.place(load.at), p = view_.at(at.x, at.y), force = image.direction(load.force);
-      if (!visible(view_, p)) continue;
+      const Point at = image.place(load.at), p = view_.at(at), force = image.direction(load.force);
+      if (!view_.is_near(p)) continue;
       if (force.x != 0.0 || force.y != 0.0) arrow(Symbol::kRigidForce, p, force, {0.0, 0.0}, 36.0, 11.0);
       if (load.moment != 0.0) turn(Symbol::kRigidMoment, p, load.moment * image.turn.x * image.turn.y > 0.0);
       svg_.mark(Mark::kCircle, p, 4.0, stroke_of(Symbol::kRigidForce, case_).colour);
@@ -249,8 +244,8 @@ void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& pre
       if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends]) continue;
       if (!take_place(placed[both ? 1 : 0], scene, view, body.ends[i], kSpacing)) continue;
       for (const Image& image : scene.images) {
-        const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
-        if (!visible(view, p)) continue;
+        const Point at = image.place(body.ends[i]), p = view.at(at);
+        if (!view.is_near(p)) continue;
         present.support = true;
         const Point n = image.direction(out[static_cast<size_t>(body.nodes[i])]);
         const bool along_x = both ? std::fabs(n.x) > std::fabs(n.y) + 1e-3 : fixed[0];

@@ -76,8 +76,7 @@ c2d_status collect(const Scene& scene, size_t b, Curves& out) {
 
 c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
   Curves curves;
-  const c2d_status status = collect(scene, b, curves);
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = collect(scene, b, curves); status != C2D_OK) return status;
   const double left = 66.0, right = kPictureWidth - 18.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, curves.entries) + 12.0;
   Picture picture{"boundary", "Stress along the boundary", "", ""};

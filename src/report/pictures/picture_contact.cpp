@@ -124,9 +124,7 @@ public:
 
 private:
   void body(size_t b) {
-    Outlines curves = deformation_.outline(c_.scene.bodies[b], b);
-    for (auto& curve : curves)
-      for (Point& p : curve) p = view_.at(p.x, p.y);
+    const Outlines curves = view_.at(deformation_.outline(c_.scene.bodies[b], b));
     svg_.area(curves, style_of(b).fill, Stroke{});
     for (const std::vector<Point>& piece : pieces_within(curves, view_.frame))
       svg_.polyline(piece, Stroke{style_of(b).edge, 1.2, style_of(b).dash});
@@ -138,7 +136,7 @@ private:
     const Point at = deformation_.place(body, image.place(p.on[1]), image.direction(p.moved[1]));
     const Point normal = image.direction(p.normal);
     return {pair,
-            view_.at(at.x, at.y),
+            view_.at(at),
             {normal.x, -normal.y},
             scale_ * c_.value(pair, C2D_TN),
             c_.friction_scale * scale_ * c_.value(pair, C2D_TT)};

@@ -88,7 +88,7 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
   svg.begin_clip({frame.left - 5.0, frame.top - 5.0, frame.right + 5.0, frame.bottom + 5.0});
   for (size_t i = 0; i < lines.size(); ++i) {
     std::vector<Point> points;
-    for (const Point& p : lines[i].points) points.push_back(chart.at(p.x, p.y));
+    for (const Point& p : lines[i].points) points.push_back(chart.at(p));
     svg.polyline(points, kMeasureLines[i]);
     for (const Point& p : points) svg.mark(kMarks[i], p, 6.0, kMeasureLines[i].colour, i % 2 == 0);
   }

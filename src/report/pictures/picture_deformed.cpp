@@ -42,9 +42,7 @@ void draw_shapes(Svg& svg, const Scene& scene, const Chart& view, const Deformat
   for (int pass = 0; pass < 2; ++pass)
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
       const BodyStyle& style = style_of(b);
-      Outlines curves = pass == 0 ? deformation.outline(scene.bodies[b], b) : outline_of(scene.bodies[b], 0.0);
-      for (auto& curve : curves)
-        for (Point& p : curve) p = view.at(p.x, p.y);
+      const Outlines curves = view.at(pass == 0 ? deformation.outline(scene.bodies[b], b) : outline_of(scene.bodies[b], 0.0));
       if (pass == 0) svg.area(curves, style.fill, Stroke{});
       // Dashes need lines that do not run far outside the view.
       for (const std::vector<Point>& piece : pieces_within(curves, view.frame))

@@ -55,7 +55,7 @@ void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures&
                     make_axis(x, "mean displacement of side 2 against side 1", scene.length_unit, 6),
                     make_axis(y, "friction force on side 1", scene.force_unit, 6)};
   std::vector<Point> points, cycle;
-  for (const Point& p : loop.path) points.push_back(chart.at(p.x, p.y));
+  for (const Point& p : loop.path) points.push_back(chart.at(p));
   cycle.assign(points.begin() + static_cast<ptrdiff_t>(loop.first), points.begin() + static_cast<ptrdiff_t>(loop.last) + 1);
   Svg svg(name, kPictureWidth, 378.0);
   if (loop.any()) svg.area({cycle}, "#eeeeee", Stroke{});

@@ -68,7 +68,7 @@ void draw_ends(Svg& svg, const Image& image, const MeshCurve& curve, const Chart
   std::vector<Point> points;
   for (const auto& end : curve.ends) {
     const Point p = image.place({end[0], end[1]});
-    points.push_back(view.at(p.x, p.y));
+    points.push_back(view.at(p));
   }
   const size_t last = points.size() - 1;
   for (size_t i = curve.closed ? 1 : 0; i < points.size(); ++i) {
@@ -90,9 +90,7 @@ void draw_view(Svg& svg, const Scene& scene, const MeshRound& round, const Chart
   draw_axes(svg, view);
   svg.begin_clip(view.frame);
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
-    std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], 0.0);
-    for (auto& curve : curves)
-      for (Point& p : curve) p = view.at(p.x, p.y);
+    const Outlines curves = view.at(outline_of(scene.bodies[b], 0.0));
     svg.area(curves, style_of(b).fill, Stroke{});
     for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
       svg.polyline(piece, Stroke{style_of(b).edge, 1.0, ""});

@@ -1,4 +1,5 @@
 #include "report/drawn/axes.hpp"
+#include "report/pictures/contour.hpp"
 #include "report/pictures/model_symbols.hpp"
 #include "report/pictures/pictures.hpp"
 #include "report/text.hpp"
@@ -8,9 +9,6 @@
 
 namespace app {
 namespace {
-
-Point mapped(const Chart& view, Point p) { return view.at(p.x, p.y); }
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 // A rigid body is hatched.
 std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
@@ -40,23 +38,16 @@ public:
   }
 
 private:
-  bool visible(Point p) const {
-    const Box& f = view_.frame;
-    return p.x > f.left - 20 && p.x < f.right + 20 && p.y > f.top - 20 && p.y < f.bottom + 20;
-  }
-
   void bodies(size_t b) {
     const BodyScene& body = scene_.bodies[b];
     if (body.platen) return platen(b);
-    std::vector<std::vector<Point>> curves = outline_of(body, 0.0);
-    for (auto& curve : curves)
-      for (Point& p : curve) p = mapped(view_, p);
+    const Outlines curves = view_.at(outline_of(body, 0.0));
     svg_.area(curves, fill_of(svg_, scene_, b), Stroke{style_of(b).edge, 1.3, ""});
     for (const Image& image : scene_.images) {
       Point last{-1e9, -1e9};
       for (const Point& corner : body.corners) {
-        const Point p = mapped(view_, image.place(corner));
-        if (!visible(p) || distance(p, last) < 3.0) continue;
+        const Point p = view_.at(image.place(corner));
+        if (!view_.is_near(p) || distance(p, last) < 3.0) continue;
         svg_.mark(Mark::kCircle, p, zoom_ ? 3.2 : 2.2, style_of(b).edge);
         taken_.push_back(around(p, 3.0, 3.0));
         last = p;
@@ -71,10 +62,10 @@ private:
       for (const Image& image : scene_.images) {
         std::vector<Point> bar;
         for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
-          bar.push_back(mapped(view_, image.place(scene_.pairs[p].on[0])));
+          bar.push_back(view_.at(image.place(scene_.pairs[p].on[0])));
         svg_.polyline(bar, platen_stroke(b));
         for (const Point& p : bar)
-          if (visible(p)) svg_.mark(Mark::kSquare, p, 5.0, style_of(b).edge, false);
+          if (view_.is_near(p)) svg_.mark(Mark::kSquare, p, 5.0, style_of(b).edge, false);
       }
     }
   }
@@ -98,8 +89,8 @@ private:
     for (const Image& image : scene_.images)
       for (const PairScene& pair : scene_.pairs) {
         if (!is_of_contact(scene_, pair)) continue;
-        const Point a = mapped(view_, image.place(pair.on[0])), b = mapped(view_, image.place(pair.on[1]));
-        if (!visible(a)) continue;
+        const Point a = view_.at(image.place(pair.on[0])), b = view_.at(image.place(pair.on[1]));
+        if (!view_.is_near(a)) continue;
         const bool tied = scene_.zones[static_cast<size_t>(pair.zone) - 1].tied;
         const char* ink = tied ? colour::kTie : colour::kGreen;
         const Mark mark = tied ? Mark::kDiamond : Mark::kSquare;
@@ -114,7 +105,7 @@ private:
         if (scene_.bodies[static_cast<size_t>(zone.body[0]) - 1].platen) continue;
         std::vector<Point> line;
         for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
-          line.push_back(mapped(view_, image.place(scene_.pairs[p].on[0])));
+          line.push_back(view_.at(image.place(scene_.pairs[p].on[0])));
         svg_.polyline(line, Stroke{zone.tied ? colour::kTie : colour::kGreen, 2.6, ""});
       }
   }
@@ -128,7 +119,7 @@ private:
       for (const size_t p : {zone.first, last}) {
         const std::string number = std::to_string(p + 1);
         Point at;
-        if (find_room(mapped(view_, scene_.pairs[p].on[0]), 0.5 * text_width(number, 11.0) + 1.0, 7.0, 40.0, at))
+        if (find_room(view_.at(scene_.pairs[p].on[0]), 0.5 * text_width(number, 11.0) + 1.0, 7.0, 40.0, at))
           svg_.text({at.x, at.y + 4.0}, number, 11.0, Anchor::kMiddle, zone.tied ? colour::kTie : colour::kGreen, false, true);
         if (last == zone.first) break;
       }
@@ -138,9 +129,7 @@ private:
   // The number of every body: inside, where nothing else stands; else beside it, with a line to it.
   void body_labels() {
     for (size_t b = 0; b < scene_.bodies.size(); ++b) {
-      std::vector<std::vector<Point>> curves = outline_of(scene_.bodies[b], 0.0);
-      for (auto& curve : curves)
-        for (Point& p : curve) p = mapped(view_, p);
+      const Outlines curves = view_.at(outline_of(scene_.bodies[b], 0.0));
       const std::string number = std::to_string(b + 1);
       const double half = std::max(9.0, 0.5 * text_width(number, kBodyNumber) + 3.0);
       double room = 0.0;
@@ -182,19 +171,18 @@ private:
     for (const BodyScene& body : scene_.bodies)
       for (const std::vector<Point>& curve : outline_of(body, 0.0))
         for (size_t i = 0; i < curve.size(); ++i) {
-          const Point a = mapped(view_, curve[i]), b = mapped(view_, curve[(i + 1) % curve.size()]);
+          const Point a = view_.at(curve[i]), b = view_.at(curve[(i + 1) % curve.size()]);
           const int parts = 1 + static_cast<int>(std::min(500.0, distance(a, b) / 4.0));
           for (int k = 0; k < parts; ++k) {
             const Point p{a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts};
-            if (visible(p)) edges_.push_back(around(p, 1.5, 1.5));
+            if (view_.is_near(p)) edges_.push_back(around(p, 1.5, 1.5));
           }
         }
   }
 
   // Of the middles of rows and columns of a body within the frame, those amid the body first, the one farthest
   // from its boundary where nothing stands; `room`: how far. 0: there is none.
-  Point widest_place(const std::vector<std::vector<Point>>& curves, double half, const std::vector<Box>& taken,
-                     double& room) const {
+  Point widest_place(const Outlines& curves, double half, const std::vector<Box>& taken, double& room) const {
     const Box& f = view_.frame;
     const Box inner{f.left + half + 1.0, f.top + half + 1.0, f.right - half - 1.0, f.bottom - half - 1.0};
     Range x, y;
@@ -212,7 +200,7 @@ private:
       for (const Point& p : middles(curves, inner, level, row)) {
         const Box label = around(p, half, half);
         if (!is_free(label, taken)) continue;
-        const double here = distance_to(curves, p);
+        const double here = distance_to_outline(curves, p);
         if (here > room + 0.5 || room == 0.0) best = p, room = here;
       }
     }
@@ -220,7 +208,7 @@ private:
   }
 
   // Middles of the parts of a row (y = level) or column that lie inside curves and a box.
-  static std::vector<Point> middles(const std::vector<std::vector<Point>>& curves, const Box& box, double level, bool row) {
+  static std::vector<Point> middles(const Outlines& curves, const Box& box, double level, bool row) {
     std::vector<double> crossings;
     for (const std::vector<Point>& curve : curves)
       for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
@@ -235,19 +223,6 @@ private:
       if (low < high) out.push_back(row ? Point{0.5 * (low + high), level} : Point{level, 0.5 * (low + high)});
     }
     return out;
-  }
-
-  static double distance_to(const std::vector<std::vector<Point>>& curves, Point p) {
-    double least = HUGE_VAL;
-    for (const std::vector<Point>& curve : curves)
-      for (size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
-        const Point a = curve[j], way{curve[i].x - a.x, curve[i].y - a.y};
-        const double square = way.x * way.x + way.y * way.y;
-        const double along = square > 0.0 ? ((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square : 0.0;
-        const double part = std::min(1.0, std::max(0.0, along));
-        least = std::min(least, distance(p, {a.x + part * way.x, a.y + part * way.y}));
-      }
-    return least;
   }
 
   static Box around(Point p, double half_width, double half_height) {

@@ -54,7 +54,7 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   grid.values.assign(grid.columns * grid.rows, 0.0);
   grid.known.assign(grid.values.size(), 0);
   if (scene.bodies[b].rigid) return C2D_OK; // has no stress
-  const std::vector<std::vector<Point>> outline = outline_of(scene.bodies[b], 0.0);
+  const Outlines outline = outline_of(scene.bodies[b], 0.0);
   std::vector<double> points;
   std::vector<size_t> where;
   for (size_t r = 0; r < grid.rows; ++r)
@@ -67,8 +67,7 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
     }
   if (where.empty()) return C2D_OK;
   std::vector<double> values;
-  const c2d_status status = stresses_at(scene, b, points, values);
-  if (status != C2D_OK) return status;
+  if (const c2d_status status = stresses_at(scene, b, points, values); status != C2D_OK) return status;
   for (size_t i = 0; i < where.size(); ++i) {
     const double* row = values.data() + i * C2D_POINT_FIELDS;
     if (static_cast<int>(row[C2D_POINT_FLAG]) == C2D_POINT_OUTSIDE) continue;
@@ -101,8 +100,7 @@ c2d_status climb(const Scene& scene, const Window& window, DrawnPeak& peak) {
       points.push_back(peak.at.x + step * std::cos(angle));
       points.push_back(peak.at.y + step * std::sin(angle));
     }
-    const c2d_status status = stresses_at(scene, peak.body, points, values);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = stresses_at(scene, peak.body, points, values); status != C2D_OK) return status;
     const DrawnPeak before = peak;
     for (size_t k = 0; k < kAround; ++k) {
       const double* row = values.data() + k * C2D_POINT_FIELDS;
@@ -130,8 +128,7 @@ c2d_status find_on_boundary(const Scene& scene, const Window& window, DrawnPeak&
       if (shown && !body.on_line[i / per_element]) points.insert(points.end(), {p.x, p.y});
     }
     if (points.empty()) continue;
-    const c2d_status status = stresses_at(scene, b, points, values);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = stresses_at(scene, b, points, values); status != C2D_OK) return status;
     for (size_t i = 0; 2 * i < points.size(); ++i) {
       const double* row = values.data() + i * C2D_POINT_FIELDS;
       const bool known = static_cast<int>(row[C2D_POINT_FLAG]) != C2D_POINT_OUTSIDE;
@@ -167,21 +164,17 @@ void draw_window(Svg& svg, const Scene& scene, Window& window, const std::vector
   draw_axes(svg, window.view);
   const size_t bands = levels.size() - 1;
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
-    std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], 0.0);
-    for (auto& curve : curves)
-      for (Point& p : curve) p = window.view.at(p.x, p.y);
+    const Outlines curves = window.view.at(outline_of(scene.bodies[b], 0.0));
     extend(window.grids[b], 2);
-    std::vector<Polygons> filled = fill_bands(window.grids[b], levels);
+    const std::vector<Polygons> filled = fill_bands(window.grids[b], levels);
     svg.begin_clip(window.view.frame);
     svg.begin_clip(curves);
     for (size_t k = 0; k < bands; ++k) {
       if (filled[k].empty()) continue;
-      for (auto& polygon : filled[k])
-        for (Point& p : polygon) p = window.view.at(p.x, p.y);
       const std::string ink = scale_colour((static_cast<double>(k) + 0.5) / static_cast<double>(bands));
       svg.raw("<path d=\"");
       std::string data;
-      append_curves(data, filled[k]);
+      append_curves(data, window.view.at(filled[k]));
       // The thin edge closes the seams between polygons of one colour.
       svg.raw(data + "\" fill=\"" + ink + "\" stroke=\"" + ink + "\" stroke-width=\"0.5\"/>\n");
     }
@@ -218,8 +211,7 @@ c2d_status draw_stress_of(const Scene& scene, const std::string& name, const std
   window.view = make_view({left, top, right, top + high}, x, y, margin, scene.length_unit);
   window.grids.resize(scene.bodies.size());
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
-    const c2d_status status = sample(scene, b, window.view, window.grids[b]);
-    if (status != C2D_OK) return status;
+    if (const c2d_status status = sample(scene, b, window.view, window.grids[b]); status != C2D_OK) return status;
   }
   DrawnPeak peak = find_peak(window);
   c2d_status status = climb(scene, window, peak);

@@ -20,15 +20,6 @@ std::vector<Point> field(c2d_solver* solver, int32_t x, int32_t y, int32_t body,
   return out;
 }
 
-double size_of(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::hypot(high.x - low.x, high.y - low.y);
-}
-
 // Step of the functional node numbers from element to element and the first number of a region, for the given elements
 // (`children` null) or the bisected ones.
 struct NodeCount {
@@ -90,7 +81,7 @@ CutBody cut_body(c2d_solver* solver, int32_t body, int32_t function_nodes) {
   out.surface = field(solver, C2D_SURFACE_X, C2D_SURFACE_Y, body, sizes.elements);
   out.in_contact.assign(static_cast<size_t>(sizes.elements), false);
   out.curve.assign(static_cast<size_t>(sizes.elements), -1);
-  const double least = kCoincident * size_of(out.points);
+  const double least = kCoincident * length(app::extent_of(out.points));
   out.children.push_back(0);
   for (int32_t e = 0; e < sizes.elements; ++e) {
     const std::vector<Point> p = out.points_of(out.region_of(e), e);

@@ -1,20 +1,18 @@
 // One body of a deck with bisected elements: new numbers of its elements and nodes. All numbers are from 0.
 #pragma once
 
+#include "post/point.hpp"
+
 #include <contact2d.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace estimate {
 
-struct Point {
-  double x, y;
-};
-inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+using app::distance, app::length, app::Point;
 
 // Throws on a failed call of the interface: calls fail only if the solver has no model.
 void need(c2d_status status);

@@ -1,7 +1,8 @@
 #include "program/sketch/read/point_rows.hpp"
 
+#include "program/read_number.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace sketch {
@@ -59,14 +60,9 @@ Fields fields_of(std::string_view row, bool& decimal_comma) {
 bool read_number(std::string_view field, bool decimal_comma, double& value) {
   if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = trimmed(field.substr(1, field.size() - 2));
   std::string text(field);
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);
   if (decimal_comma && std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
     text[text.find(',')] = '.';
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == 'd' || c == 'D'; }, 'e');
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  return !text.empty() && result.ec == std::errc() && result.ptr == end;
+  return app::read_fortran_number(text, value);
 }
 
 bool is_word(std::string_view field) {

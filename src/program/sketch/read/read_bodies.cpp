@@ -150,11 +150,10 @@ void Reader::arc(Statement& s) {
   }
   const Point end = target(s), chord = end - begin;
   if (s.accept("through")) {
-    const Point p = s.point("a point of the arc") - begin;
-    const double area = cross(p, chord);
+    const Point middle = s.point("a point of the arc");
+    const double area = cross(middle - begin, chord);
     if (std::fabs(area) <= 1e-12 * dot(chord, chord)) s.fail("the three points are on one line, expected points of an arc");
-    const Point centre = begin + (1 / (2 * area)) * Point{dot(p, p) * chord.y - dot(chord, chord) * p.y,
-                                                          dot(chord, chord) * p.x - dot(p, p) * chord.x};
+    const Point centre = app::circle_centre(begin, middle, end);
     return draw(s, name,
                 sketch::arc(centre, length(begin - centre), degrees(begin - centre),
                             sweep_between(begin - centre, end - centre, area < 0)));

@@ -1,10 +1,7 @@
 #include "program/sketch/read/words.hpp"
 
-#include "report/text.hpp"
-
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 
 namespace sketch {
 namespace {
@@ -67,16 +64,6 @@ std::vector<Word> words_of(std::string_view text, int line) {
     i = end;
   }
   return out;
-}
-
-std::string show(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-}
-
-std::string rounded(double value) {
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
 
 std::string in_quotes(const std::string& text) { return "'" + text + "'"; }

@@ -2,6 +2,8 @@
 // words outside brackets and quotes. A semicolon is a separate word. The text after `title` is one word.
 #pragma once
 
+#include "report/text.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +30,8 @@ struct Word {
 // Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
 std::vector<Word> words_of(std::string_view text, int line);
 
-std::string show(double value);                 // the fewest digits that give the same double
-std::string rounded(double value);              // to six digits, for computed values
+inline std::string show(double value) { return app::shortest(value); }
+using app::rounded;                             // for computed values
 std::string in_quotes(const std::string& text); // 'text'
 // Text allowed on cards of a deck: printable ASCII; in names, one line of UTF-8.
 bool is_ascii(const std::string& text);
