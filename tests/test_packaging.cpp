@@ -1,7 +1,7 @@
 // What is handed to others: the man page, and the library in one file.
 #include "paths.hpp"
+#include "program/commands/commands.hpp"
 #include "program/commands/families.hpp"
-#include "program/commands/man_page.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 

@@ -5,8 +5,7 @@
 #include "shell.hpp"
 #include "system_calls.hpp"
 
-#include "program/commands/check.hpp"
-#include "program/commands/convert.hpp"
+#include "program/commands/commands.hpp"
 #include "program/commands/job.hpp"
 #include "program/files/deck_file.hpp"
 #include "program/files/output_file.hpp"

@@ -1,8 +1,7 @@
 // A deck through the words of the program: check, convert there and back, mesh --halve.
 #include "fuzz.hpp"
 
-#include "program/commands/check.hpp"
-#include "program/commands/convert.hpp"
+#include "program/commands/commands.hpp"
 #include "program/estimate/mesh/halved.hpp"
 #include "program/exit_code.hpp"
 #include "program/session.hpp"

@@ -1,4 +1,4 @@
-#include "program/commands/check.hpp"
+#include "program/commands/commands.hpp"
 
 #include "contact2d_memory.h"
 #include "post/summary.hpp"

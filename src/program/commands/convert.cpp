@@ -1,4 +1,4 @@
-#include "program/commands/convert.hpp"
+#include "program/commands/commands.hpp"
 
 #include "program/exit_code.hpp"
 #include "program/files/deck_file.hpp"

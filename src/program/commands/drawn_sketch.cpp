@@ -1,4 +1,4 @@
-#include "program/commands/drawn_sketch.hpp"
+#include "program/commands/commands.hpp"
 
 #include "program/drawing/read.hpp"
 #include "program/drawing/write.hpp"

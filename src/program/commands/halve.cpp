@@ -1,4 +1,4 @@
-#include "program/commands/halve.hpp"
+#include "program/commands/commands.hpp"
 
 #include "program/estimate/mesh/halved.hpp"
 #include "program/exit_code.hpp"

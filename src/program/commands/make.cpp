@@ -1,4 +1,4 @@
-#include "program/commands/make.hpp"
+#include "program/commands/commands.hpp"
 
 #include "program/commands/families.hpp"
 #include "program/exit_code.hpp"

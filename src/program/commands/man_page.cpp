@@ -1,4 +1,4 @@
-#include "program/commands/man_page.hpp"
+#include "program/commands/commands.hpp"
 
 #include "program/commands/families.hpp"
 #include "program/option_table.hpp"
