@@ -12,7 +12,7 @@ struct Decimal {
   int exponent;
 };
 
-Decimal shortest(double value) {
+Decimal shortest_decimal(double value) {
   char buffer[40];
   const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
   Decimal decimal;
@@ -45,7 +45,7 @@ std::string scaled(const Decimal& d) {
 
 std::string real_in_columns(double value, size_t width) {
   if (value == 0) return width > 0 ? "0" : "";
-  const Decimal decimal = shortest(value < 0 ? -value : value);
+  const Decimal decimal = shortest_decimal(value < 0 ? -value : value);
   const std::string sign = value < 0 ? "-" : "";
   std::string text = sign + plain(decimal);
   if (text.size() > width) {

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-bool fail(const std::string& path, const char* what, int code, std::string& error) {
+bool seal_failed(const std::string& path, const char* what, int code, std::string& error) {
   error = path + ": " + what + ": " + system_text(code);
   return false;
 }
@@ -57,17 +57,17 @@ bool write_sealed(const std::string& path, const std::string& kind, const std::s
   if (code == 0 && ::rename(aside.c_str(), path.c_str()) != 0) code = errno;
   if (code != 0) {
     ::unlink(aside.c_str());
-    return fail(path, "cannot be written", code, error);
+    return seal_failed(path, "cannot be written", code, error);
   }
   code = sync_folder(folder_of(path));
-  return code == 0 || fail(path, "cannot be flushed to disk", code, error);
+  return code == 0 || seal_failed(path, "cannot be flushed to disk", code, error);
 }
 
 Sealed read_sealed(const std::string& path, const std::string& kind, std::string& text, std::string& error) {
   text.clear();
   const int code = read_file(path, text);
   if (code == ENOENT || code == ENOTDIR) return Sealed::kAbsent;
-  if (code != 0) return fail(path, "cannot be read", code, error), Sealed::kFailed;
+  if (code != 0) return seal_failed(path, "cannot be read", code, error), Sealed::kFailed;
   const std::string first = kind + '\n';
   const size_t length = text.size() < kSealLength ? 0 : text.size() - kSealLength;
   const bool whole = length >= first.size() && text.compare(length, kSealLength, seal_of(text, length)) == 0;
@@ -84,7 +84,7 @@ Sealed read_sealed(const std::string& path, const std::string& kind, std::string
 }
 
 bool remove_file(const std::string& path, std::string& error) {
-  return ::unlink(path.c_str()) == 0 || errno == ENOENT || fail(path, "cannot be removed", errno, error);
+  return ::unlink(path.c_str()) == 0 || errno == ENOENT || seal_failed(path, "cannot be removed", errno, error);
 }
 
 bool remove_sealed(const std::string& path, std::string& error) {
