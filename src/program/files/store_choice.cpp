@@ -174,13 +174,14 @@ bool StoreChoice::remove_tapes(std::string& error) {
   return code == 0;
 }
 
-// The file of a tape, or the folder that could not be made for it; none if it is in memory.
+std::string StoreChoice::file_of(int32_t tape) const {
+  if (folder_.empty()) return tried_;
+  if (tape < 0 || tape >= C2D_TAPES || tapes_[tape].in_memory) return std::string();
+  return folder_ + "/" C2D_POSIX_STORE_FOLDER "/tape" + std::to_string(tape) + ".c2d";
+}
+
 std::string StoreChoice::why_failed(const c2d_error& error, c2d_status status) const {
-  std::string file = tried_;
-  if (!folder_.empty()) {
-    const bool in_file = error.tape >= 0 && error.tape < C2D_TAPES && !tapes_[error.tape].in_memory;
-    file = in_file ? folder_ + "/" C2D_POSIX_STORE_FOLDER "/tape" + std::to_string(error.tape) + ".c2d" : "";
-  }
+  const std::string file = file_of(error.tape);
   if (error.host_code == 0 && file.empty()) return "";
   return (file.empty() ? "" : file + ": ") + (error.host_code != 0 ? system_text(error.host_code) : c2d_message(status));
 }

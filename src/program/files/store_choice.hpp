@@ -48,6 +48,8 @@ public:
 
   // The system message of a store call that returned `host_code`.
   std::string system_text(int32_t host_code) const;
+  // The file of a tape, or the folder that could not be made for it; empty if it is in memory, or there is no such tape.
+  std::string file_of(int32_t tape) const;
   // Why a call of the store failed: with the file, or what the system says; empty: neither is known.
   std::string why_failed(const c2d_error& error, c2d_status status) const;
   // The folder that --keep leaves behind; empty if all tapes were in memory.
