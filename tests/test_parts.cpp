@@ -106,7 +106,7 @@ public:
                           " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
                           " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
     for (const char* file : {"interface/read_deck", "interface/model/model_calls", "interface/attach", "interface/save_calls",
-                             "interface/model/zone_calls", "interface/advance", "interface/run", "solver/save"})
+                             "interface/model/zone_calls", "interface/advance", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" + paths::library() + "' -lm -pthread -o '" + (folder_ / "parts") + "'");
     // A build that counts branches reads the counters with the program (tests/coverage).
