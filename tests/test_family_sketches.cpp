@@ -81,9 +81,9 @@ TEST_CASE("family sketches: Hertz, alone and on a layer of the half plane's mate
   CHECK(run("coating", {{"E2", 3000}}).at("peak pressure", 1).value > 1.1 * 1000 / 1.82 / 200);
 }
 
-// The error stated at 4 % is half of the true one: the first two meshes agree on the edge by accident.
-TEST_CASE("family sketches: the edge on a layer of the same material, at 4 %" * doctest::should_fail()) {
-  check_place(run("coating").at("contact edge", 1), 1);
+// Two meshes agree on the edge by accident; what it has moved since the round before tells.
+TEST_CASE("family sketches: the edge on a layer of the same material, at 4 and at 1 %") {
+  for (const double tolerance : {0.04, 0.01}) check_place(run("coating", {{"tolerance", tolerance}}).at("contact edge", 1), 1);
 }
 
 TEST_CASE("family sketches: Cattaneo and Mindlin: pressure, border of stick, dissipation") {
@@ -97,6 +97,13 @@ TEST_CASE("family sketches: Cattaneo and Mindlin: pressure, border of stick, dis
   const double muP = 0.3 * kPi / (4 * 200 * 2 * 0.91 / 1000), k = 0.4;
   const double loop = 4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
   check(f.at("dissipated", 0), 1.25 * loop); // the way out slips half as far as the way back
+}
+
+// Linear functions took sixteen meshes and four times as long: the tractions are accurate long before the force of the flanks.
+TEST_CASE("family sketches: a cylinder moved by its flanks gets quadratic functions") {
+  const Found f = run("mindlin", {{"tolerance", 0.01}});
+  CHECK(f.adapted.sketch.order == 2);
+  CHECK(f.adapted.loop.rounds.back().equations < 2000);
 }
 
 TEST_CASE("family sketches: Spence's punch, and Turner's unloading") {

@@ -218,6 +218,37 @@ tolerance 5 %
   }
 }
 
+// The arms beside it open by what 200 quadratic elements on either face say, 0.04010; linear elements longer than the slit is
+// wide make them too stiff by a fifth, on every mesh that the loop could afford.
+TEST_CASE("gaps: arms beside a slit that is narrower than their elements are as soft as they are") {
+  for (const double w : {1e-1, 1e-3, 1e-4}) {
+    CAPTURE(w);
+    const estimate::Adapted a = adapt(R"(
+parameter w 1
+body b E 1000 nu 0.3
+  from -5 -5
+  line bottom to 5 -5
+  line right to 5 5
+  line top to {w/2} 5
+  line face to {w/2} 0
+  line tip to {-w/2} 0
+  line face2 to {-w/2} 5
+  line top2 to -5 5
+  line left close
+fix b.bottom
+traction b.right x 1
+traction b.left x -1
+want stress b 4 4 3 %
+)",
+                                      {{"w", w}});
+    CHECK(is_met(a));
+    CHECK(a.sketch.order == 2);
+    const app::Stated opens = number(a, "displacement x");
+    CHECK(std::fabs(opens.value - (w > 0.01 ? 0.04068 : 0.04010)) <= opens.error / 0.8 + 1e-5);
+    CHECK(opens.error <= 0.03 * opens.scale);
+  }
+}
+
 // Such a beam had no end: its first meshes differ by 88 % of the energy, a stout one's by less than 30 %.
 TEST_CASE("gaps: a slender beam over a stop bends, and gets quadratic functions; a stout one does not") {
   const std::string beam = R"(

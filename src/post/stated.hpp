@@ -25,9 +25,10 @@ struct Stated {
   int32_t images = 1;    // Quantity::images
   bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded
   bool confirmed = true; // confirmed by another round or another error estimate
-  // For the next round: difference of the two meshes; error from the previous change; difference from another method
-  // on the same mesh.
-  double apart = NAN, error_by_before = NAN, doubt = 0;
+  // What the error was made of, the terms of METHOD (16.7), for the next round and for fits of the weights: the difference of
+  // the two meshes, that of the round before reduced, the distance of the tractions times the scale, the spacing of pairs, the
+  // difference from another method on the same mesh; and the error with the second in place of the first.
+  double apart = NAN, before = NAN, hidden = NAN, spacing = 0, doubt = 0, error_by_before = NAN;
   int way = 0; // method by which it was found: higher is better
   std::string name() const { return name_of(what) + of; }
   bool has_value() const { return what != Measure::kTractions; }

@@ -53,12 +53,13 @@ std::string kind_of(const std::string& message) {
 // All numbers of a sketch beside the truth, as a table.
 void write_numbers(const Judged& j, const std::string& file) {
   std::ofstream out(file);
-  out << "name,zone,body,item,value,error,truth,off,scale,tolerance,met\n";
+  out << "name,zone,body,item,value,error,truth,off,scale,tolerance,met,apart,before,hidden,spacing,doubt,energy,order\n";
   for (const Compared& c : j.numbers) {
-    char text[300];
-    std::snprintf(text, sizeof text, "%s,%d,%d,%d,%.9g,%.3g,%.9g,%.3g,%.3g,%g,%d\n", c.stated.name().c_str(), c.stated.zone,
-                  c.stated.body, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off, c.stated.scale,
-                  c.stated.tolerance, j.stopped.empty() ? 1 : 0);
+    char text[400];
+    std::snprintf(text, sizeof text, "%s,%d,%d,%d,%.9g,%.3g,%.9g,%.3g,%.3g,%g,%d,%.3g,%.3g,%.3g,%.3g,%.3g,%.3g,%d\n",
+                  c.stated.name().c_str(), c.stated.zone, c.stated.body, c.stated.item, c.stated.value, c.stated.error, c.truth,
+                  c.off, c.stated.scale, c.stated.tolerance, j.stopped.empty() ? 1 : 0, c.stated.apart, c.stated.before,
+                  c.stated.hidden, c.stated.spacing, c.stated.doubt, j.energy, j.order);
     out << text;
   }
 }

@@ -110,6 +110,8 @@ Judged judge(const std::string& text, const Limits& limits) {
     out.seconds = now() - start;
     out.stopped = adapted.loop.stopped;
     out.rounds = static_cast<int>(adapted.loop.rounds.size());
+    out.order = adapted.sketch.order;
+    if (adapted.loop.ran()) out.energy = adapted.loop.rounds[adapted.loop.taken].energy;
     if (adapted.status != C2D_OK) {
       (adapted.status == C2D_ERR_INPUT ? out.fault : out.failure) = adapted.why;
       return out;

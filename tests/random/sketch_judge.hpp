@@ -30,6 +30,8 @@ struct Judged {
   std::string no_truth;                     // why the other mesh has no result
   int rounds = 0, elements = 0, halved = 0; // halved: how often, for the truth
   double seconds = 0, seconds_of_truth = 0;
+  double energy = 0; // distance of the energy of the last two meshes
+  int order = 1;     // of functions
   std::vector<Compared> numbers;
 };
 

@@ -25,6 +25,8 @@ constexpr int32_t kFewPairs = 6;
 constexpr double kSameEnd = 0.01; // relative tolerance of the loads at an early end of the history; twice that for their work
 // Bounds on the change of a border: times its motion since the previous round; times the distance on the two meshes.
 constexpr double kOfMove = 2, kAtLeast = 0.4;
+// Of an edge's motion since the previous round: two meshes may agree by accident while the deformation of the bodies changes.
+constexpr double kOfEdgeMove = 0.25;
 constexpr double kOfDoubt = 2; // factor on the uncertainty where the coarse mesh has no comparable value
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
@@ -172,7 +174,7 @@ double change_before(const app::Stated* then, const Round* before, const Distanc
 
 // Sets the stated error of a number. `seen.before` is filled in here.
 void state(app::Stated& s, Seen seen, double before, const app::ErrorRule& rule) {
-  s.apart = seen.apart;
+  s.apart = seen.apart, s.before = before, s.hidden = seen.hidden, s.spacing = seen.spacing, s.doubt = seen.doubt;
   if (seen.apart <= kExact * s.scale && !(seen.doubt > kExact * s.scale)) {
     s.error = s.error_by_before = kRoundOff * s.scale;
     return;
@@ -303,10 +305,12 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     if (unseen && q.what == Measure::kDissipated) s.error = 0;
     if (other != nullptr && !unseen) {
       const bool moved = q.what == Measure::kStickBorder && !is_steady(halved, common - 1, q.zone);
-      double step = apart(*other, q);
+      const double since = last == nullptr ? NAN : std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]);
+      double step = apart(*other, q), doubt = q.doubt;
       if (moved && last != nullptr) // on the coarse mesh the border is at a node
-        step = std::min(step, std::max(kOfMove * std::hypot(q.at[0] - last->at[0], q.at[1] - last->at[1]), kAtLeast * step));
-      state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, q.doubt}, then,
+        step = std::min(step, std::max(kOfMove * since, kAtLeast * step));
+      if (q.what == Measure::kContactEdge && since > 0) doubt = kOfEdgeMove * since;
+      state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, doubt}, then,
             app::row_of(q.what).rule[moved ? 1 : 0]);
     }
     out.push_back(s);

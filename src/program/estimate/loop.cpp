@@ -44,6 +44,7 @@ constexpr int kEarlyRounds = 3;     // bisections of the contacts before an earl
 constexpr double kOfElements = 2.6; // exponent of the solution time over the number of elements
 constexpr double kOfPlaces = 0.75;  // tightening factor if only numbers at one place are inaccurate
 constexpr double kOfEnergy = 8;     // allowed energy difference over the tolerance
+constexpr double kLags = 2;         // times its tolerance: the error of a number that converges slower than the tractions
 
 struct Level {
   sketch::Mesh mesh;
@@ -72,6 +73,7 @@ private:
   bool all_within() const;
   void end_stages();
   bool takes_quadratic();
+  bool lags_behind() const;
   bool stays_linear();
   void watch();
   void tell_endless();
@@ -113,6 +115,9 @@ private:
   int idle_ = 0;                       // successive rounds without more elements
   int regrown_ = 0;                    // how often contact has reached elements that were left out
 };
+
+// A displacement or a stress at a point inside a body.
+bool is_inside(const app::Stated& s) { return s.zone == 0 && s.of.empty() && is_place(s); }
 
 double least_tolerance(const sketch::Sketch& s) {
   double out = s.tolerance;
@@ -308,11 +313,12 @@ void Loop::end_stages() {
 }
 
 // Finds numbers at one place whose errors no longer fall under refinement: at a sharp corner the value may be unbounded.
+// Numbers at points inside bodies are bounded.
 void Loop::watch() {
   std::map<std::tuple<app::Measure, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
     const int which = seen[{s.what, s.zone, s.item, s.body}]++;
-    if (is_near_enough(s) || !is_place(s)) continue;
+    if (is_near_enough(s) || !is_place(s) || is_inside(s)) continue;
     Watched& w = watched_[{s.what, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
@@ -376,19 +382,22 @@ bool Loop::is_near(const Distance& d) const {
   return std::all_of(d.pressure.begin(), d.pressure.end(), [&](double p) { return p < aim(); });
 }
 
-// Lowers the targets by the ratio of tolerance to error of the worst number. Numbers at one place have marks of their own.
+// Lowers the targets by the ratio of tolerance to error of the worst number, that of the energy from what it is: numbers inside
+// may need much less than `energy_aim`. Numbers at one place have marks of their own.
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
+  bool inside = false; // is a number inside a body inaccurate?
   for (const app::Stated& s : out_.loop.stated) {
     if (s.endless || std::isnan(s.tolerance)) continue;
     const bool within = is_near_enough(s);
     if (within && (s.confirmed || stage_ > least_)) continue; // a met number still needs confirmation on a finer mesh
+    inside = inside || (is_inside(s) && !within);
     double& worst = app::row_of(s.what).by_tractions && !std::isnan(s.error) ? contact : rest;
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
     worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
   }
   if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
-  if (d.energy < energy_aim() && rest < 1) rest_ *= std::clamp(rest, 0.05, 0.6);
+  if (d.energy < energy_aim() && rest < 1) rest_ *= (inside ? d.energy / energy_aim() : 1) * std::clamp(rest, 0.05, 0.6);
 }
 
 void Loop::tell_endless() {
@@ -425,6 +434,15 @@ bool Loop::takes_quadratic() {
   out_.sketch.order = 2;
   tries_order_ = true;
   return true;
+}
+
+// Linear functions represent the deformation of bodies worse than tractions: one that bends, an arm beside a slit. Is a number
+// that depends on it much less accurate than is wanted, although the tractions are accurate enough?
+bool Loop::lags_behind() const {
+  return std::any_of(out_.loop.stated.begin(), out_.loop.stated.end(), [&](const app::Stated& s) {
+    return (is_inside(s) || !is_place(s)) && !std::isnan(s.tolerance) &&
+           s.error > kLags * stage_ / least_ * s.tolerance * s.scale;
+  });
 }
 
 // Returns to linear functions where quadratic ones cannot be solved (ill-conditioned floating slender bodies).
@@ -479,6 +497,7 @@ Loop::Next Loop::refine(Level& coarse, const Level& fine, const Distance& betwee
   const bool near = is_near(between);
   if (near) watch();
   if (all_met() && between.energy < kUnfollowed) return tell_endless(), Next::end;
+  if (near && lags_behind() && takes_quadratic()) return begun_ = true, watched_.clear(), Next::again;
   const double before = stage_;
   end_stages();
   begun_ = true;
