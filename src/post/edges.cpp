@@ -225,7 +225,7 @@ namespace {
 // An intensity follows from four pairs. The mesh disturbs those in the elements next to the edge, which are left out.
 const int32_t kPairs = 4, kElementsOut = 4, kFewerOut = 2;
 const int32_t kFarther = 2;                       // elements: pairs this much farther in give a second value
-const double kOfFarther = 2, kOfIntensity = 0.01; // uncertainty: times the difference, and at least this fraction of the value
+const double kOfFarther = 2, kOfIntensity = 0.03; // uncertainty: times the difference, and at least this fraction of the value
 
 int32_t pairs_per_element(const ZoneLine& line) {
   const size_t elements = std::max<size_t>(line.pieces.size(), 1);

@@ -56,8 +56,19 @@ private:
   std::vector<std::vector<std::array<double, 2>>> zone_difference_; // per zone and state: total, and part of its own elements
 };
 
+// Forces of contacts below this are the round-off of the motions.
+constexpr double kNoForce = 1e-10;
+double least_force(const Trial& trial) {
+  double out = 0;
+  for (const State& state : trial.states)
+    for (size_t b = 0; b < state.ends.size(); ++b)
+      for (const Field f : {kUx, kUy})
+        for (const double u : state.ends[b][f]) out = std::max(out, kNoForce * trial.stiffness[b] * std::fabs(u));
+  return out;
+}
+
 Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overlaps)
-    : coarse_(coarse), fine_(fine), overlaps_(overlaps), largest_(coarse.zones.size(), 0.0) {
+    : coarse_(coarse), fine_(fine), overlaps_(overlaps), largest_(coarse.zones.size(), least_force(fine)) {
   find_zones();
 }
 

@@ -63,24 +63,31 @@ int edges_of(const State& state, int32_t zone) { // at least 1
 }
 
 // Scales of numbers near zero: forces are compared with the effect of round-off in motions, friction energies with 1e-4 of the
-// work, slip with 1e-4 of the approach.
-constexpr double kNothing = 1e-4, kNoForce = 1e-8;
+// work, slip with 1e-4 of the approach, pressures and approaches with the round-off of motions.
+constexpr double kNothing = 1e-4, kNoForce = 1e-8, kRoundedOff = 1e-10;
 constexpr double kUnseen = 1e-6; // times these scales: smaller slip is not resolved by any mesh
 struct Sizes {
   double force = 0, work = 0;         // smallest values that count
   double approach = 0;                // largest of all zones
   double motion = 0, rotation = 0;    // largest of rigid bodies and platens
   std::vector<double> forces, length; // per zone: force; length of side 2 (tie) or of the touching part (contact)
+  std::vector<double> pressure;       // per zone: smallest one that counts
 };
 
 Sizes sizes_of(const Trial& trial, const State& state) {
   Sizes out;
   for (size_t b = 0; b < state.ends.size(); ++b)
     for (const Field f : {kUx, kUy})
-      for (const double u : state.ends[b][f]) out.force = std::max(out.force, kNoForce * trial.stiffness[b] * std::fabs(u));
+      for (const double u : state.ends[b][f]) {
+        out.force = std::max(out.force, kNoForce * trial.stiffness[b] * std::fabs(u));
+        out.approach = std::max(out.approach, kRoundedOff * std::fabs(u));
+      }
   out.work = kNothing * std::max(std::fabs(state.work), std::fabs(state.elastic));
   out.forces.assign(trial.zones.size(), out.force);
-  for (size_t z = 0; z < trial.zones.size(); ++z) out.length.push_back(length_of_zone(trial, z));
+  for (size_t z = 0; z < trial.zones.size(); ++z) {
+    out.length.push_back(length_of_zone(trial, z));
+    out.pressure.push_back(kRoundedOff / kNoForce * out.force / out.length.back());
+  }
   for (const app::Quantity& q : state.quantities) {
     const double size = std::fabs(q.value);
     if (q.what == Measure::kApproach || q.what == Measure::kShift) out.approach = std::max(out.approach, size);
@@ -91,7 +98,7 @@ Sizes sizes_of(const Trial& trial, const State& state) {
       out.forces[static_cast<size_t>(q.zone) - 1] = std::hypot(out.forces[static_cast<size_t>(q.zone) - 1], size);
   }
   for (const app::Quantity& q : state.quantities)
-    if (q.what == Measure::kMeanPressure && q.value > 0)
+    if (q.what == Measure::kMeanPressure && q.value > out.pressure[static_cast<size_t>(q.zone) - 1])
       out.length[static_cast<size_t>(q.zone) - 1] = out.forces[static_cast<size_t>(q.zone) - 1] / q.value;
   return out;
 }
@@ -114,7 +121,8 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Scale::kOwn:
   case Scale::kGiven: break;
   }
-  return size;
+  const bool presses = q.what == Measure::kPeakPressure || q.what == Measure::kMeanPressure;
+  return presses ? std::max(size, sizes.pressure[zone]) : size;
 }
 
 // Difference of two values of a number. Places are compared by position, because lengths may start at different pairs.

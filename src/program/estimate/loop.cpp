@@ -289,6 +289,8 @@ void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& 
       open_contacts(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_);
   if (std::any_of(open.begin(), open.end(), [](const OpenContact& c) { return c.doubts(); }))
     for (app::Stated& s : stated) s.error = NAN;
+  for (app::Stated& s : stated) // nor has one of an empty contact while the bodies are not resolved
+    if (between.energy > kUnfollowed && s.zone > 0 && s.value == 0) s.error = NAN;
   for (app::Stated& s : stated) // slip zones at the edges may be narrower than an element
     if (s.what == app::Measure::kDissipated && s.error == 0 && may_rub(s_)) s.error = NAN;
   drop_unknown(stated);

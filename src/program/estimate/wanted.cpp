@@ -28,6 +28,26 @@ app::Stated number(Measure what, size_t body, double value, double scale, double
   return s;
 }
 
+// What displacements and stresses in a body must exceed not to be round-off: of the largest motion of all bodies, and of the
+// stress that it means along the body's boundary.
+constexpr double kNothing = 1e-10;
+double least_displacement(const Trial& trial) {
+  double largest = 0;
+  for (const State& state : trial.states) {
+    for (const auto& ends : state.ends)
+      for (const Field f : {kUx, kUy})
+        for (const double u : ends[f]) largest = std::max(largest, std::fabs(u));
+    for (const app::Quantity& q : state.quantities)
+      if (q.what == Measure::kMotionX || q.what == Measure::kMotionY) largest = std::max(largest, std::fabs(q.value));
+  }
+  return kNothing * largest;
+}
+double least_stress(const Trial& trial, size_t body) {
+  double boundary = 0;
+  for (const double length : trial.lengths[body]) boundary += length;
+  return boundary > 0 ? trial.stiffness[body] * least_displacement(trial) / boundary : 0;
+}
+
 // Range of a stress over states.
 struct Range {
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -40,7 +60,7 @@ struct Range {
 void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance,
                size_t first) {
   Range range[3];
-  double largest = 0;
+  double largest = least_stress(trial, static_cast<size_t>(want.body));
   for (size_t i = first; i < trial.states.size(); ++i)
     for (size_t c = 0; c < 3; ++c) range[c].take(trial.states[i].inside[place][c + 2]);
   for (const Range& r : range) largest = std::max(largest, r.largest());
@@ -57,7 +77,7 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
 // Displacements at a place at the end.
 void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t body, sketch::Point at, size_t place,
                        double tolerance) {
-  double largest = 0;
+  double largest = least_displacement(trial);
   for (const State& state : trial.states)
     largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
   for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
@@ -72,7 +92,7 @@ void add_pair(std::vector<app::Stated>& out, const Trial& trial, const Want& wan
   const auto apart = [&](const State& s) {
     return sketch::Point{s.inside[place][0] - s.inside[place + 1][0], s.inside[place][1] - s.inside[place + 1][1]};
   };
-  double largest = 0;
+  double largest = least_displacement(trial);
   for (const State& state : trial.states) largest = std::max(largest, sketch::length(apart(state)));
   if (trial.states.empty()) return;
   const sketch::Point u = apart(trial.states.back());
@@ -90,7 +110,8 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
   const Hoop hoop = find_hoop(mesh, trial, *want.side, first);
   if (!hoop.any) return;
   const auto add = [&](Measure what, const Along& a) {
-    const double scale = std::max(std::fabs(hoop.high.value), std::fabs(hoop.low.value));
+    const double scale = std::max(
+        {std::fabs(hoop.high.value), std::fabs(hoop.low.value), least_stress(trial, static_cast<size_t>(want.side->body))});
     out.push_back(number(what, static_cast<size_t>(want.side->body), a.value, scale, tolerance));
     out.back().of = want.side->names[0];
     out.back().at[0] = a.at.x, out.back().at[1] = a.at.y, out.back().doubt = a.doubt, out.back().way = a.way;
@@ -113,8 +134,9 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
                   double tolerance) {
   if (trial.states.empty()) return;
   const PressureAt pressure = find_pressure(mesh, trial, *want.side, want.where);
-  out.push_back(
-      number(Measure::kPressureOn, static_cast<size_t>(want.side->body), pressure.value, pressure.largest, tolerance));
+  const auto body = static_cast<size_t>(want.side->body);
+  const double scale = std::max(pressure.largest, least_stress(trial, body));
+  out.push_back(number(Measure::kPressureOn, body, pressure.value, scale, tolerance));
   out.back().of = want.side->names[0];
   out.back().at[0] = pressure.at.x, out.back().at[1] = pressure.at.y;
 }
@@ -143,7 +165,7 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
   for (const sketch::WantedPoint& p : not_wanted(sketch)) {
     const auto body = static_cast<size_t>(p.body);
     add_displacements(out, trial, body, p.at, place, NAN);
-    double largest = 0;
+    double largest = least_stress(trial, body);
     for (const State& state : trial.states)
       for (size_t c = 2; c < 5; ++c) largest = std::max(largest, std::fabs(state.inside[place][c]));
     for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
