@@ -57,13 +57,13 @@ private:
 };
 
 // Forces of contacts below this are the round-off of the motions.
-constexpr double kNoForce = 1e-10;
+constexpr double kOfRoundOff = 1e-10;
 double least_force(const Trial& trial) {
   double out = 0;
   for (const State& state : trial.states)
     for (size_t b = 0; b < state.ends.size(); ++b)
       for (const Field f : {kUx, kUy})
-        for (const double u : state.ends[b][f]) out = std::max(out, kNoForce * trial.stiffness[b] * std::fabs(u));
+        for (const double u : state.ends[b][f]) out = std::max(out, kOfRoundOff * trial.stiffness[b] * std::fabs(u));
   return out;
 }
 

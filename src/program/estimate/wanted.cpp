@@ -30,7 +30,7 @@ app::Stated number(Measure what, size_t body, double value, double scale, double
 
 // What displacements and stresses in a body must exceed not to be round-off: of the largest motion of all bodies, and of the
 // stress that it means along the body's boundary.
-constexpr double kNothing = 1e-10;
+constexpr double kOfLargestMotion = 1e-10;
 double least_displacement(const Trial& trial) {
   double largest = 0;
   for (const State& state : trial.states) {
@@ -40,7 +40,7 @@ double least_displacement(const Trial& trial) {
     for (const app::Quantity& q : state.quantities)
       if (q.what == Measure::kMotionX || q.what == Measure::kMotionY) largest = std::max(largest, std::fabs(q.value));
   }
-  return kNothing * largest;
+  return kOfLargestMotion * largest;
 }
 double least_stress(const Trial& trial, size_t body) {
   double boundary = 0;
