@@ -67,7 +67,7 @@ extern "C" {
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2, C2D_TIED = 3 }; /* status of a pair   */
-enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1 };
+enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1, C2D_AXISYMMETRIC = 2 };
 enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 }; /* c2d_error.severity */
 /* A fault, a warning or a note. Members that do not apply are 0. */
 typedef struct c2d_error {
@@ -195,12 +195,17 @@ enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 
        C2D_ANALYSIS_ITERATIONS = 3 };
 typedef struct c2d_problem {
   uint32_t struct_size;
-  int32_t plane;              /* C2D_PLANE_STRAIN or C2D_PLANE_STRESS (IPTYPE)                      */
+  int32_t plane;              /* C2D_PLANE_STRAIN, C2D_PLANE_STRESS or C2D_AXISYMMETRIC (IPTYPE)    */
   int32_t analysis;           /* C2D_ANALYSIS_... (IOUT; anything above 3 counts as 3)              */
   int32_t iteration_limit;    /* per increment of deck stepping (ITMAX); 0 means 50                 */
   char title[80];             /* ended by a zero byte                                               */
 } c2d_problem;
-c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem); /* the kind of problem */
+/* The kind of problem. C2D_AXISYMMETRIC: bodies of revolution about x = 0; x is the radius r, y the axial coordinate. Half
+   sections at x >= 0 are modelled. A section that meets the axis is an open region with its ends there, without elements on it.
+   Forces, moments and energies are those of the whole circumference, "lengths" of contact are areas; szz is the stress round the
+   axis. Elimination is dense, the quadrature accurate. Refused: point loads, body forces, platens, symmetry by images, c2d_interior
+   (C2D_ERR_STATE). METHOD 21. */
+c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
 
 typedef struct c2d_body {
   uint32_t struct_size;
@@ -587,12 +592,14 @@ const char* c2d_version(void); /* "0.2.0" */
    bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
    except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses
    where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all
-   contact pressure (without it such a path ends with C2D_UNDECIDED); and compressed elimination, which small code lacks. */
+   contact pressure (without it such a path ends with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies
+   of revolution (C2D_AXISYMMETRIC). */
 void c2d_link_holes(void);
 void c2d_link_free_zones(void);
 void c2d_link_warnings(void);
 void c2d_link_search(void);
 void c2d_link_compressed(void);
+void c2d_link_axisymmetric(void);
 
 #ifdef __cplusplus
 }

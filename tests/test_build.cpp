@@ -130,7 +130,7 @@ TEST_CASE("build: the configuration header alone asks for a build's options") {
   const std::string page = read_file((kRoot / "src/memory/config.hpp").string());
   int seen = 0;
   for (const char* option :
-       {"C2D_REAL", "C2D_REAL_BYTES", "C2D_SMALL", "C2D_PARTS_BY_CALL", "C2D_PLAIN", "C2D_ONE_FILE", "C2D_HOSTILE",
+       {"C2D_REAL", "C2D_REAL_BYTES", "C2D_SMALL", "C2D_PARTS_BY_CALL", "C2D_RINGS", "C2D_PLAIN", "C2D_ONE_FILE", "C2D_HOSTILE",
         "C2D_COUNTED", "__OPTIMIZE_SIZE__", "__OPTIMIZE__", "__FAST_MATH__", "__FINITE_MATH_ONLY__", "NDEBUG"}) {
     const std::string name = option;
     if (name.compare(0, 4, "C2D_") == 0) CHECK_MESSAGE(contains(page, "-D" + name), name << " has no entry in the header");

@@ -54,7 +54,7 @@ module contact2d
 
   ! ---- numbers of contact2d.h
   integer(c_int32_t), parameter :: C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2, C2D_TIED = 3
-  integer(c_int32_t), parameter :: C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1
+  integer(c_int32_t), parameter :: C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1, C2D_AXISYMMETRIC = 2
   integer(c_int32_t), parameter :: C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2
   integer(c_int32_t), parameter :: C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, &
       C2D_PHASE_REDUCE = 3, C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
@@ -1083,6 +1083,8 @@ module contact2d
     subroutine c2d_link_search() bind(C)
     end subroutine
     subroutine c2d_link_compressed() bind(C)
+    end subroutine
+    subroutine c2d_link_axisymmetric() bind(C)
     end subroutine
     function c2d_walk_deck(read, context, body, bodies, card, card_context, report, &
         report_context) bind(C) result(status)

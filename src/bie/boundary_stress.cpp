@@ -8,11 +8,11 @@
 
 namespace c2d {
 
-PlaneStress boundary_stress(const double n[2], const double t[2], const double du_ds[2], double shear_modulus, double nu,
-                            double* hoop) {
+PlaneStress boundary_stress(const double n[2], const double t[2], const double du_ds[2], double across, double shear_modulus,
+                            double nu, double* hoop) {
   const double s[2] = {-n[1], n[0]};
   const double nn = t[0] * n[0] + t[1] * n[1], ns = t[0] * s[0] + t[1] * s[1];
-  const double strain = du_ds[0] * s[0] + du_ds[1] * s[1];
+  const double strain = du_ds[0] * s[0] + du_ds[1] * s[1] + nu * across;
   const double ss = (2.0 * shear_modulus * strain + nu * nn) / (1.0 - nu);
   *hoop = ss;
   return {nn * n[0] * n[0] + 2.0 * ns * n[0] * s[0] + ss * s[0] * s[0],

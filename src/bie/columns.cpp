@@ -86,7 +86,7 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
   for (int l = 0; l < m.head->function_nodes; ++l)
     for (int c = 0; c < 2; ++c) {
       if (t.g[l][c].contact != (measure == Measure::contact)) continue;
-      panel.send_g(t.g[l][c], element, l, c, row + c, w[l]);
+      panel.send_g(t.g[l][c], element, l, c, row + c, balance_scale(m) * w[l]);
       panel.send_g(t.g[l][c], element, l, c, row + 2, c == 0 ? -wy[l] : wx[l]);
     }
 }

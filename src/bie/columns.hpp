@@ -16,7 +16,7 @@
 // the body's own number of contact unknowns, Body::contact; column dof_on() is the first one of a pair.
 #include "bie/measure.hpp"
 #include "memory/config.hpp"
-#include "model/model.hpp"
+#include "model/symmetry.hpp"
 
 namespace c2d {
 
@@ -43,7 +43,7 @@ constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: 
 constexpr int32_t kNoNode = -1;
 inline int32_t sources_of(const ColumnSystem& s) { return s.chosen ? s.sources : s.model.body[s.body].nodes; }
 inline int32_t node_of_source(const ColumnSystem& s, int32_t source) { return s.chosen ? s.chosen[source] : source; }
-inline int32_t images_of(const ColumnSystem& s) { return s.alone ? 0 : s.model.body[s.body].lines; }
+inline int32_t images_of(const ColumnSystem& s) { return s.alone ? 0 : image_lines(s.model, s.body); }
 
 // The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and U
 // likewise: the image of an element acts on P as the element itself acts on RP, with the rows times the signs of R.

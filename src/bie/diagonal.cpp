@@ -70,7 +70,8 @@ void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
 
 bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
-  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.body[system.body].element_nodes != 2)
+  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.body[system.body].element_nodes != 2 ||
+      is_axisymmetric(m))
     return false;
   const int32_t lines = m.body[system.body].lines;
   Integrator& any = system.scratch->integrator; // material and functions are the same for all elements

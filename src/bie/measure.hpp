@@ -5,6 +5,8 @@
 
 namespace c2d {
 
+constexpr double kTurn = 6.28318530717958647692; // 2 pi
+
 // On a contact element of side 1 tau is per length of side 0, any other traction on its own length.
 enum class Measure { own_length, contact };
 // An element of a body with its length unit applied, for tractions in this measure.
@@ -16,6 +18,8 @@ struct EndResultant {
   double w, wx, wy;
 };
 void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[kElementNodes]);
+// Forces in the balances are in units of 2G and the unit of length per turn: resultants times this.
+inline double balance_scale(const Model& m) { return is_axisymmetric(m) ? 1.0 / (kTurn * m.head->length_unit) : 1.0; }
 // Ends of a body's elements at which tau of a pair acts; resultants of tau there, in its own measure.
 struct ContactEnd {
   int32_t element = 0;

@@ -103,7 +103,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
 void take_rigid_sums(const ColumnSystem& system, int32_t element, int32_t first, int32_t count) {
   const Model& m = system.model;
   const int b = system.body, nf = m.head->function_nodes;
-  const int32_t lines = m.body[b].lines;
+  const int32_t lines = image_lines(m, b);
   Integrator& integrator = system.scratch->integrator;
   make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
   int32_t node[kElementNodes];

@@ -63,6 +63,7 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
   out.node[1] = node_at(m, body[0], FacePoint{piece.element1, 0, to});
   const double nu = strain_poisson_ratio(m, body[0]);
   prepare(out.in, part_of(m, body[0], piece.element1, from, to, out.node), functions, nu, quadrature);
+  if (is_axisymmetric(m)) set_axis(out.in, m.head->length_unit);
   set_arc(out.in, part_of(m, body[1], walk.pieces.element2, low, high, none), true);
   for (int l = 0; l < kElementNodes; ++l) out.pair[l] = l < nf ? pair_of_end(m, body[1], walk.pieces.element2, l).pair : -1;
   for (int l = 0; l < nf; ++l) C2D_ASSERT(out.pair[l] >= 0); // all nodes of side 1 are pairs
@@ -217,8 +218,9 @@ struct Receiver {
   const Body& body = m.body[panel.b];
   for (int32_t source = 0; source < body.nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
-    for (int image = 0; image <= body.lines; ++image) {
-      if (!is_image(body.lines, image)) continue;
+    const int32_t images = image_lines(m, panel.b);
+    for (int image = 0; image <= images; ++image) {
+      if (!is_image(images, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
       // The source is singular if it is the node at one end of the piece.
       const int at = !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
@@ -235,6 +237,7 @@ struct Receiver {
   const int32_t row = 2 * body.nodes, lines = body.lines;
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
+  for (double& force : w) force *= balance_scale(m);
   for (int c = 0; c < 2; ++c)
     if ((lines >> c & 1) == 0) to.send(w, row + c, c);
   if (lines != 0) return;

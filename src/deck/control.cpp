@@ -14,7 +14,7 @@ bool read_problem_type(Deck& deck) {
   if (!next_card(cards, "the card with the type of problem")) return false;
   int32_t plane = 0;
   int32_t output = C2D_ANALYSIS_CONTACT; // default if unreadable: it allows any number of zones
-  integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress)", 0, 1, &plane);
+  integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress, 2 axisymmetric)", 0, 2, &plane);
   any_integer(cards, 6, "type of output (IOUT)", &output);
   end_of_fields(cards, 11);
   deck.problem.plane = plane;

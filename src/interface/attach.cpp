@@ -16,6 +16,7 @@ namespace c2d {
 // The solver may use parts of the library that no call of this program links.
 C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 C2D_MEETS(HolePart, c2d_link_holes);
+C2D_MEETS(RingPart, c2d_link_axisymmetric);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
@@ -130,6 +131,7 @@ const char* missing_part(const char* at) {
   const Layout layout = C2D_MEMBER(layout);
   const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
   if (!kSymmetryPart.linked && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
+  if (kRings && !kRingPart.linked && head.plane == C2D_AXISYMMETRIC) return "c2d_link_axisymmetric";
   if (!kSmallCode && !kCompressedPart.linked && C2D_MEMBER(options).elimination != 0) return "c2d_link_compressed";
   const char* const bodies = at + layout.offset[kBodies];
   for (int32_t b = 0; b < C2D_MEMBER(sizes).bodies; ++b) {

@@ -9,6 +9,7 @@
 //     twice as long (port/cortex-m/README.md).
 // -DC2D_PARTS_BY_CALL   Functions that read models of any kind (deck reader, c2d_attach) do not link the optional parts of
 //     the method into a program; only the call that declares a part does. memory/parts.hpp.
+// -DC2D_RINGS   Small code with bodies of revolution (C2D_AXISYMMETRIC), which other builds always have.
 // -DC2D_PLAIN   Standard C++17 only: neither vectors nor hints to the processor. Small code. Selected automatically for
 //     compilers without GNU extensions.
 // -DC2D_ONE_FILE   The library is one source file (make amalgamation), so that all parts are there.
@@ -71,6 +72,12 @@
 #define C2D_ONLY_CALLS_BRING 0
 #endif
 
+#if C2D_SMALL_CODE && !defined(C2D_RINGS)
+#define C2D_HAS_RINGS 0
+#else
+#define C2D_HAS_RINGS 1
+#endif
+
 #ifdef C2D_COUNTED
 #define C2D_COUNTS_BRANCHES 1
 #else
@@ -86,6 +93,7 @@ namespace c2d {
 using Real = C2D_REAL; // of stored matrices and inner arithmetic
 constexpr Real kSmallestReal = static_cast<Real>(sizeof(Real) == sizeof(float) ? double{FLT_MIN} : DBL_MIN); // with all digits
 constexpr bool kSmallCode = C2D_SMALL_CODE;
+constexpr bool kRings = C2D_HAS_RINGS != 0;    // bodies of revolution
 constexpr int32_t kHostileWidth = C2D_HOSTILE; // of panels
 constexpr bool kHostile = kHostileWidth > 0;
 

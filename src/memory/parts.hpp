@@ -90,6 +90,12 @@ struct HolePart { // bie/holes.cpp
   Function<void, const Model&, int, int32_t, double*> hole_normal = Nothing();
 };
 
+struct RingPart { // bie/rings: bodies of revolution
+  bool linked = false;
+  Function<void, const Integrator&, double, double, int, bool, bool, Blocks&> integrate_rings = Nothing();
+  Function<void, const Integrator&, double, double, int, double (*)[2]> ring_sum = Nothing();
+};
+
 struct Follower;
 
 struct CurvePart { // model/validate/validate_curves.cpp, slip_gap.cpp, contact/slip_path.cpp
@@ -241,6 +247,7 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
 extern const SymmetryPart kSymmetryPart;     // interface/model/symmetry_calls.cpp
 extern const FreeZonePart kFreeZonePart;     // free_zone_calls.cpp
 extern const HolePart kHolePart;             // hole_calls.cpp
+extern const RingPart kRingPart;             // ring_calls.cpp
 extern const CurvePart kCurvePart;           // curves.cpp
 extern const BodyForcePart kBodyForcePart;   // body_force_calls.cpp
 extern const RigidPart kRigidPart;           // rigid_calls.cpp

@@ -251,6 +251,9 @@ struct Model { // a view, rebuilt on every call of the library: plain pointers, 
   double* path_load; // [path * cases + case]
 };
 
+// Bodies of revolution about x = 0: x is r, y is z (METHOD 21).
+inline bool is_axisymmetric(const Model& m) { return kRings && m.head->plane == C2D_AXISYMMETRIC; }
+
 // ---- topology ---------------------------------------------------------------------------------------------------
 inline const Body& body_of(const Model& m, int b) { return m.body[b]; }
 int32_t region_of_element(const Model& m, int b, int32_t element);

@@ -34,6 +34,8 @@ inline bool is_held_by_symmetry(const Model& m, int b, int32_t node, int compone
 // Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across. Does a body that meets `lines` have this
 // image?
 inline bool is_image(int32_t lines, int image) { return (image & ~lines) == 0; }
+// The lines across which the equations of a body are mirrored: the kernels of rings contain the axis.
+inline int32_t image_lines(const Model& m, int b) { return is_axisymmetric(m) ? m.body[b].lines & ~1 : m.body[b].lines; }
 inline double image_sign(int image, int component) { return (image >> component & 1) != 0 ? -1.0 : 1.0; }
 inline double mirrored(const ModelHeader& head, int image, int component, double coordinate) {
   return (image >> component & 1) != 0 ? 2.0 * head.line_at[component] - coordinate : coordinate;

@@ -29,7 +29,7 @@ private:
   bool is_rigid(int32_t body) const { return s_.body[body - 1].unknowns == 0; }
   Sector sector(int32_t body, double angle) const {
     const c2d_body_result& b = s_.body[body - 1];
-    return sector_of(angle, b.youngs_modulus, b.poisson_ratio, s_.plane == C2D_PLANE_STRAIN);
+    return sector_of(angle, b.youngs_modulus, b.poisson_ratio, s_.plane != C2D_PLANE_STRESS);
   }
   c2d_status read();
   c2d_status read_friction();

@@ -149,7 +149,7 @@ void TipFinder::judge(CrackTip& tip) const {
   const c2d_zone& zone = s_.zone[static_cast<size_t>(tip.zone) - 1];
   const c2d_body_result &a = s_.body[zone.side1.body - 1], &b = s_.body[zone.side2.body - 1];
   const double nu = a.poisson_ratio;
-  tip.modulus = s_.plane == C2D_PLANE_STRAIN ? a.youngs_modulus / (1 - nu * nu) : a.youngs_modulus;
+  tip.modulus = s_.plane == C2D_PLANE_STRESS ? a.youngs_modulus : a.youngs_modulus / (1 - nu * nu);
   if (a.unknowns == 0 || b.unknowns == 0)
     tip.why = "one of the bodies is rigid";
   else if (!alike(a.youngs_modulus, b.youngs_modulus) || !alike(nu, b.poisson_ratio))

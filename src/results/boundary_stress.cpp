@@ -218,7 +218,7 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
   const Point p = point_of(m, b, element, eta);
   double value[kElementNodes];
   shape(nf, eta, value);
-  BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
+  BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}, 0.0};
   for (int l = 0; l < nf; ++l) {
     double u[2], t[2];
     get_displacement(session, b, functional_node(m, b, element, l), u);
@@ -232,6 +232,7 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
     slope_of_neighbours(session, b, element, s.du_ds);
   else
     recover_slope(session, b, element, eta, s.du_ds);
+  if (is_axisymmetric(m)) s.across = p.x > 0.0 ? s.u[0] / p.x : s.du_ds[1] * p.nx - s.du_ds[0] * p.ny; // on the axis e_rr
   return s;
 }
 
@@ -242,7 +243,8 @@ BoundaryState beyond(const Session& session, int b, const BoundaryState& s, cons
 namespace {
 
 PlaneStress stress_of(const Session& session, int b, const BoundaryState& s, double* hoop) {
-  return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(session.model, b), strain_poisson_ratio(session.model, b), hoop);
+  return boundary_stress(s.n, s.t, s.du_ds, s.across, shear_modulus(session.model, b), strain_poisson_ratio(session.model, b),
+                         hoop);
 }
 
 // Tensor at a corner from the tractions of its two sides, without any slope. With n_i the normals, t_i = sigma n_i and the
@@ -262,7 +264,7 @@ PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
 
 double stress_across(const Session& session, int b, const PlaneStress& s) {
   const ModelHeader& head = *session.model.head;
-  return stress_across(s, head.plane == C2D_PLANE_STRAIN, session.model.body[b].poisson_ratio);
+  return stress_across(s, head.plane != C2D_PLANE_STRESS, session.model.body[b].poisson_ratio);
 }
 
 BoundaryState mirrored_state(const BoundaryState& s, int image) {
@@ -298,13 +300,15 @@ double end_stress(const Session& session, int32_t field, int b, int32_t end) {
   const int32_t nf = session.model.head->function_nodes;
   if (is_rigid(session.model, b)) return 0.0;
   double hoop;
-  const PlaneStress s = stress_of(session, b, boundary_state(session, b, end / nf, node_eta(nf, end % nf)), &hoop);
+  const BoundaryState at = boundary_state(session, b, end / nf, node_eta(nf, end % nf));
+  const PlaneStress s = stress_of(session, b, at, &hoop);
+  const double szz = stress_across(session, b, s) + body_of(session.model, b).youngs_modulus * at.across;
   switch (field) {
   case C2D_END_SXX: return s.xx;
   case C2D_END_SYY: return s.yy;
   case C2D_END_SXY: return s.xy;
-  case C2D_END_SZZ: return stress_across(session, b, s);
-  case C2D_END_VON_MISES: return von_mises(s, stress_across(session, b, s));
+  case C2D_END_SZZ: return szz;
+  case C2D_END_VON_MISES: return von_mises(s, szz);
   case C2D_END_MAX_SHEAR: return largest_shear(s);
   case C2D_END_PRINCIPAL1: return 0.5 * (s.xx + s.yy) + largest_shear(s);
   case C2D_END_PRINCIPAL2: return 0.5 * (s.xx + s.yy) - largest_shear(s);

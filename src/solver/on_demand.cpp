@@ -71,8 +71,7 @@ bool may_be_on_demand(c2d_solver* s, const Model& m) {
 
 void plan_demand(c2d_solver* s, const Model& m) {
   const int64_t room = columns_of(s->sizes);
-  const bool demanded = s->sizes.touching > 0 && s->options.elimination == C2D_ELIMINATION_COMPRESSED &&
-                        model_sizes(m).widest > room && may_be_on_demand(s, m);
+  const bool demanded = s->sizes.touching > 0 && is_compressed(s) && model_sizes(m).widest > room && may_be_on_demand(s, m);
   m.head->columns = demanded ? static_cast<int32_t>(room) : 0;
   if (demanded) m.head->border = 0;
   for (int b = 0; b < m.head->bodies; ++b) {

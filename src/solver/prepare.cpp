@@ -453,9 +453,7 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
 }
 
 // For new loads, which compressed elimination has no short way for.
-int32_t keeps_factors(const c2d_solver* s) {
-  return kSmallCode || s->options.elimination == C2D_ELIMINATION_DENSE ? s->options.keep_factors : 0;
-}
+int32_t keeps_factors(const c2d_solver* s) { return is_compressed(s) ? 0 : s->options.keep_factors; }
 
 // (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
 [[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
@@ -464,7 +462,7 @@ int32_t keeps_factors(const c2d_solver* s) {
   if (sizes.further > 0 && reduction_area(sizes, nullptr, nullptr) > bytes) return tell_system(s, sizes);
   EliminationPlan* const plans = &plan_of(s, 0);
   plan_phases(sizes_of(s), sizes, bytes, plans);
-  if (!kSmallCode && s->options.elimination == C2D_ELIMINATION_COMPRESSED) {
+  if (is_compressed(s)) {
     s->rank_needed = 0;
     const c2d_status status = kCompressedPart.plan_compression(phase_sizes(sizes_of(s)), bytes, m, plans);
     if (status != C2D_OK) return status;

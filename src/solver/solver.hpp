@@ -121,4 +121,9 @@ bool is_coefficient(double mu);                                          // of f
 double coefficient_of_zone(c2d_solver* solver, int32_t zone, int32_t i); // both from 0
 double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all
 
+// Bodies of revolution are always eliminated densely.
+inline bool is_compressed(const c2d_solver* s) {
+  return !kSmallCode && s->options.elimination == C2D_ELIMINATION_COMPRESSED && s->model.plane != C2D_AXISYMMETRIC;
+}
+
 } // namespace c2d

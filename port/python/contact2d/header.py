@@ -150,6 +150,7 @@ C2D_SLIP = 2
 C2D_TIED = 3
 C2D_PLANE_STRAIN = 0
 C2D_PLANE_STRESS = 1
+C2D_AXISYMMETRIC = 2
 C2D_NOTE = 0
 C2D_WARNING = 1
 C2D_FAULT = 2
@@ -701,7 +702,9 @@ Read a whole deck and complete the model; c2d_port.log receives all faults. Erro
     "c2d_set_problem": (c_int32, [
         ("solver", c_void_p, False, None),
         ("problem", POINTER(c2d_problem), True, None),
-    ], """c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);"""),
+    ], """c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
+
+The kind of problem. C2D_AXISYMMETRIC: bodies of revolution about x = 0; x is the radius r, y the axial coordinate. Half sections at x >= 0 are modelled. A section that meets the axis is an open region with its ends there, without elements on it. Forces, moments and energies are those of the whole circumference, "lengths" of contact are areas; szz is the stress round the axis. Elimination is dense, the quadrature accurate. Refused: point loads, body forces, platens, symmetry by images, c2d_interior (C2D_ERR_STATE). METHOD 21."""),
     "c2d_set_body": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1147,11 +1150,12 @@ Text of a c2d_status or a warning, and of an outcome, for any integer; never nul
     "c2d_version": (c_char_p, [], """const char* c2d_version(void);"""),
     "c2d_link_holes": (None, [], """void c2d_link_holes(void);
 
-These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all contact pressure (without it such a path ends with C2D_UNDECIDED); and compressed elimination, which small code lacks."""),
+These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all contact pressure (without it such a path ends with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies of revolution (C2D_AXISYMMETRIC)."""),
     "c2d_link_free_zones": (None, [], """void c2d_link_free_zones(void);"""),
     "c2d_link_warnings": (None, [], """void c2d_link_warnings(void);"""),
     "c2d_link_search": (None, [], """void c2d_link_search(void);"""),
     "c2d_link_compressed": (None, [], """void c2d_link_compressed(void);"""),
+    "c2d_link_axisymmetric": (None, [], """void c2d_link_axisymmetric(void);"""),
     "c2d_walk_deck": (c_int32, [
         ("read", c2d_read_line, False, None),
         ("context", c_void_p, False, None),

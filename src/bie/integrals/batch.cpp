@@ -84,7 +84,7 @@ void aim_columns(const BatchRun& run, BatchColumns& out) {
 }
 
 bool is_batched(const Integrator& in, bool want_g) {
-  return in.mode == Quadrature::accurate && in.element.straight && (!want_g || in.closed_form_g);
+  return in.mode == Quadrature::accurate && !is_ring(in) && in.element.straight && (!want_g || in.closed_form_g);
 }
 
 } // namespace c2d

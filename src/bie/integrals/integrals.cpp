@@ -14,10 +14,14 @@
 #include "bie/integrals/integrals_detail.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
+#include "memory/parts.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 namespace c2d {
+
+C2D_USES(RingPart);
+
 namespace {
 
 constexpr double kTolerance = 1e-13;
@@ -52,7 +56,7 @@ void prepare_chord(Integrator& in) {
 void prepare_reach(Integrator& in) {
   const double(&c)[kElementNodes][2] = in.element.c;
   // The shape function is a polynomial factor and uses up part of the rule's degree.
-  const int degree = in.functions - 1 + (in.element.straight ? 0 : 1);
+  const int degree = in.functions - 1 + (in.element.straight ? 0 : 1) + (is_ring(in) ? 1 : 0);
   const double c1 = length(c[1]), c2 = length(c[2]), c3 = length(c[3]);
   for (int i = 0; i < kFarOrderCount; ++i) {
     const double r = gauss_semi_axis(kFarOrders[i], degree, kTolerance);
@@ -64,7 +68,7 @@ void prepare_reach(Integrator& in) {
 
 // After every change of J: closed forms need a constant one.
 void refresh(Integrator& in) {
-  in.closed_form_g = kClosedForms && in.element.straight && constant_jacobian(in);
+  in.closed_form_g = kClosedForms && in.element.straight && constant_jacobian(in) && !is_ring(in);
   in.g_jacobian = length(in.d[0]);
   if (!in.closed_form_g) prepare_reach(in);
 }
@@ -107,6 +111,7 @@ Expansion expand(const Integrator& in, double origin, double sx, double sy, bool
 Sample sample(const Integrator& in, const Expansion& x, double tau) {
   Sample s;
   const double eta = x.origin + tau;
+  s.eta = eta;
   shape(in.functions, eta, s.shape);
   s.rx = x.delta[0] + tau * (x.b[0][0] + tau * (x.b[1][0] + tau * x.b[2][0]));
   s.ry = x.delta[1] + tau * (x.b[0][1] + tau * (x.b[1][1] + tau * x.b[2][1]));
@@ -142,9 +147,16 @@ void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrat
   refresh(in);
 }
 
+void set_axis(Integrator& in, double unit) {
+  in.turn = 2.0 * kPi * unit;
+  in.middle = in.element.c[0][0];
+  refresh(in);
+}
+
 void set_arc(Integrator& in, const Element& arc, bool reversed) {
+  in.middle = arc.c[0][0];
   for (int k = 0; k < 3; ++k) {
-    const double sign = reversed && k == 1 ? -1.0 : 1.0;
+    const double sign = reversed && k != 1 ? -1.0 : 1.0; // of the derivative of arc(-eta)
     for (int i = 0; i < 2; ++i) in.d[k][i] = sign * (k + 1) * arc.c[k + 1][i];
   }
   refresh(in);
@@ -157,6 +169,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
     if (want_g) clear(out.g, in.functions);
     return;
   }
+  if (is_ring(in)) return kRingPart.integrate_rings(in, sx, sy, singular, want_h, want_g, out);
   if (in.mode == Quadrature::thesis) {
     integrate_thesis(in, sx, sy, singular, want_h, want_g, out);
     return;
@@ -170,6 +183,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
 }
 
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]) {
+  if (is_ring(in)) return kRingPart.ring_sum(in, sx, sy, singular, sum);
   // A uniform translation needs no tractions, so the integral depends on the path only through its ends: METHOD (2.4). Outside
   // the circle that contains element and chord, the chord may replace the element.
   if (kClosedForms && in.mode == Quadrature::accurate && !in.degenerate) {
@@ -208,8 +222,9 @@ void resultants(const Integrator& in, double ox, double oy, double w[kElementNod
     for (int i = 0; i < rule.n; ++i) {
       const GaussPoint p = gauss_point(rule, i);
       const Sample s = sample(in, x, 0.5 * (a + b) + 0.5 * (b - a) * p.x);
+      const double round = is_ring(in) ? in.turn * measured_radius(in, s.eta) : 1.0;
       for (int l = 0; l < in.functions; ++l) {
-        const double weight = 0.5 * (b - a) * p.w * s.jacobian * s.shape[l];
+        const double weight = 0.5 * (b - a) * p.w * s.jacobian * round * s.shape[l];
         w[l] += weight;
         wx[l] += weight * s.rx;
         wy[l] += weight * s.ry;

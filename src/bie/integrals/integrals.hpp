@@ -5,6 +5,7 @@
 // with k = 1/(4 pi (1-nu)), i = direction of the unit load at the source, j = component at the field point,
 // r,i = (x_i - source_i)/r, n = outward normal.
 
+#include "memory/config.hpp"
 #include "model/element.hpp"
 
 namespace c2d {
@@ -39,7 +40,11 @@ struct Integrator {
   double d[3][2];     // J for g = |d0 + d1 eta + d2 eta^2|
   double reach2[10];  // squared distance from c[0] beyond which the i-th Gauss rule is sufficient
   double semi_axis;   // of the ellipse a panel of the near rule needs
+  double turn;        // rings: 2 pi times the unit of length, else 0
+  double middle;      // rings: r at eta = 0 of the element along which g is measured
 };
+
+inline bool is_ring(const Integrator& in) { return kRings && in.turn != 0.0; }
 
 // Element e with `functions` (1..4) functional nodes, effective plane-strain nu in (-1, 0.5].
 void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrature mode);
@@ -47,6 +52,10 @@ void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrat
 // Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point, eta or -eta if
 // `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call after prepare().
 void set_arc(Integrator& in, const Element& arc, bool reversed);
+
+// The element is that of a body of revolution about x = 0 (METHOD 21): kernels of rings and the measure r J; resultants have
+// the measure 2 pi r J, r in the caller's `unit` of length. Call between prepare() and set_arc().
+void set_axis(Integrator& in, double unit);
 
 // Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if none. Its own h
 // is set to zero (free term and principal value follow from rigid translation), its g is complete. A source on the element but

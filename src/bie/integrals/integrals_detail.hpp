@@ -26,7 +26,7 @@ struct Expansion {
 
 // One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for g.
 struct Sample {
-  double shape[kElementNodes];
+  double eta, shape[kElementNodes];
   double rx, ry, nx, ny, jacobian;
 };
 
@@ -40,6 +40,12 @@ struct Stretch {
 // in the source's own panel) nor dx/deta of J may vanish; both are checked by the triangle inequality. The latter also where g
 // is not wanted: h must not depend on what else is wanted.
 bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own);
+
+inline double squared(const double v[2]) { return v[0] * v[0] + v[1] * v[1]; }
+
+// The parameter of the point nearest to the source, relative to the origin and within [lo, hi]; the expansion about it.
+double nearest_parameter(const Expansion& x, double lo, double hi);
+Expansion moved(const Expansion& x, double tau);
 
 // Sums of the blocks, divided by k.
 struct Sums {
@@ -63,6 +69,11 @@ void integrate_curved(const Integrator& in, double sx, double sy, int singular, 
 
 // The rule of the thesis's appendix A.
 void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+
+// r of the element along which g is measured; in the plane without meaning.
+inline double measured_radius(const Integrator& in, double eta) {
+  return in.middle + eta * (in.d[0][0] + eta * (in.d[1][0] / 2.0 + eta * in.d[2][0] / 3.0));
+}
 
 // Vector polynomial d0 + d1 u + d2 u^2 about `origin` has no zero in the disc |u - origin| < radius, by the triangle
 // inequality (sufficient, not necessary).

@@ -12,6 +12,7 @@
 namespace c2d {
 C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options can request images
 C2D_MEETS(HolePart, c2d_link_holes);
+C2D_MEETS(RingPart, c2d_link_axisymmetric);
 C2D_MEETS(CompressedPart, c2d_link_compressed);
 } // namespace c2d
 
@@ -58,8 +59,12 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   if (status != C2D_OK) return status;
   status = take(s, "c2d_problem", problem, ours);
   if (status != C2D_OK) return status;
-  if (!in_range(ours.plane, 0, 1))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "plane strain or stress (IPTYPE)", ours.plane, 0, 1);
+  if (!in_range(ours.plane, 0, kRings ? 2 : 1))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "plane strain or stress, or axisymmetric (IPTYPE)", ours.plane, 0,
+                         kRings ? 2 : 1);
+  if (kRings && ours.plane == C2D_AXISYMMETRIC && !kRingPart.linked)
+    return refuse(s, C2D_ERR_ARGUMENT,
+                  "this program is linked without bodies of revolution (C2D_PARTS_BY_CALL): c2d_link_axisymmetric links them");
   if (ours.iteration_limit < 0)
     return refuse_number(s, C2D_ERR_ARGUMENT, "iteration limit", ours.iteration_limit, 1, INT32_MAX);
   ModelHeader& m = s->model;

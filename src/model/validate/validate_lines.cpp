@@ -16,6 +16,10 @@ namespace {
 constexpr double kOnLine = 1e-9; // of the unit of length: points closer than this lie on the line
 constexpr const char* kAxis[2] = {"x", "y"};
 
+// x = 0 is the axis of bodies of revolution, which their equations contain; every other line is one of symmetry.
+bool is_axis(const Model& m, int axis) { return axis == 0 && is_axisymmetric(m); }
+const char* kind_of_line(const Model& m, int axis) { return is_axis(m, axis) ? "axis " : "line of symmetry "; }
+
 bool is_near(const Model& m, double coordinate, double line) {
   return fabs(coordinate - line) <= kOnLine * m.head->length_unit;
 }
@@ -128,6 +132,7 @@ bool find_lines(const Model& m, Reporter& reporter) {
 
 // The side of the line on which the model lies: that of the farthest point. Points beyond are reported by check_side.
 double side_of_model(const Model& m, int axis) {
+  if (is_axis(m, axis)) return 1; // r >= 0
   double low = 0, high = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
     const Box box = box_of_body(m, b);
@@ -156,8 +161,9 @@ void check_side(const Model& m, int b, int axis, Reporter& reporter) {
     chords_of(m, b, e, c);
     for (int i = 0; i <= c.count; ++i) {
       if (side * ((axis == 0 ? c.x[i] : c.y[i]) - line) >= -kOnLine * m.head->length_unit) continue;
-      return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b),
-                    " lies beyond the line of symmetry ", kAxis[axis], " = ", line, ", expected everything on one side of it");
+      return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b), " lies beyond the ",
+                    kind_of_line(m, axis), kAxis[axis], " = ", line,
+                    is_axis(m, axis) ? ", expected a half section at x >= 0" : ", expected everything on one side of it");
     }
   }
 }
@@ -184,7 +190,11 @@ void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
     if (lines == 3)
       report_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be", reporter);
     else if ((k > 0 && k < last) || (after >= 0 && !is_axis_element(m, b, after)))
-      report_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region", reporter);
+      report_point(m, b, point,
+                   is_axis(m, (lines & 1) != 0 ? 0 : 1)
+                       ? "touches the axis x = 0, expected that only at the ends of an open region"
+                       : "touches a line of symmetry, expected that only at the ends of an open region",
+                   reporter);
   }
 }
 
@@ -192,7 +202,10 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
   const int32_t ends[2] = {geometry_node(m, b, r.first, 0), geometry_node(m, b, r.last, body_of(m, b).element_nodes - 1)};
   for (int32_t point : ends)
     if (lines_at_point(m, b, point) == 0)
-      report_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
+      report_point(m, b, point,
+                   is_axisymmetric(m) ? "ends an open region, expected it on the axis x = 0 or a line of symmetry"
+                                      : "ends an open region, expected it on a line of symmetry",
+                   reporter);
 }
 
 // A platen has no mesh of its own: it meets the lines that its elements meet.
@@ -206,13 +219,14 @@ int32_t lines_of_platen(const Model& m, int b) {
 }
 
 // A body without a point on a line lies on one side of it, and its image is a separate body. A line that no body meets would
-// have no effect and is reported.
+// have no effect and is reported. The axis prevents motions across it of rings too.
 void find_lines_met(const Model& m, Reporter& reporter) {
-  int32_t met = 0;
+  const int32_t axis_of_all = is_axisymmetric(m) ? 1 : 0;
+  int32_t met = axis_of_all;
   for (int b = 0; b < m.head->bodies; ++b) {
-    int32_t lines = 0;
+    int32_t lines = axis_of_all;
     for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) lines |= lines_at_point(m, b, i);
-    if (is_platen(m, b)) lines = lines_of_platen(m, b);
+    if (is_platen(m, b)) lines = lines_of_platen(m, b); // (not with an axis, validate_axis)
     m.body[b].lines = static_cast<int8_t>(lines);
     met |= lines;
   }
@@ -233,9 +247,9 @@ void check_axis_elements(const Model& m, int b, Reporter& reporter) {
       report_axis_element(m, LineElements{true, 0, b, e, why}, axis, m.head->line_at[axis], reporter);
       continue;
     }
-    return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b),
-                  " lies on the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis],
-                  ", expected no elements there: leave them out, or choose symmetry by images");
+    return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b), " lies on the ",
+                  kind_of_line(m, axis), kAxis[axis], " = ", m.head->line_at[axis],
+                  ", expected no elements there: leave them out", is_axisymmetric(m) ? "" : ", or choose symmetry by images");
   }
 }
 
@@ -246,8 +260,8 @@ void check_held_nodes(const Model& m, int b, Reporter& reporter) {
       if ((lines_at_node(m, b, node) >> c & 1) == 0 ||
           is_prescribed_zero(m.node_disp[b], node, body.nodes, c, m.head->load_cases))
         continue;
-      report(reporter, at_node(m, b, node), "node ", node + 1, " of body ", body_named(m, b), " lies on the line of symmetry ",
-             kAxis[c], " = ", m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
+      report(reporter, at_node(m, b, node), "node ", node + 1, " of body ", body_named(m, b), " lies on the ",
+             kind_of_line(m, c), kAxis[c], " = ", m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
     }
 }
 

@@ -24,8 +24,34 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
 
 } // namespace
 
+// The axis x = 0 is a line in force, which prevents motions across it. What the equations of rings lack is refused.
+void validate_axis(const Model& m, Reporter& reporter) {
+  if ((m.head->symmetry_asked & 1) != 0)
+    report(reporter, Where(), "a line of symmetry x = value in a model of bodies of revolution, expected y = value only");
+  if (m.head->images != 0)
+    report(reporter, Where(),
+           "symmetry by images of elements in a model of bodies of revolution, expected no elements on the "
+           "axis and C2D_SYMMETRY_DECK");
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& p = m.point_load[i];
+    report(reporter, Where{p.line, p.body + 1, 0, 0, 0, 0}, "point load ", i + 1,
+           " on a body of revolution, expected tractions on elements");
+  }
+  if (m.head->point_sets > 0) report(reporter, Where(), "points for interior results in bodies of revolution, expected none");
+  for (int b = 0; b < m.head->bodies; ++b) {
+    if (m.body[b].has_force != 0)
+      report(reporter, in_body(b), "a body force on body ", body_named(m, b), " of revolution, expected none");
+    if (is_platen(m, b)) report(reporter, in_body(b), "a platen in a model of bodies of revolution, expected none");
+  }
+  m.head->symmetry |= 1;
+  m.head->line_at[0] = 0.0;
+}
+
 bool validate_symmetry(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
   m.head->symmetry = m.head->symmetry_asked;
+  if (is_axisymmetric(m)) validate_axis(m, reporter);
+  if (reporter.faults != before) return false;
   for (int b = 0; b < m.head->bodies; ++b) m.body[b].lines = 0;
   return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter)
                                                       : kSymmetryPart.validate_lines(m, reporter);

@@ -162,6 +162,7 @@ struct Sketch {
   std::string units[2];
   Parameters parameters;
   bool plane_stress = false;
+  bool axisymmetric = false;         // bodies of revolution; symmetry[0] is the axis
   bool interference = false;         // drawn overlaps are press fits, closed before the load history begins
   int order = 1;                     // of the shape functions
   bool chooses_order = true;         // mesh refinement may choose another order: no statement gives it

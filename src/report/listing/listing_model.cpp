@@ -19,7 +19,11 @@ const char* analysis_text(int32_t analysis) {
 void append_control(std::string& out, const Summary& s) {
   append_section(out, "Control data");
   append_item(out, "analysis", analysis_text(s.analysis));
-  append_item(out, "plane", s.plane == C2D_PLANE_STRESS ? "stress" : "strain");
+  append_item(out, "plane",
+              s.plane == C2D_AXISYMMETRIC
+                  ? "half section of bodies of revolution about x = 0; forces of the whole circumference"
+              : s.plane == C2D_PLANE_STRESS ? "stress"
+                                            : "strain");
   append_item(out, "stepping", s.stepping == C2D_STEPPING_DECK ? "deck increments" : "events");
   append_item(out, "quadrature", s.quadrature == C2D_QUADRATURE_THESIS ? "2, 4 and 10 points" : "accurate");
   append_item(out, "symmetry by images", symmetry_text(s).c_str());

@@ -288,7 +288,9 @@ std::string model_caption(const Scene& scene) {
     if (s.bodies > 1) out += label + " has ";
     out += describe_body(scene, b);
   }
-  out += s.plane == C2D_PLANE_STRESS ? "; plane stress." : "; plane strain.";
+  out += s.plane == C2D_AXISYMMETRIC   ? "; half section of bodies of revolution about x = 0."
+         : s.plane == C2D_PLANE_STRESS ? "; plane stress."
+                                       : "; plane strain.";
   if (!scene.pairs.empty())
     out += " The contact is described by " + std::to_string(s.pairs) + " pairs of nodes in " + std::to_string(s.zones) +
            (s.zones == 1 ? " zone." : " zones.");

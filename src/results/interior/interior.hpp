@@ -16,6 +16,7 @@ Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step)
 
 struct BoundaryState {
   double u[2], t[2], du_ds[2], n[2];
+  double across; // strain across the plane: round the axis, else 0
 };
 
 // du_ds: from this element and the neighbours that join it smoothly.

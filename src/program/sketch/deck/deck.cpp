@@ -98,8 +98,8 @@ void Writer::heading() {
 
 void Writer::control() {
   const std::string bodies = std::to_string(s_.bodies.size());
-  comment(s_.plane_stress ? "plane stress; output" : "plane strain; output");
-  card(s_.plane_stress ? "1 2" : "0 2"); // the load path is followed even without zones
+  comment(s_.axisymmetric ? "axisymmetric; output" : s_.plane_stress ? "plane stress; output" : "plane strain; output");
+  card(s_.axisymmetric ? "2 2" : s_.plane_stress ? "1 2" : "0 2"); // the load path is followed even without zones
   comment("bodies, matching zones, functional nodes per element");
   card(bodies + " " + std::to_string(matching()) + " " + std::to_string(nodes()));
   comment("per body: curves, boundary points per element, elements, boundary points");
@@ -506,7 +506,8 @@ std::string Writer::write() {
   if (!s_.units[0].empty()) card("*UNITS " + s_.units[0] + " " + s_.units[1]);
   for (size_t b = 0; b < s_.bodies.size(); ++b) card("*NAME BODY " + std::to_string(b + 1) + " " + s_.bodies[b].name);
   for (size_t axis = 0; axis < 2; ++axis)
-    if (s_.symmetry[axis]) card(std::string("*SYMMETRY ") + (axis == 0 ? "X" : "Y") + number(*s_.symmetry[axis]));
+    if (s_.symmetry[axis] && (axis == 1 || !s_.axisymmetric))
+      card(std::string("*SYMMETRY ") + (axis == 0 ? "X" : "Y") + number(*s_.symmetry[axis]));
   zones();
   platens();
   curves();

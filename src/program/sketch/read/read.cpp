@@ -11,6 +11,7 @@ namespace sketch {
 const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},
                                              {"units", &Reader::units},
                                              {"plane", &Reader::plane},
+                                             {"axisymmetric", &Reader::axisymmetric},
                                              {"functions", &Reader::functions},
                                              {"parameter", &Reader::parameter},
                                              {"symmetry", &Reader::symmetry},
@@ -155,9 +156,18 @@ void Reader::units(Statement& s) {
 }
 
 void Reader::plane(Statement& s) {
-  once(s, "the statement 'plane'");
+  once(s, "the statement 'plane' or 'axisymmetric'");
   s_.plane_stress =
       s.is_number() ? s.whole("0 for plane strain, 1 for plane stress", 0, 1) == 1 : s.choice({"strain", "stress"}) == 1;
+}
+
+// The axis is a line on which outlines end, as on one of symmetry.
+void Reader::axisymmetric(Statement& s) {
+  once(s, "the statement 'plane' or 'axisymmetric'");
+  if (!s_.bodies.empty()) throw Fault{s.at(), "'axisymmetric' stands after a body, expected it before the first body"};
+  if (s_.symmetry[0]) s.fail("a line of symmetry x is given, bodies of revolution have the axis x = 0");
+  s_.axisymmetric = true;
+  s_.symmetry[0] = 0.0;
 }
 
 void Reader::functions(Statement& s) {

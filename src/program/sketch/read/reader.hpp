@@ -31,6 +31,7 @@ private:
   void title(Statement& s);
   void units(Statement& s);
   void plane(Statement& s);
+  void axisymmetric(Statement& s);
   void functions(Statement& s);
   void parameter(Statement& s);
   void symmetry(Statement& s);

@@ -1,0 +1,15 @@
+#pragma once
+// Integrals of the ring kernels over one element of a body of revolution (METHOD 21.2): integrate() and rigid_sum() of
+// bie/integrals/integrals.hpp for elements after set_axis(), with r J in place of J. As accurate, for sources on the axis too.
+#include "bie/integrals/integrals.hpp"
+
+namespace c2d {
+
+void integrate_rings(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+
+// The element's share in minus the diagonal block of the source at (R, z_P). Column 1 is that of a translation along the axis.
+// Column 0 is that of the motion (r, -2 (z - z_P))/R, which changes no volume: its tractions are (n_r, -2 n_z)/R in units of 2G
+// for any nu. On the axis column 0 has no meaning.
+void ring_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);
+
+} // namespace c2d

@@ -1,0 +1,13 @@
+// c2d_link_axisymmetric.
+#include "bie/rings/ring_elements.hpp"
+#include "memory/parts.hpp"
+
+namespace c2d {
+
+C2D_BRINGS(c2d_set_symmetry);
+
+} // namespace c2d
+
+const c2d::RingPart c2d::kRingPart = {kRings, integrate_rings, ring_sum};
+
+extern "C" void c2d_link_axisymmetric(void) {}
