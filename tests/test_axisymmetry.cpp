@@ -186,6 +186,46 @@ Model hub_on_shaft(double mu) {
   return m;
 }
 
+// A side of `elements` elements along a curve, s from 0 to 1, without its last point.
+void add_side(Body& body, int32_t elements, const test::Callable<void(double s, double& x, double& y)>& curve) {
+  const int32_t first = body.sides.empty() ? 1 : body.sides.back().last + 1, points = elements * (body.element_nodes - 1);
+  for (int32_t i = 0; i < points; ++i) {
+    double x, y;
+    curve(static_cast<double>(i) / points, x, y);
+    body.xy.insert(body.xy.end(), {x, y});
+  }
+  body.sides.push_back({first, first + elements - 1});
+}
+
+// Half a sphere of radius 100 on a block of 60 by 60, both E = 1000, pressed by the load for which Hertz has a = 1, with 20
+// quadratic elements on it.
+constexpr double kSphere = 100, kEdge = 1;
+Model sphere_on_block(int32_t functions, double nu, double mu) {
+  Model m = revolved(functions);
+  const int32_t zone = 25, top = 14, face = 16;
+  const double w = kEdge / 19.5 * zone, pressed = 4 * 1000 / (1 - nu * nu) / 2 / (3 * kSphere);
+  Body block = open_polygon({{0, -60, 8}, {60, -60, 8}, {60, 0, top, 0.66}, {w, 0, zone}, {0, 0, 1}}, 1000, nu);
+  m.add(block);
+  Body sphere;
+  sphere.poisson_ratio = nu, sphere.element_nodes = 3;
+  add_side(sphere, zone, [=](double s, double& x, double& y) {
+    x = w * s, y = x * x / (kSphere + std::sqrt(kSphere * kSphere - x * x));
+  });
+  add_side(sphere, face, [=](double s, double& x, double& y) {
+    const double from = std::asin(w / kSphere), f = from * std::pow(kPi / 2 / from, s);
+    x = kSphere * std::sin(f), y = kSphere * (1 - std::cos(f));
+  });
+  add_side(sphere, 6, [](double s, double& x, double& y) { x = kSphere * (1 - s), y = kSphere; });
+  sphere.xy.insert(sphere.xy.end(), {0.0, kSphere});
+  sphere.open_regions = 1, sphere.regions.push_back({1, sphere.sides.back().last});
+  m.add(sphere);
+  m.friction = mu;
+  m.set(1, 1, end_of("0110"));
+  m.set(2, 3, end_of(kPulled, 0, -pressed / (kPi * kSphere * kSphere)));
+  m.join(C2D_ZONE_MATCHING, 1, 4, 2, 1);
+  return m;
+}
+
 } // namespace
 
 TEST_CASE("axisymmetric contact: columns stacked, forces and energies of the whole circumference" * doctest::skip(kNoRings)) {
@@ -204,9 +244,55 @@ TEST_CASE("axisymmetric contact: a rigid flat punch on a block" * doctest::skip(
   // The half space: the block's own share of the compliance falls like one over its size.
   double worst = 0;
   const double small = flat_punch(60, worst), large = flat_punch(180, worst);
-  MESSAGE(small, " ", large, " ", worst, " ", (3 / large - 1 / small) / 2);
   CHECK(worst < 1e-3);
   CHECK(relative((3 / large - 1 / small) / 2, 1) < 1e-4);
+}
+
+TEST_CASE("axisymmetric contact: Hertz, a sphere on a block" * doctest::skip(kNoRings)) {
+  const double nu = 0.3, modulus = 1000 / (1 - nu * nu) / 2;
+  for (int32_t functions : {2, 3, 4}) {
+    Model m = sphere_on_block(functions, nu, 0);
+    // With quadratic functions the node on the axis has no share in the force: the contact cannot begin there under a load.
+    if (functions == 3) m.set(2, 3, end_of("0110", 0, 0, 0, -0.01));
+    const Result r = solved(m);
+    const double force = std::fabs(r.zones[0].force[1]), a = std::cbrt(3 * force * kSphere / (4 * modulus));
+    const double p0 = 2 * modulus * a / (kPi * kSphere);
+    double worst = 0, last = 0;
+    for (const Row& row : r.zone_rows(1)) {
+      const double x = row[C2D_X] / a;
+      if (x < 0.9) worst = std::max(worst, std::fabs(row[C2D_TN] / p0 - std::sqrt(1 - x * x)));
+      if (row[C2D_TN] > 0) last = std::max(last, x);
+    }
+    CHECK(relative(a, kEdge) < 3e-3);
+    CHECK(worst < 1e-3);
+    CHECK(last > 0.95);
+    CHECK(last < 1.01);
+  }
+}
+
+TEST_CASE("axisymmetric contact: a sphere on a rigid flat with friction, the border of stick" * doctest::skip(kNoRings)) {
+  // Radius of stick over that of contact, pressure at the centre over that of Hertz (0: not compared): an independent program of
+  // the same problem, the first CONTACT's case spence35. (Spence's formula leaves out what friction does to the pressure.)
+  struct {
+    double nu, mu, border, p0;
+  } const kCases[] = {{0.0, 0.2986, 0.494, 0}, {0.3, 0.2, 0.711, 1.0806}, {0.3, 0.1, 0.208, 1.0824}, {0.2, 0.3, 0.758, 1.1492}};
+  for (const auto& at : kCases) {
+    const double modulus = 1000 / (1 - at.nu * at.nu), force = 4 * modulus / (3 * kSphere);
+    Model m = sphere_on_block(4, at.nu, at.mu);
+    m.body(1).rigid = 1;
+    m.set(2, 3, end_of(kPulled, 0, -force / (kPi * kSphere * kSphere)));
+    const Result r = solved(m);
+    double stick = 0, edge = 0, centre = 0;
+    for (const Row& row : r.zone_rows(1)) {
+      if (row[C2D_TN] > 0) edge = std::max(edge, row[C2D_X]);
+      if (row[C2D_STATUS] == C2D_STICK) stick = std::max(stick, row[C2D_X]);
+      if (row[C2D_X] == 0) centre = row[C2D_TN] * kPi * kSphere / (2 * modulus);
+    }
+    CAPTURE(at.nu);
+    CAPTURE(at.mu);
+    CHECK(std::fabs(stick - at.border * edge) < kEdge / 19.5);
+    if (at.p0 > 0) CHECK(std::fabs(centre - at.p0) < 3e-3);
+  }
 }
 
 TEST_CASE("axisymmetric contact: a hub pressed on a shaft" * doctest::skip(kNoRings)) {

@@ -209,7 +209,7 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
 
 bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
   const int32_t regions = m.body[b].regions;
-  if (is_axisymmetric(m)) return false;                   // METHOD 21.4
+  if (is_axisymmetric(m)) return false;                   // METHOD 21.5
   if (regions == 1 && m.body[b].lines == 0) return false; // the outer boundary alone
   while (walk.region < regions) {
     if (!next_run(m, b, walk, out)) {

@@ -7,11 +7,12 @@ namespace {
 
 constexpr int32_t kSequenceColumn = 72; // columns after it contain sequence numbers
 
-// Whether open regions are legal is known only at the end of the deck, after *SYMMETRY.
+// Whether open regions are legal is known only at the end of the deck, after *SYMMETRY, except in bodies of revolution.
 void check_open_regions(Deck& deck) {
   Cards& cards = deck.cards;
   const int32_t line = cards.line;
-  for (int b = 0; b < deck.sizes.bodies && deck.symmetry == 0; ++b) {
+  const bool allowed = deck.symmetry != 0 || deck.problem.plane == C2D_AXISYMMETRIC;
+  for (int b = 0; b < deck.sizes.bodies && !allowed; ++b) {
     if (open_regions(deck, b) == 0 || cards.status != C2D_OK) continue;
     cards.body = b + 1;
     cards.line = body_line(deck, b);

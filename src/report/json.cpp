@@ -268,7 +268,7 @@ void append_symmetry(std::string& out, const Summary& s) {
   out += '[';
   bool first = true;
   for (int axis = 0; axis < 2; ++axis) {
-    if ((s.symmetry >> axis & 1) == 0) continue;
+    if ((mirror_lines(s) >> axis & 1) == 0) continue;
     if (!first) out += ", ";
     first = false;
     Object line(out, "{", ", ");
@@ -391,6 +391,7 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   append_memory(o.key("memory"), s);
   append_tapes(o.key("tapes"), s);
   append_seconds(o.key("seconds"), record, s);
+  if (s.plane == C2D_AXISYMMETRIC) o.word("plane", "axisymmetric");
   append_symmetry(o.key("symmetry"), s);
   append_zones(o.key("zones"), record, s);
   o.integer("events", s.events);

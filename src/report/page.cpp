@@ -193,7 +193,8 @@ void append_numbers(std::string& out, const Scene& scene) {
     }
   }
   out += "</table></div>\n";
-  if (scene.summary.symmetry != 0) out += "<p>Forces and moments are those of the modelled part.</p>\n";
+  if (scene.summary.plane == C2D_AXISYMMETRIC) out += "<p>Forces are those of the whole circumference.</p>\n";
+  if (mirror_lines(scene.summary) != 0) out += "<p>Forces and moments are those of the modelled part.</p>\n";
   out += "</section>\n";
 }
 
@@ -252,7 +253,7 @@ void append_balance(std::string& out, const Scene& scene) {
       append_row(out, {body_label(scene, b) + ": " + row.of, shown(0), shown(1), shown(2)});
     }
   out += "</table></div>\n";
-  if (s.symmetry != 0) out += std::string("<p>In this table ") + escape_xml(words_of_totals(s)) + ".</p>\n";
+  if (mirror_lines(s) != 0) out += std::string("<p>In this table ") + escape_xml(words_of_totals(s)) + ".</p>\n";
   out += "</section>\n";
 }
 

@@ -268,10 +268,12 @@ std::string shown(const std::string& text) {
   return out;
 }
 
+int32_t mirror_lines(const Summary& s) { return s.plane == C2D_AXISYMMETRIC ? s.symmetry & ~1 : s.symmetry; }
+
 std::string symmetry_text(const Summary& s) {
   std::string out;
   for (int axis = 0; axis < 2; ++axis) {
-    if ((s.symmetry >> axis & 1) == 0) continue;
+    if ((mirror_lines(s) >> axis & 1) == 0) continue;
     if (!out.empty()) out += ", ";
     out += axis == 0 ? "x = " : "y = ";
     append_number(out, s.symmetry_at[axis]);

@@ -38,6 +38,8 @@ size_t character_at(const std::string& text, size_t i);
 size_t characters_in(const std::string& text);
 // The text with a question mark for every byte that begins no printable character: control bytes never reach a terminal.
 std::string shown(const std::string& text);
+// Lines of symmetry by images, as in Summary::symmetry, without the axis of bodies of revolution.
+int32_t mirror_lines(const Summary& summary);
 // "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
 std::string symmetry_text(const Summary& summary);
 

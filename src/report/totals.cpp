@@ -1,4 +1,5 @@
 #include "report/totals.hpp"
+#include "report/text.hpp"
 
 namespace app {
 namespace {
@@ -16,7 +17,8 @@ BodyTotal with_image(const std::string& of, const double (&part)[3], int axis, d
 
 std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
   const c2d_body_result& b = s.body[body - 1];
-  const bool cut = s.symmetry != 0 && b.open_regions > 0;
+  const int32_t lines = mirror_lines(s);
+  const bool cut = lines != 0 && b.open_regions > 0;
   std::vector<BodyTotal> out = {{"loads and supports", {b.applied[0], b.applied[1], b.applied[2]}}};
   if (s.pairs > 0) out.push_back({"contact", {b.contact[0], b.contact[1], b.contact[2]}});
   double sum[3];
@@ -26,8 +28,8 @@ std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
     return out;
   }
   out.push_back({"lines of symmetry", {-sum[0], -sum[1], -sum[2]}});
-  if (s.symmetry == 3) return out; // which of them cut the body is not known here
-  const int axis = s.symmetry == 1 ? 0 : 1;
+  if (lines == 3) return out; // which of them cut the body is not known here
+  const int axis = lines == 1 ? 0 : 1;
   out.push_back(with_image("whole: loads and supports", b.applied, axis, s.symmetry_at[axis]));
   if (s.pairs > 0) out.push_back(with_image("whole: contact", b.contact, axis, s.symmetry_at[axis]));
   out.push_back(with_image("whole: sum", sum, axis, s.symmetry_at[axis]));
@@ -36,9 +38,9 @@ std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
 }
 
 const char* words_of_totals(const Summary& s) {
-  return s.symmetry == 0 ? ""
-                         : "totals of a body that a line of symmetry cuts cover the modelled part, whose balance the line "
-                           "completes; \"whole\": with the image";
+  return mirror_lines(s) == 0 ? ""
+                              : "totals of a body that a line of symmetry cuts cover the modelled part, whose balance the line "
+                                "completes; \"whole\": with the image";
 }
 
 } // namespace app

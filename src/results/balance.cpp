@@ -82,6 +82,7 @@ void sum_forces(const Session& session, int b) {
   contact_resultant(session, b, results.contact_force);
   if (is_rigid(session.model, b)) return hold_rigid(session, b, results.contact_force, applied);
   add_loads(session, b, applied);
+  if (is_axisymmetric(session.model)) applied[0] = applied[2] = 0.0; // radial forces cancel round the axis
 }
 
 // Projection of a force onto the free translations of a body. A fully supported body compares the whole force: then the

@@ -22,6 +22,7 @@ void contact_resultant(const Session& session, int b, double out[3]) {
     add_force(out, w.w * t[0], w.w * t[1], length * (w.wx * t[1] - w.wy * t[0]));
   }
   if (m.body[b].free_rows > 0) kFreeZonePart.add_transferred_force(session, b, out);
+  if (is_axisymmetric(m)) out[0] = out[2] = 0.0; // radial forces cancel round the axis
 }
 
 } // namespace c2d

@@ -24,7 +24,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
 
 } // namespace
 
-// The pressure in a cavity of an incompressible body is not determined by its equations (METHOD 21.4).
+// The pressure in a cavity of an incompressible body is not determined by its equations (METHOD 21.5).
 constexpr double kMostOfCavities = 0.49;
 
 // The axis x = 0 is a line in force, which prevents motions across it. What the equations of rings lack is refused.

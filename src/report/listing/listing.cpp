@@ -28,7 +28,7 @@ void append_balance(std::string& out, const Summary& s) {
   out.append(width - 28, ' ') += "                                         fx              fy          moment\n";
   for (int32_t b = 1; b <= s.bodies; ++b)
     for (const BodyTotal& row : totals_of(s, b)) append_vector(out, name_of_row(b, row), width, row.force);
-  if (s.symmetry != 0) out += std::string("\n  ") + words_of_totals(s) + "\n";
+  if (mirror_lines(s) != 0) out += std::string("\n  ") + words_of_totals(s) + "\n";
 }
 
 void append_energy(std::string& out, const RunRecord& record) {

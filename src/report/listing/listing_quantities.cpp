@@ -60,7 +60,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
     out += '\n';
   }
-  if (s.symmetry != 0)
+  if (s.plane == C2D_AXISYMMETRIC) out += "  bodies of revolution: forces and dissipated work of the whole circumference\n";
+  if (mirror_lines(s) != 0)
     out += "  with lines of symmetry: forces, moments and dissipated work of the modelled part, widths of the whole contact\n";
   out += "  value of an edge or border: length along side 2 from the first pair of the zone; x and y: its position\n"
          "  along: distance of a place along the second side of the contact statement from the start of its first curve (of a "

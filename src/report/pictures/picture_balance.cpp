@@ -1,5 +1,6 @@
 #include "report/drawn/axes.hpp"
 #include "report/pictures/pictures.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +54,8 @@ std::string caption(const Scene& scene) {
     }
   if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
   if (!scene.pairs.empty()) out += contact_text(scene);
-  if (scene.summary.symmetry != 0)
+  if (scene.summary.plane == C2D_AXISYMMETRIC) out += ". They are those of the whole circumference";
+  if (mirror_lines(scene.summary) != 0)
     out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
   return out + ".";
 }
