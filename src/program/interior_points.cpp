@@ -81,12 +81,16 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
       return error = "more than " + std::to_string(kMostPoints) + " points under *POINTS", false;
     take_set(set);
   }
-  if (status != C2D_OK) error = c2d_message(status);
-  return status == C2D_OK;
+  if (status != C2D_OK)
+    error = c2d_message(status);
+  else if (summary.plane == C2D_AXISYMMETRIC && any())
+    error = "points inside bodies of revolution have no results, expected none";
+  return error.empty();
 }
 
 // A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own.
 c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
+  if (s.plane == C2D_AXISYMMETRIC) return C2D_OK; // no results inside
   for (int32_t body = 1; body <= s.bodies; ++body) {
     if (s.is_platen(body)) continue;
     c2d_points set = C2D_INIT(c2d_points);
