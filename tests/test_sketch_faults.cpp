@@ -88,6 +88,22 @@ TEST_CASE("sketch: names, and statements that stand once") {
   tells("limit seconds 5 seconds 6\n" + kHeld, "the limit 'seconds' is given twice");
 }
 
+TEST_CASE("sketch: bodies of revolution and their axis") {
+  tells("plane strain\naxisymmetric\n" + kHeld, "2:1 the statement 'plane' or 'axisymmetric' is given twice, expected once");
+  tells(kHeld + "axisymmetric\n", "8:1 'axisymmetric' stands after a body, expected it before the first body");
+  tells("symmetry x 0\naxisymmetric\n", "a line of symmetry x is given, bodies of revolution have the axis x = 0");
+  tells("axisymmetric\nsymmetry x 1\n", "the line of symmetry x is given twice");
+  for (const char* statement : {"force b at 1 0.5 y 1", "weight b y -1", "spin b 1 about 0 0", "platen b.n y -1"})
+    tells("axisymmetric\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\n" + std::string(statement) +
+              "\n",
+          "' is not possible with 'axisymmetric', expected a statement such as traction, pressure or move");
+  tells("axisymmetric\n" + kHeld, "lies on the axis x = 0; do not draw this curve");
+  tells("axisymmetric\nbody b E 1 nu 0\nfrom -1 0\nline s to 1 0\nline e to 1 1\nline n to -1 1\nline w close\nfix b.s\n",
+        "the outline crosses the axis x = 0, expected a half section at x >= 0");
+  tells("axisymmetric\nbody b E 1 nu 0\nfrom -2 0\nline s to -1 0\nline e to -1 1\nline n to -2 1\nline w close\nfix b.s\n",
+        "the outline crosses the axis x = 0, expected a half section at x >= 0");
+}
+
 TEST_CASE("sketch: conditions that contradict each other") {
   tells(kHeld + "case one\nmove b.s x 1\n", "9:1 b.s has a displacement along x in line 7, expected only one");
   CHECK(read(std::string(kSquare) + "case one\nfix b.s\ncase two\nmove b.s x 1\nhistory two 1\n").faults.empty());

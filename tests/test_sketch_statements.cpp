@@ -1,4 +1,5 @@
 // What statements of sketches mean: in what is read, in the deck, and solved.
+#include "memory/config.hpp"
 #include "problem.hpp"
 #include "sketches.hpp"
 
@@ -86,6 +87,18 @@ TEST_CASE("sketch: histories go on in further statements, with cases that come l
   CHECK(s.cases[1].factors == std::vector<double>{0, 0, 1, 1});
   CHECK(has_cards(deck("steps 7\n" + held + "case two\nhistory two 3\n"), "*PATH\n7 1\n7 2\n7 2"));
   CHECK(has_cards(deck(std::string(kSquare) + "fix b.s\n"), "*PATH\n10 1"));
+}
+
+TEST_CASE("sketch: bodies of revolution" * doctest::skip(!c2d::kRings)) {
+  const std::string text = "axisymmetric\nbody b E 1000 nu 0.3\nfrom 0 0\nline s to 2 0\nline e to 2 1\nline n to 0 1\n"
+                           "fix b.s y\ntraction b.n y 100\n";
+  CHECK(has_cards(deck(text), "2 2"));
+  CHECK(count(deck(text), "*SYMMETRY") == 0);
+  CHECK(count(deck("symmetry y 0\n" + text), "*SYMMETRY Y") == 1);
+  double worst = 0;
+  for (const problem::EndResult& end : solved(text).boundary[0])
+    worst = std::max({worst, std::fabs(end.uy - 0.1 * end.y), std::fabs(end.ux + 0.03 * end.x)});
+  CHECK(worst < 1e-10);
 }
 
 TEST_CASE("sketch: weight and rotation of a body are one card") {

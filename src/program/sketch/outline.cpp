@@ -166,20 +166,23 @@ void Check::check_symmetry(const Body& body, const Outline& outline) {
   const auto across = [](Point p, size_t axis) { return axis == 0 ? p.x : p.y; };
   for (size_t axis = 0; axis < 2; ++axis) {
     if (!s_.symmetry[axis]) continue;
-    const std::string line = std::string(axis == 0 ? "x = " : "y = ") + show(*s_.symmetry[axis]);
+    const bool is_axis = axis == 0 && s_.axisymmetric;
+    const std::string line =
+        std::string(is_axis ? "axis " : "line of symmetry ") + (axis == 0 ? "x = " : "y = ") + show(*s_.symmetry[axis]);
     bool below = false, above = false;
     for (const Point& p : polygon) {
       below = below || across(p, axis) < *s_.symmetry[axis] - near;
       above = above || across(p, axis) > *s_.symmetry[axis] + near;
     }
-    if (below && above)
-      return fault(outline.at, "body " + in_quotes(body.name) + ": the outline crosses the line of symmetry " + line +
-                                   ", expected only the part on one side of it");
+    if (below && (above || is_axis))
+      return fault(outline.at,
+                   "body " + in_quotes(body.name) + ": the outline crosses the " + line +
+                       (is_axis ? ", expected a half section at x >= 0" : ", expected only the part on one side of it"));
     for (const Curve& curve : outline.curves) {
       const auto is_on = [&](double u) { return std::fabs(across(curve.shape->at(u), axis) - *s_.symmetry[axis]) <= near; };
       if (is_on(0) && is_on(0.5) && is_on(1))
-        return fault(curve.at, "body " + in_quotes(body.name) + ": " + text_of(curve) + " lies on the line of symmetry " +
-                                   line + "; do not draw this curve: the outline must begin and end on the line");
+        return fault(curve.at, "body " + in_quotes(body.name) + ": " + text_of(curve) + " lies on the " + line +
+                                   "; do not draw this curve: the outline must begin and end on the line");
     }
   }
 }
