@@ -208,9 +208,8 @@ Model sphere_on_block(int32_t functions, double nu, double mu) {
   m.add(block);
   Body sphere;
   sphere.poisson_ratio = nu, sphere.element_nodes = 3;
-  add_side(sphere, zone, [=](double s, double& x, double& y) {
-    x = w * s, y = x * x / (kSphere + std::sqrt(kSphere * kSphere - x * x));
-  });
+  add_side(sphere, zone,
+           [=](double s, double& x, double& y) { x = w * s, y = x * x / (kSphere + std::sqrt(kSphere * kSphere - x * x)); });
   add_side(sphere, face, [=](double s, double& x, double& y) {
     const double from = std::asin(w / kSphere), f = from * std::pow(kPi / 2 / from, s);
     x = kSphere * std::sin(f), y = kSphere * (1 - std::cos(f));
@@ -271,8 +270,8 @@ TEST_CASE("axisymmetric contact: Hertz, a sphere on a block" * doctest::skip(kNo
 }
 
 TEST_CASE("axisymmetric contact: a sphere on a rigid flat with friction, the border of stick" * doctest::skip(kNoRings)) {
-  // Radius of stick over that of contact, pressure at the centre over that of Hertz (0: not compared): an independent program of
-  // the same problem, the first CONTACT's case spence35. (Spence's formula leaves out what friction does to the pressure.)
+  // Radius of stick over that of contact, pressure at the centre over that of Hertz (0: not compared): an independent program
+  // of the same problem, the first CONTACT's case spence35. (Spence's formula leaves out what friction does to the pressure.)
   struct {
     double nu, mu, border, p0;
   } const kCases[] = {{0.0, 0.2986, 0.494, 0}, {0.3, 0.2, 0.711, 1.0806}, {0.3, 0.1, 0.208, 1.0824}, {0.2, 0.3, 0.758, 1.1492}};

@@ -211,7 +211,7 @@ TEST_CASE("a wrong count is one fault: what only seems wrong after it is not tol
 
 TEST_CASE("sizes") {
   check_squares(1, "    0", 1, 5, "number of heading cards is 0, expected at least 1");
-  check_squares(3, "    2    1", 1, 5, "is 2, expected 0 to 1");
+  check_squares(3, "    3    1", 1, 5, "is 3, expected 0 to 2");
   check_squares(4, "   -1    1    2", 1, 5, "number of bodies is -1, expected at least 1");
   check_squares(4, "    0    1    2", 1, 5, "number of bodies is 0");
   check_squares(4, "    2   -1    2", 6, 10, "number of contact zones is -1, expected at least 0");

@@ -191,7 +191,7 @@ TEST_CASE("polar and generated nodes, generated conditions") {
 
 TEST_CASE("wrong fields in the free form: the column and what was expected") {
   check_fault(6, "0 x1", 3, 4, "columns 3-4 contain 'x1', expected an integer: type of output");
-  check_fault(6, "2, 1", 1, 1, "problem type (IPTYPE, 0 plane strain, 1 plane stress) is 2, expected 0 to 1");
+  check_fault(6, "3, 1", 1, 1, "problem type (IPTYPE, 0 plane strain, 1 plane stress, 2 axisymmetric) is 3, expected 0 to 2");
   check_fault(6, "0  ! no more", 2, 2, "the card ends here, expected type of output");
   check_fault(6, "0 1 2 3", 5, 7, "the card has 4 fields, expected 2");
   check_fault(7, "2 1.5 2", 3, 5, "columns 3-5 contain '1.5', expected an integer without point or exponent");

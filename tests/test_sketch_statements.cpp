@@ -94,7 +94,7 @@ TEST_CASE("sketch: bodies of revolution" * doctest::skip(!c2d::kRings)) {
                            "fix b.s y\ntraction b.n y 100\n";
   CHECK(has_cards(deck(text), "2 2"));
   CHECK(count(deck(text), "*SYMMETRY") == 0);
-  CHECK(count(deck("symmetry y 0\n" + text), "*SYMMETRY Y") == 1);
+  CHECK(count(deck("symmetry y 5\n" + text), "*SYMMETRY Y") == 1);
   double worst = 0;
   for (const problem::EndResult& end : solved(text).boundary[0])
     worst = std::max({worst, std::fabs(end.uy - 0.1 * end.y), std::fabs(end.ux + 0.03 * end.x)});

@@ -22,8 +22,6 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
   return allowed;
 }
 
-} // namespace
-
 // The pressure in a cavity of an incompressible body is not determined by its equations (METHOD 21.5).
 constexpr double kMostOfCavities = 0.49;
 
@@ -52,6 +50,8 @@ void validate_axis(const Model& m, Reporter& reporter) {
   m.head->symmetry |= 1;
   m.head->line_at[0] = 0.0;
 }
+
+} // namespace
 
 bool validate_symmetry(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
