@@ -200,12 +200,7 @@ typedef struct c2d_problem {
   int32_t iteration_limit;    /* per increment of deck stepping (ITMAX); 0 means 50                 */
   char title[80];             /* ended by a zero byte                                               */
 } c2d_problem;
-/* The kind of problem. C2D_AXISYMMETRIC: bodies of revolution about x = 0; x is the radius r, y the axial coordinate. Half
-   sections at x >= 0 are modelled. A section that meets the axis is an open region with its ends there, without elements on it.
-   Forces, moments and energies are those of the whole circumference, "lengths" of contact are areas; szz is the stress round the
-   axis. Elimination is dense, the quadrature accurate. Refused: point loads, body forces, platens, symmetry by images, c2d_interior
-   (C2D_ERR_STATE). METHOD 21. */
-c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
+c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem); /* C2D_AXISYMMETRIC: METHOD 21 */
 
 typedef struct c2d_body {
   uint32_t struct_size;
@@ -588,12 +583,10 @@ c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
-/* These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program:
-   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
-   except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses
-   where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all
-   contact pressure (without it such a path ends with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies
-   of revolution (C2D_AXISYMMETRIC). */
+/* These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies
+   with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state, also linked by c2d_run and
+   c2d_get_summary; the search, also linked by c2d_run, where changing the violating pairs fails (without it such a path ends
+   with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies of revolution (C2D_AXISYMMETRIC). */
 void c2d_link_holes(void);
 void c2d_link_free_zones(void);
 void c2d_link_warnings(void);

@@ -1,6 +1,7 @@
 // A library compiled with C2D_PARTS_BY_CALL: a program has the parts whose calls it names, and is told of the others
 // where a deck, an option, a workspace or a saved state wants one. (The bytes: test_embedded.cpp.)
 #include "deck_recorder.hpp"
+#include "many_bodies.hpp"
 #include "memory/parts.hpp"
 #include "model/model.hpp"
 #include "paths.hpp"
@@ -82,7 +83,7 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
     for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
-                             "WarningPart", "SearchPart", "HolePart", "CurvePart", "CompressedPart"}) {
+                             "WarningPart", "SearchPart", "HolePart", "CurvePart", "CompressedPart", "RingPart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;
@@ -129,6 +130,16 @@ private:
   Folder folder_;
   Result built_;
 };
+
+// A ring on its lower side.
+std::string ring_deck() {
+  many::Model m;
+  m.plane = C2D_AXISYMMETRIC;
+  m.add(many::rectangle(1, 0, 2, 1, {1, 1, 1, 1}));
+  m.set(1, 1, many::end_of("0110"));
+  std::vector<int32_t> order;
+  return many::deck_of(m, "RING", order);
+}
 
 std::string deck_with(const std::string& card) { return deck_test::joined(deck_test::squares()) + card + "\n"; }
 
@@ -183,7 +194,8 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
   const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "
-                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search -Wl,-u,c2d_link_holes -Wl,-u,c2d_link_compressed");
+                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search -Wl,-u,c2d_link_holes -Wl,-u,c2d_link_compressed "
+                     "-Wl,-u,c2d_link_axisymmetric");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
   for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones",
@@ -213,6 +225,18 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
                   told);
     CHECK(contains(told, status_line(C2D_ERR_INPUT)));
     CHECK(with.run("deck deck.dat") == status_line(C2D_OK));
+  }
+  if (c2d::kRings) {
+    SUBCASE("bodies of revolution") {
+      write_file(without / "deck.dat", ring_deck());
+      write_file(with / "deck.dat", ring_deck());
+      const std::string told = without.run("deck deck.dat");
+      CHECK_MESSAGE(contains(told, "this program is linked without bodies of revolution (C2D_PARTS_BY_CALL): "
+                                   "c2d_link_axisymmetric links them\n"),
+                    told);
+      CHECK(contains(told, status_line(C2D_ERR_INPUT)));
+      CHECK(with.run("deck deck.dat") == status_line(C2D_OK));
+    }
   }
   SUBCASE("options") {
     CHECK(without.run("images") == "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): "
@@ -251,6 +275,13 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
       whole.write(without / "workspace");
       whole.write(with / "workspace");
       CHECK(without.run("attach workspace") == (model.call == nullptr ? status_line(C2D_OK) : refused(model.call)));
+      CHECK(with.run("attach workspace") == status_line(C2D_OK));
+    }
+    if (c2d::kRings) {
+      Whole ring(ring_deck(), nullptr);
+      ring.write(without / "workspace");
+      ring.write(with / "workspace");
+      CHECK(without.run("attach workspace") == refused("c2d_link_axisymmetric"));
       CHECK(with.run("attach workspace") == status_line(C2D_OK));
     }
     Whole compressed(deck_with(""), nullptr);

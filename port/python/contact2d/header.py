@@ -702,9 +702,7 @@ Read a whole deck and complete the model; c2d_port.log receives all faults. Erro
     "c2d_set_problem": (c_int32, [
         ("solver", c_void_p, False, None),
         ("problem", POINTER(c2d_problem), True, None),
-    ], """c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
-
-The kind of problem. C2D_AXISYMMETRIC: bodies of revolution about x = 0; x is the radius r, y the axial coordinate. Half sections at x >= 0 are modelled. A section that meets the axis is an open region with its ends there, without elements on it. Forces, moments and energies are those of the whole circumference, "lengths" of contact are areas; szz is the stress round the axis. Elimination is dense, the quadrature accurate. Refused: point loads, body forces, platens, symmetry by images, c2d_interior (C2D_ERR_STATE). METHOD 21."""),
+    ], """c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);"""),
     "c2d_set_body": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
@@ -1150,7 +1148,7 @@ Text of a c2d_status or a warning, and of an outcome, for any integer; never nul
     "c2d_version": (c_char_p, [], """const char* c2d_version(void);"""),
     "c2d_link_holes": (None, [], """void c2d_link_holes(void);
 
-These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE, except those of c2d_complete), also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, for statuses where changing the violating pairs fails, with the proof that none exist, the number of solutions, and bodies that lose all contact pressure (without it such a path ends with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies of revolution (C2D_AXISYMMETRIC)."""),
+These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state, also linked by c2d_run and c2d_get_summary; the search, also linked by c2d_run, where changing the violating pairs fails (without it such a path ends with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies of revolution (C2D_AXISYMMETRIC)."""),
     "c2d_link_free_zones": (None, [], """void c2d_link_free_zones(void);"""),
     "c2d_link_warnings": (None, [], """void c2d_link_warnings(void);"""),
     "c2d_link_search": (None, [], """void c2d_link_search(void);"""),
