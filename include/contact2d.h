@@ -583,8 +583,8 @@ c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
-/* These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program: bodies
-   with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state, also linked by c2d_run and
+/* These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL they link optional parts into the program:
+   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state, also linked by c2d_run and
    c2d_get_summary; the search, also linked by c2d_run, where changing the violating pairs fails (without it such a path ends
    with C2D_UNDECIDED); compressed elimination, which small code lacks; and bodies of revolution (C2D_AXISYMMETRIC). */
 void c2d_link_holes(void);

@@ -239,6 +239,12 @@ TEST_CASE("axisymmetric contact: columns stacked, forces and energies of the who
     }
 }
 
+TEST_CASE("axisymmetric contact: elimination is dense, whatever the options say" * doctest::skip(kNoRings || c2d::kSmallCode)) {
+  Model m = columns(C2D_ZONE_MATCHING, 2);
+  m.elimination = C2D_ELIMINATION_COMPRESSED;
+  CHECK(solved(m).last().rows == solved(columns(C2D_ZONE_MATCHING, 2)).last().rows);
+}
+
 TEST_CASE("axisymmetric contact: a rigid flat punch on a block" * doctest::skip(kNoRings)) {
   // The half space: the block's own share of the compliance falls like one over its size.
   double worst = 0;

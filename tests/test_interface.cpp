@@ -598,7 +598,7 @@ std::vector<Wrong> wrong_calls() {
     });
     add("plane", [](c2d_solver* s) {
       c2d_problem p = problem();
-      p.plane = 2;
+      p.plane = 3;
       return c2d_set_problem(s, &p);
     });
     add("iterations", [](c2d_solver* s) {

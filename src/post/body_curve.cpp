@@ -39,7 +39,7 @@ void ElementCurve::slope(double eta, double out[2]) const {
   }
 }
 
-double ElementCurve::length(double from, double to, int32_t nodes, int32_t k) const {
+double ElementCurve::length(double from, double to, int32_t nodes, int32_t k, bool revolved) const {
   static const double kPlace[3] = {0.0, 0.5384693101056831, 0.9061798459386640}; // Gauss, five points
   static const double kWeight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
   const int panels = count > 2 ? 4 : 1; // accurate to 1e-10 even for a curve that turns by a right angle
@@ -50,7 +50,12 @@ double ElementCurve::length(double from, double to, int32_t nodes, int32_t k) co
       const int n = g < 0 ? -g : g;
       const double eta = from + half * (2 * i + 1 + (g < 0 ? -kPlace[n] : kPlace[n]));
       slope(eta, t);
-      sum += kWeight[n] * half * std::hypot(t[0], t[1]) * shape_value(nodes, k, eta);
+      double part = kWeight[n] * half * std::hypot(t[0], t[1]) * shape_value(nodes, k, eta);
+      if (revolved) {
+        point(eta, t);
+        part *= kFullTurn * t[0];
+      }
+      sum += part;
     }
   return sum;
 }

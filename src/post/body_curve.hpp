@@ -17,6 +17,8 @@ double shape_slope(int32_t count, int32_t k, double eta);
 // The place of functional node k (from 0) of `count`.
 inline double node_place(int32_t count, int32_t k) { return count > 1 ? -1.0 + 2.0 * k / (count - 1) : 0.0; }
 
+constexpr double kFullTurn = 6.28318530717958647692; // of a body of revolution
+
 // The curve of one element through its boundary points.
 struct ElementCurve {
   int32_t count = 0; // 2, 3 or 4; 0: none
@@ -25,7 +27,8 @@ struct ElementCurve {
   void point(double eta, double out[2]) const;
   void slope(double eta, double out[2]) const; // d(x, y)/d(eta)
   // Integral of the curve's length from `from` to `to`, times shape function k of `nodes`; nodes = 1: the length itself.
-  double length(double from, double to, int32_t nodes = 1, int32_t k = 0) const;
+  // Revolved: of the area that the curve describes about x = 0.
+  double length(double from, double to, int32_t nodes = 1, int32_t k = 0, bool revolved = false) const;
   double length() const { return length(-1, 1); }
 };
 

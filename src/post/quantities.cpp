@@ -162,6 +162,22 @@ void take_peak(const ZoneStep& z, Quantities& out) {
   add_place(z.state.line, peak.s, out.add(Measure::kPeakPressure, peak.value));
 }
 
+// The area that touches, of bodies of revolution.
+double touching_area(const LineState& state, const std::vector<ContactEdge>& edges) {
+  const ZoneLine& line = state.line;
+  if (line.size() == 0) return 0;
+  const Stretches stretches = touching_stretches(state, edges);
+  double sum = 0;
+  for (const StretchEnd& end : stretches.ends) sum += end.direction * line.area(end.s);
+  if (line.round) {
+    const bool whole = stretches.first && (stretches.last || stretches.ends.empty());
+    return whole ? sum + line.area(line.length) : sum;
+  }
+  if (stretches.first) sum -= line.area(line.end[0].s);
+  if (stretches.last) sum += line.area(line.end[1].s);
+  return sum;
+}
+
 double integral(const ZoneLine& line, const std::vector<double>& values) {
   double sum = 0;
   for (size_t i = 0; i < values.size(); ++i) sum += line.weight[i] * values[i];
@@ -169,7 +185,8 @@ double integral(const ZoneLine& line, const std::vector<double>& values) {
 }
 
 void take_mean(const ZoneStep& z, Quantities& out) {
-  const double length = z.contact ? touching_length(z.state, z.edges) : 0;
+  const auto measure = z.state.line.revolved ? touching_area : touching_length;
+  const double length = z.contact ? measure(z.state, z.edges) : 0;
   if (length > 0) out.add(Measure::kMeanPressure, integral(z.state.line, z.state.tn) / length);
 }
 

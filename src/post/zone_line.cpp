@@ -25,6 +25,20 @@ void ZoneLine::place(double at, double out[2]) const {
   for (int c = 0; c < 2; ++c) out[c] = told_place(out[c], length); // on an axis
 }
 
+double ZoneLine::area(double to) const {
+  double sum = 0;
+  for (size_t i = 0; i < pieces.size(); ++i) { // Gauss's rule of three points on each element
+    const double begin = std::max(0.0, pieces[i].s), until = i + 1 < pieces.size() ? std::min(to, pieces[i + 1].s) : to;
+    const double half = (until - begin) / 2;
+    for (int g = -1; g <= 1 && half > 0; ++g) {
+      double at[2];
+      place(begin + half * (1 + g * 0.7745966692414834), at);
+      sum += (g == 0 ? 8.0 : 5.0) / 9 * half * kFullTurn * at[0];
+    }
+  }
+  return sum;
+}
+
 namespace {
 
 // Least distance of a point from an element, and the length there from the begin of the element.
@@ -162,7 +176,7 @@ void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, b
     const int32_t node = curve(side.body).node(e, k + 1);
     const int32_t pair = pair_at_[static_cast<size_t>(line.zone) - 1][static_cast<size_t>(node)];
     if (pair < 0) continue;
-    const double weight = element.length(-1, 1, nodes, k), eta = node_place(nodes, k);
+    const double weight = element.length(-1, 1, nodes, k, line.revolved), eta = node_place(nodes, k);
     if (!line.pair.empty() && (line.pair.back() == pair || line.pair.front() == pair)) { // shared with a neighbour
       line.weight[line.pair.back() == pair ? line.weight.size() - 1 : 0] += weight;
       continue;
@@ -291,6 +305,7 @@ ZoneLine PlaceFinder::line_of(int32_t number) const {
   line.zone = number;
   line.tied = (zone.kind & C2D_ZONE_TIED) != 0;
   line.self = zone.side1.body == zone.side2.body;
+  line.revolved = s_.plane == C2D_AXISYMMETRIC;
   line.beta = dundurs_beta(s_, zone);
   const Walk w = walk(zone.side2);
   if (w.elements.front() == 0 || w.elements.back() == 0) return line;

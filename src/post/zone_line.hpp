@@ -35,7 +35,8 @@ struct ZoneLine {
   bool turned = false;             // force and moment of the contact are given of side 1: the second of a sketch's statement
   ZoneEnd end[2];
   std::vector<char> corner;   // has one of the bodies a corner at the pair?
-  std::vector<double> weight; // integrals of the pairs' shape functions along side 2
+  std::vector<double> weight; // integrals of the pairs' shape functions along side 2, of bodies of revolution over its area
+  bool revolved = false;      // of bodies of revolution
   struct Piece {              // an element of side 2, in its own direction or against it
     double s;                 // where it begins
     bool up;
@@ -54,6 +55,8 @@ struct ZoneLine {
   size_t size() const { return pair.size(); }
   // The point of side 2 at a length; of a round side any length.
   void place(double at, double out[2]) const;
+  // Area that side 2 of bodies of revolution describes from the first pair to a length.
+  double area(double to) const;
 };
 
 // Gives the force and the moment of turned zones the sign of side 1.
