@@ -95,8 +95,9 @@ TEST_CASE("sketch: bodies of revolution" * doctest::skip(!c2d::kRings)) {
   CHECK(has_cards(deck(text), "2 2"));
   CHECK(count(deck(text), "*SYMMETRY") == 0);
   CHECK(count(deck("symmetry y 5\n" + text), "*SYMMETRY Y") == 1);
+  const problem::Result r = solved(text);
   double worst = 0;
-  for (const problem::EndResult& end : solved(text).boundary[0])
+  for (const problem::EndResult& end : r.boundary[0])
     worst = std::max({worst, std::fabs(end.uy - 0.1 * end.y), std::fabs(end.ux + 0.03 * end.x)});
   CHECK(worst < 1e-10);
 }
