@@ -1,13 +1,13 @@
 // Ring kernels and their integrals over elements (METHOD 21) against Kelvin's kernels in space, integrated round the axis.
 #include "bie/integrals/integrals_detail.hpp"
 #include "bie/rings/ring_kernels.hpp"
+#include "effort.hpp"
 #include "gauss_points.hpp"
 #include "model/shape.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <initializer_list>
 #include <random>
 
@@ -205,10 +205,11 @@ double block_error(const Integrator& in, double sx, double sy, int singular, dou
 TEST_CASE("ring elements: blocks at any distance, at nodes, on the axis, at large radii") {
   double worst[4] = {};
   for (double radius : {0.0, 1e-3, 0.5, 30.0, 1e4}) {
+    if (!test::in_full() && (radius == 0.5 || radius == 30.0)) continue;
     // Straight and curved, along r and along z; the first begins on the axis where radius is 0.
     const double along[3] = {radius, radius + 0.5, radius + 1.0}, flat[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.2, 1.0};
     const double away[3] = {radius + 1.0, radius + 1.1, radius + 1.0};
-    for (int functions : {2, 3, 4}) {
+    for (int functions = test::effort(4, 2); functions <= 4; ++functions) {
       const Integrator elements[] = {ring_element(3, along, flat, functions, 0.3), ring_element(3, along, up, functions, 0.5),
                                      ring_element(3, away, up, functions, 0.0)};
       for (const Integrator& in : elements) {
@@ -216,7 +217,7 @@ TEST_CASE("ring elements: blocks at any distance, at nodes, on the axis, at larg
           const Point p = element_point(in.element, node_eta(functions, l));
           worst[0] = std::max(worst[0], block_error(in, p.x, p.y, l, 0.0));
         }
-        for (double d : {1e-9, 1e-6, 1e-3, 0.1, 1.0, 4.0, 30.0})
+        for (double d = 1e-9; d < 50.0; d *= test::effort(250.0, 11.0))
           for (double eta : {-1.0, 0.3, 1.0}) {
             const Point p = element_point(in.element, eta);
             if (p.x + d * p.nx < 0.0 || (d < 1e-4 && radius > 100.0)) continue; // (coordinates of 1e4 have 12 decimals)
