@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 thread_local bool muted = false;
-thread_local std::string reason;
+thread_local char reason[8192]; // (not a string: the C library ends the process if it has no memory for the destructor of one)
 
 constexpr const char* kColours[] = {"\033[1;31m", "\033[1;35m", "\033[1;36m", "\033[1;32m"}; // in the order of Colour
 constexpr const char* kPlain = "\033[0m";
@@ -32,9 +32,10 @@ bool is_odd(char c) { return (c < ' ' || c > '~') && c != '\n'; }
 void say(const std::string& text) {
   const std::string error = coloured(Colour::kError, "error:") + " ";
   const size_t at = text.find(error);
-  if (reason.empty() && at != std::string::npos) {
-    const size_t begin = at + error.size();
-    reason = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
+  if (reason[0] == '\0' && at != std::string::npos) {
+    const size_t begin = at + error.size(), end = std::min({text.find('\n', begin), text.size(), begin + sizeof reason - 1});
+    text.copy(reason, end - begin, begin);
+    reason[end - begin] = '\0';
   }
   if (muted) return;
   const size_t odd = static_cast<size_t>(std::find_if(text.begin(), text.end(), is_odd) - text.begin());
@@ -53,7 +54,7 @@ int fail(const std::string& text, int exit) {
 }
 
 std::string reason_told() { return reason; }
-void forget_reason() { reason.clear(); }
+void forget_reason() { reason[0] = '\0'; }
 
 Muted::Muted() { muted = true; }
 Muted::~Muted() { muted = false; }
