@@ -66,6 +66,9 @@ void prepare_reach(Integrator& in) {
   in.semi_axis = gauss_semi_axis(kNearOrder, degree, kTolerance);
 }
 
+[[maybe_unused]] void set_measure(AxisMeasure<true>& out, double turn, double middle) { out.turn = turn, out.middle = middle; }
+[[maybe_unused]] void set_measure(AxisMeasure<false>&, double, double) {}
+
 // After every change of J: closed forms need a constant one.
 void refresh(Integrator& in) {
   in.closed_form_g = kClosedForms && in.element.straight && constant_jacobian(in) && !is_ring(in);
@@ -148,13 +151,12 @@ void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrat
 }
 
 void set_axis(Integrator& in, double unit) {
-  in.turn = 2.0 * kPi * unit;
-  in.middle = in.element.c[0][0];
+  set_measure(in, 2.0 * kPi * unit, in.element.c[0][0]);
   refresh(in);
 }
 
 void set_arc(Integrator& in, const Element& arc, bool reversed) {
-  in.middle = arc.c[0][0];
+  set_measure(in, in.turn, arc.c[0][0]);
   for (int k = 0; k < 3; ++k) {
     const double sign = reversed && k != 1 ? -1.0 : 1.0; // of the derivative of arc(-eta)
     for (int i = 0; i < 2; ++i) in.d[k][i] = sign * (k + 1) * arc.c[k + 1][i];

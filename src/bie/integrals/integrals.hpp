@@ -24,9 +24,14 @@ struct Blocks {
   double g[kElementNodes][2][2];
 };
 
+// The measure of a body of revolution: `turn` is 2 pi times the unit of length, 0 for plane bodies, `middle` is r at eta = 0 of
+// the element along which g is measured. A build without rings has no room for it.
+template <bool rings> struct AxisMeasure { double turn, middle; };
+template <> struct AxisMeasure<false> { static constexpr double turn = 0.0, middle = 0.0; };
+
 // All quantities of an element that do not depend on the source; filled by prepare() and set_arc(), only read afterwards. No
 // pointers: may be copied.
-struct Integrator {
+struct Integrator : AxisMeasure<kRings> {
   Element element;
   int functions;
   Quadrature mode;
@@ -40,8 +45,6 @@ struct Integrator {
   double d[3][2];     // J for g = |d0 + d1 eta + d2 eta^2|
   double reach2[10];  // squared distance from c[0] beyond which the i-th Gauss rule is sufficient
   double semi_axis;   // of the ellipse a panel of the near rule needs
-  double turn;        // rings: 2 pi times the unit of length, else 0
-  double middle;      // rings: r at eta = 0 of the element along which g is measured
 };
 
 inline bool is_ring(const Integrator& in) { return kRings && in.turn != 0.0; }
