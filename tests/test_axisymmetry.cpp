@@ -233,6 +233,7 @@ TEST_CASE("axisymmetric contact: columns stacked, forces and energies of the who
       const Result r = solved(columns(kind, functions));
       for (const Row& row : r.zone_rows(1)) CHECK(std::hypot(row[C2D_TN] - 100, row[C2D_TT]) < 1e-9);
       CHECK(relative(r.zones[0].force[1], 100 * 4 * kPi) < 1e-10);
+      CHECK(r.zones[0].moment == 0);
       CHECK(relative(r.zones[0].length, 4 * kPi) < 1e-10); // the area that touches
       CHECK(relative(r.last().elastic, 0.5 * 1e4 * 4 * kPi * (1e-3 + 1e-3)) < 1e-10);
       CHECK(relative(r.last().work, r.last().elastic) < 1e-10);

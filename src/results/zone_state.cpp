@@ -76,6 +76,7 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   const int side = zone.is_free != 0 ? 1 : 0;
   for (int32_t place = 0; place < zone.elements; ++place)
     add_element_force(session, zone.body[side], zone_element(m, zone, side, place), out);
+  if (is_axisymmetric(m)) out.moment = 0.0; // those of opposite half sections cancel
 }
 
 } // namespace c2d
