@@ -273,9 +273,9 @@ TEST_CASE("jobs: what the steps have left is of another model, and tapes are cut
   std::string error, text;
   int records = 0;
   for (const char* name : {"path0", "path1"}) {
-    if (app::read_sealed(store + name, "contact2d path 3", text, error) != app::Sealed::kWhole) continue;
+    if (app::read_sealed(store + name, "contact2d path 4", text, error) != app::Sealed::kWhole) continue;
     ++records;
-    REQUIRE(app::write_sealed(store + name, "contact2d path 3", text.substr(0, text.find('\n') + 1) + "junk", error));
+    REQUIRE(app::write_sealed(store + name, "contact2d path 4", text.substr(0, text.find('\n') + 1) + "junk", error));
   }
   REQUIRE(records > 0);
   for (const char* cut : {"", "tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d"}) {

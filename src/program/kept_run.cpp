@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-const char kPathKind[] = "contact2d path 3";
+const char kPathKind[] = "contact2d path 4";
 constexpr double kWork = 60; // least ratio of run time to time for saving
 
 std::string local_time() {

@@ -24,7 +24,7 @@ struct Film {
   const Scene& scene;
   const ZoneScene& zone;
   double mu;
-  bool friction, by_load;
+  bool friction, bounded, by_load; // bounded: there is friction, and mu limits it
   Axis place, stress;
 };
 
@@ -63,7 +63,7 @@ std::vector<LegendEntry> legend_of(const Film& film, const StatusFills& fills) {
   std::vector<LegendEntry> out{{traction_name(film.zone, true), Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""}};
   if (film.friction)
     out.push_back({traction_name(film.zone, false), Stroke{colour::kOrange, 2.0, "6 2"}, Mark::kNone, true, ""});
-  if (film.friction && film.mu > 0.0) out.push_back({"Coulomb bounds", Stroke{}, Mark::kNone, true, "#eeeeee"});
+  if (film.bounded) out.push_back({"Coulomb bounds", Stroke{}, Mark::kNone, true, "#eeeeee"});
   for (const LegendEntry& entry : fills_legend(fills)) out.push_back(entry);
   return out;
 }
@@ -92,7 +92,7 @@ std::string draw_frame(const Film& film, const Snapshot& s, const std::string& n
   for (size_t p = 0; p * C2D_PAIR_FIELDS < s.table.size(); ++p)
     status += static_cast<char>(static_cast<int>(s.table[p * C2D_PAIR_FIELDS + C2D_STATUS]));
   draw_status_row(svg, chart, film.zone, borders_of(film.zone), status, top - kFilmStrip - 4.0, top - 4.0, fills);
-  if (film.friction && film.mu > 0.0 && std::isfinite(film.mu)) draw_bounds(svg, film, s.table, chart);
+  if (film.bounded) draw_bounds(svg, film, s.table, chart);
   draw_axes(svg, chart);
   svg.begin_clip(chart.frame);
   svg.polyline(curve_in(film, s.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
@@ -114,6 +114,7 @@ void append_film(std::string& out, const Scene& scene, size_t coefficient, size_
                   zone,
                   mu,
                   friction,
+                  friction && mu > 0.0 && std::isfinite(mu),
                   rises(history),
                   position_axis(scene, zone),
                   make_axis(range, "traction", scene.stress_unit, 6)};
