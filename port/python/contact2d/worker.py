@@ -17,7 +17,15 @@ import weakref
 from . import header
 from .errors import Message, UsageError
 
-PATIENCE = 0.1  # seconds after which a thread looks whether the other has gone
+PATIENCE = 0.1  # seconds after which a thread looks whether the other has gone, and runs handlers of signals
+
+
+def hear(bell):
+    """Waits for a bell with patience: a signal that comes just before a wait would not end it."""
+    try:
+        bell.get(timeout=PATIENCE)
+    except queue.Empty:
+        pass
 
 
 class Question:
@@ -69,10 +77,7 @@ class Job:
         self.question = question
         self.bell.put(None)
         while not question.answered and not self.left:
-            try:
-                question.bell.get(timeout=PATIENCE)
-            except queue.Empty:
-                pass
+            hear(question.bell)
         self.question = None
         return question.answer
 
@@ -80,7 +85,7 @@ class Job:
         while not self.ended:
             question = self.question
             if question is None or question.answered:
-                self.bell.get()
+                hear(self.bell)
             else:
                 question.take(self)
             if os.getpid() != self.process:
