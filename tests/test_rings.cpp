@@ -101,6 +101,31 @@ TEST_CASE("ring kernels: Kelvin's kernels integrated round the axis") {
   CHECK(worst < 1e-13);
 }
 
+TEST_CASE("ring kernels: the trace of the stress is (1 + nu)/(1 - 2 nu) times the divergence of the displacement") {
+  const double nu = 0.3, n[2] = {0.6, -0.8}, h = 1e-5;
+  const RingMaterial material = {3 - 4 * nu, 1 - 2 * nu};
+  for (const RingPlace at : {RingPlace{0.7, 0.4, -0.3}, RingPlace{2.0, 0.1, 0.2}, RingPlace{0.05, 1.0, 0.3}}) {
+    double divergence[2][2] = {}, u[2][2], t[2][2];
+    ring_displacement(at, ring_moments(at), material, u);
+    ring_traction(at, ring_moments(at), material, n, t);
+    for (int j = 0; j < 2; ++j) divergence[0][j] = u[0][j] / at.radius, divergence[1][j] = t[0][j] / at.radius;
+    for (int i = 0; i < 2; ++i)
+      for (double side : {h, -h}) { // the source moves along i
+        const RingPlace moved =
+            i == 0 ? RingPlace{at.radius + side, at.a - side, at.z} : RingPlace{at.radius, at.a, at.z - side};
+        ring_displacement(moved, ring_moments(moved), material, u);
+        ring_traction(moved, ring_moments(moved), material, n, t);
+        for (int j = 0; j < 2; ++j) divergence[0][j] += u[i][j] / (2 * side), divergence[1][j] += t[i][j] / (2 * side);
+      }
+    double of_u[2], of_t[2];
+    ring_trace(at, ring_moments(at), n, of_u, of_t);
+    for (int j = 0; j < 2; ++j) {
+      CHECK(of_t[j] == doctest::Approx(divergence[0][j] / (1 - 2 * nu)).epsilon(1e-6));
+      CHECK(of_u[j] == doctest::Approx(-divergence[1][j] / (1 - 2 * nu)).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("ring kernels: the logarithm near the source") {
   // K - L ln(1/b) is analytic, so it is the same to second order on a small circle about the source.
   for (double angle : {0.3, 1.9, 4.0}) {

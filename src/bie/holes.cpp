@@ -14,10 +14,13 @@
 #include "bie/integrals/interior.hpp"
 #include "bie/integrals/kernels.hpp"
 #include "memory/math.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
+
+C2D_USES(RingPart);
 
 namespace {
 
@@ -209,7 +212,6 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
 
 bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
   const int32_t regions = m.body[b].regions;
-  if (is_axisymmetric(m)) return false;                   // METHOD 21.5
   if (regions == 1 && m.body[b].lines == 0) return false; // the outer boundary alone
   while (walk.region < regions) {
     if (!next_run(m, b, walk, out)) {
@@ -228,7 +230,7 @@ namespace {
 
 // add(x, y) at every point inside and its images. Sums over the points are divided by their number.
 template <class Add> void at_points(const Model& m, int b, const Hole& hole, Add add) {
-  const int32_t lines = m.body[b].lines;
+  const int32_t lines = image_lines(m, b);
   for (int32_t k = 0; k < hole.points; ++k)
     for (int image = 0; image <= lines; ++image) {
       if (!is_image(lines, image)) continue;
@@ -237,10 +239,22 @@ template <class Add> void at_points(const Model& m, int b, const Hole& hole, Add
     }
 }
 
+// A cavity of a body of revolution: a point beyond the axis is one of the same ring.
+void cavity_row(const Model& m, int b, const Hole& hole, const Integrator& in, HoleRow& out) {
+  out = HoleRow{};
+  at_points(m, b, hole, [&](double x, double y) { kRingPart.add_ring_trace(in, fabs(x), y, out.h, out.g); });
+  for (int l = 0; l < in.functions; ++l)
+    for (int c = 0; c < 2; ++c) {
+      out.h[l][c] *= hole.length / hole.points;
+      out.g[l][c] *= -hole.length / hole.points;
+    }
+}
+
 } // namespace
 
 void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
               HoleRow& out) {
+  if (is_ring(in)) return cavity_row(m, b, hole, in, out);
   e.in = in;
   for (int l = 0; l < in.functions; ++l)
     for (int c = 0; c < 2; ++c)

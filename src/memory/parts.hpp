@@ -94,6 +94,7 @@ struct RingPart { // bie/rings: bodies of revolution
   bool linked = false;
   Function<void, const Integrator&, double, double, int, bool, bool, Blocks&> integrate_rings = Nothing();
   Function<void, const Integrator&, double, double, int, double (*)[2]> ring_sum = Nothing();
+  Function<void, const Integrator&, double, double, double (*)[2], double (*)[2]> add_ring_trace = Nothing();
 };
 
 struct Follower;

@@ -69,6 +69,29 @@ struct RingElement {
   }
 };
 
+// The trace of the stress at a point off the boundary, see integrals_panels.hpp.
+struct RingTrace {
+  const Integrator& in;
+  double radius; // of the point
+  double (*h)[2], (*g)[2];
+
+  void add(const Sample& s, double weight, double, Sums&) const {
+    const RingPlace at = {radius, s.rx, s.ry};
+    const double n[2] = {s.nx, s.ny}, factor = (2.0 - 0.5 * in.t2) * in.k * weight; // (1 + nu) k
+    const double own = factor * (radius + s.rx), measured = factor * s.jacobian * measured_radius(in, s.eta);
+    double u[2], t[2];
+    ring_trace(at, ring_moments(at), n, u, t);
+    for (int l = 0; l < in.functions; ++l)
+      for (int i = 0; i < 2; ++i) {
+        h[l][i] += own * s.shape[l] * u[i];
+        g[l][i] += measured * s.shape[l] * t[i];
+      }
+  }
+  bool has_logarithm() const { return false; }
+  void add_logarithm(const Sample&, double, double, Sums&) const {}
+  bool resolved(const Expansion& x, const Stretch& p, bool own) const { return c2d::resolved(in, x, p, own); }
+};
+
 } // namespace
 
 void integrate_rings(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
@@ -88,6 +111,12 @@ void ring_sum(const Integrator& in, double sx, double sy, int singular, double s
   for (int l = 0; l < in.functions; ++l)
     for (int i = 0; i < 4; ++i) sum[i / 2][i % 2] += blocks.h[l][i / 2][i % 2];
   for (int i = 0; i < 2 && sx > 0.0; ++i) sum[i][0] -= in.k * motion[i] / sx;
+}
+
+void add_ring_trace(const Integrator& in, double sx, double sy, double h[kElementNodes][2], double g[kElementNodes][2]) {
+  if (in.degenerate) return;
+  Sums none;
+  add_element_integrals(RingTrace{in, sx, h, g}, sx, sy, -1, none);
 }
 
 } // namespace c2d

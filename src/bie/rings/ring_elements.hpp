@@ -12,4 +12,8 @@ void integrate_rings(const Integrator& in, double sx, double sy, int singular, b
 // for any nu. On the axis column 0 has no meaning.
 void ring_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);
 
+// Adds the factors h of the element's displacements and g of its tractions in the trace of the stress of int U t - int T u at a
+// point off the boundary (METHOD (21.7)).
+void add_ring_trace(const Integrator& in, double sx, double sy, double h[kElementNodes][2], double g[kElementNodes][2]);
+
 } // namespace c2d

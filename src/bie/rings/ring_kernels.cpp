@@ -31,4 +31,15 @@ void ring_traction(const RingPlace& at, const RingMoments& k, const RingMaterial
   t[1][1] = -0.5 * (t1 * over3[0] + 3.0 * z * z * over5[0]);
 }
 
+void ring_trace(const RingPlace& at, const RingMoments& k, const double n[2], double u[2], double t[2]) {
+  const double a = at.a, z = at.z, big = at.radius;
+  const double d0 = n[0] * a + n[1] * z, d1 = n[0] * big;
+  double over5[3];
+  for (int i = 0; i < 3; ++i) over5[i] = d0 * k.n5[i] + d1 * k.n5[i + 1];
+  t[0] = a * k.n3[0] + big * k.n3[1];
+  t[1] = z * k.n3[0];
+  u[0] = 3.0 * (a * over5[0] + big * over5[1]) - n[0] * k.n3[0];
+  u[1] = 3.0 * z * over5[0] - n[1] * k.n3[0];
+}
+
 } // namespace c2d

@@ -13,5 +13,8 @@ struct RingMaterial {
 void ring_displacement(const RingPlace& at, const RingMoments& k, const RingMaterial& material, double u[2][2]);
 // T_ij with the outward normal n, of unit length or times a Jacobian.
 void ring_traction(const RingPlace& at, const RingMoments& k, const RingMaterial& material, const double n[2], double t[2][2]);
+// Trace of the stress at the source of the field int U t - int T u, divided by (1 + nu) k (METHOD (21.7)): the factors of u
+// and t at the ring.
+void ring_trace(const RingPlace& at, const RingMoments& k, const double n[2], double u[2], double t[2]);
 
 } // namespace c2d

@@ -9,6 +9,6 @@ C2D_BRINGS(c2d_set_symmetry);
 } // namespace c2d
 
 // (Without names of functions where a build has no rings: nothing else is linked then.)
-const c2d::RingPart c2d::kRingPart = kRings ? RingPart{true, integrate_rings, ring_sum} : RingPart{};
+const c2d::RingPart c2d::kRingPart = kRings ? RingPart{true, integrate_rings, ring_sum, add_ring_trace} : RingPart{};
 
 extern "C" void c2d_link_axisymmetric(void) {}

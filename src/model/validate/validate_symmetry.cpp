@@ -22,9 +22,6 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
   return allowed;
 }
 
-// The pressure in a cavity of an incompressible body is not determined by its equations (METHOD 21.5).
-constexpr double kMostOfCavities = 0.49;
-
 // The axis x = 0 is a line in force, which prevents motions across it. What the equations of rings lack is refused.
 void validate_axis(const Model& m, Reporter& reporter) {
   if ((m.head->symmetry_asked & 1) != 0)
@@ -42,9 +39,6 @@ void validate_axis(const Model& m, Reporter& reporter) {
   for (int b = 0; b < m.head->bodies; ++b) {
     if (m.body[b].has_force != 0)
       report(reporter, in_body(b), "a body force on body ", body_named(m, b), " of revolution, expected none");
-    if (m.body[b].regions > 1 && m.body[b].poisson_ratio > kMostOfCavities)
-      report(reporter, in_body(b), "Poisson's ratio of body ", body_named(m, b), " of revolution with cavities is ",
-             m.body[b].poisson_ratio, ", expected at most ", kMostOfCavities);
     if (is_platen(m, b)) report(reporter, in_body(b), "a platen in a model of bodies of revolution, expected none");
   }
   m.head->symmetry |= 1;
