@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 using namespace sketch;
 using namespace sketches;
@@ -162,4 +163,34 @@ TEST_CASE("cycle: ranges in the listing, the summary and the JSON, with their pl
   }
   CHECK(stated == 4);
   CHECK(test::contains(test::read_file(folder / "l"), "met   at (0.5, 0.25)"));
+}
+
+// Cattaneo's contact moved to and fro: the loss of a cycle in closed form (K. L. Johnson, Contact Mechanics, 7.4).
+TEST_CASE("cycle: the friction loss of the last cycle is in the CSV summary as in the JSON, and its error holds") {
+  const test::Folder folder;
+  const test::Result run = test::run_shell("'" + paths::program() + "' run '" + paths::root() +
+                                           "/examples/families/mindlin.c2s' drive=1 -q --summary '" + (folder / "s") +
+                                           "' --json '" + (folder / "j") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const double star = 1000 / 0.91 / 2, P = std::acos(-1.0) / 800 * star, share = 0.6, k = 1 - share;
+  const double loss = 4 * 0.09 * P * P / (std::acos(-1.0) * star) * (k * std::log(k) + 1 - k - share * share / 2);
+  const std::string name = "dissipated in the last cycle";
+  std::vector<std::string> rows;
+  for (const std::string& row : test::lines_of(test::read_file(folder / "s")))
+    if (test::contains(row, name)) rows.push_back(row);
+  REQUIRE(rows.size() == 1);
+  double mu = 0, step = 0, load = 0, value = 0, error = 0;
+  REQUIRE(std::sscanf(rows[0].c_str(), ("%lf,%lf,%lf,0,," + name + ",,%lf,,,%lf,,").c_str(), &mu, &step, &load, &value,
+                      &error) == 5);
+  CHECK(std::fabs(value - loss) <= error / 0.8);
+  CHECK(error < 0.05 * loss);
+  int stated = 0;
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  for (const test::Json& number : json["accuracy"]["stated"].items) {
+    if (number["name"].text != name) continue;
+    ++stated;
+    CHECK(number["value"].number == doctest::Approx(value).epsilon(1e-9));
+    CHECK(number["error"].number == doctest::Approx(error).epsilon(1e-9));
+  }
+  CHECK(stated == 1);
 }

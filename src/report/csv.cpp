@@ -149,15 +149,18 @@ std::string head_of(const CoefficientRecord& c, const StepRecord& step) {
 
 std::string tail_of(const StepRecord& step) { return tail_of(step.loads.data(), static_cast<int32_t>(step.loads.size())); }
 
-// The requested stresses, of the first coefficient: they belong to a body, not to a zone.
+// A number that no step has: of a body, or of the last cycle of the whole contact.
+bool is_stated_alone(const Stated& s) { return s.body != 0 || s.what == Measure::kCycleDissipated; }
+
+// The requested stresses and the friction loss of the last cycle, of the first coefficient.
 void append_wanted(std::string& out, const RunRecord& record, const Summary& summary) {
   if (record.coefficients.empty() || record.coefficients.front().steps.empty()) return;
   const StepRecord& last = record.coefficients.front().steps.back();
   const std::string head = head_of(record.coefficients.front(), last);
   for (const Stated& s : record.meshes.stated) {
-    if (s.body == 0) continue;
-    out += head + ',';
-    add_name(out, summary.body_name[static_cast<size_t>(s.body) - 1]);
+    if (!is_stated_alone(s)) continue;
+    out += head + (s.body != 0 ? "," : ",0");
+    add_name(out, s.body != 0 ? summary.body_name[static_cast<size_t>(s.body) - 1] : std::string());
     add_name(out, s.name());
     out += ',';
     add(out, s.value);
