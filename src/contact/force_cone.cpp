@@ -150,9 +150,20 @@ void mix_row(Real* row, int32_t count, const double mix[kMostMotions][kMostMotio
   }
 }
 
+namespace {
+// With quadratic functions a node on the axis of revolution has no share in forces: int N r ds = 0 (METHOD 21.6).
+bool has_no_share(const Model& m, const Pair& pair) {
+  if (!is_axisymmetric(m) || m.head->function_nodes != 3 || pair.tangential != 0) return false;
+  double x, y;
+  pair_position(m, pair, 0, &x, &y);
+  return x == 0.0;
+}
+} // namespace
+
 // Rays that span what a pair can do; a ray and its opposite for both directions.
 int ForceCone::rays_of(const Doubt& d, bool in_doubt, Ray out[4]) const {
   const Pair& pair = f.t->pair[d.pair];
+  if (has_no_share(m, pair)) return 0;
   const Ray normal = of(pair, 0), along = pair.tangential ? of(pair, 1) : times(0.0, normal);
   constexpr double kAsGoodAsNone = 1e4; // bound of friction: all it leaves out would be beside the point
   const double mu = !pair.tangential || law == Friction::none ? 0.0 : law == Friction::rough ? 2.0 * kAsGoodAsNone : pair.mu;

@@ -243,20 +243,42 @@ c2d_status build_at_rest(Follower& f) {
   return status;
 }
 
+// A pair without a share in forces is pressed until the next ones touch: these have no pressure yet, and so no friction. They
+// stick where the bodies are then.
+c2d_status stick_without_friction(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    if (pair.status == C2D_STICK) pair.status = C2D_SLIP, pair.sign = 1;
+  }
+  const c2d_status status = build_at_rest(f);
+  if (status != C2D_OK) return status;
+  refresh(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    if (pair.status != C2D_SLIP || pair.mu == 0.0) continue;
+    pair.status = C2D_STICK;
+    pair.sign = 0;
+    pair.offset = pair.tangential ? f.y[pair.dof + 1] : Real(0);
+  }
+  return build_at_rest(f);
+}
+
 // What touches where the pairs are now holds them.
 c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
   const double touches = kValueTolerance * decision_scales(f).w;
+  bool as_if_rigid = true;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Pair& pair = f.t->pair[i];
     if (f.y[pair.dof] > touches) continue;
+    if (f.y[pair.dof] < -touches) as_if_rigid = false;
     const Real along = pair.tangential ? f.y[pair.dof + 1] : Real(0);
     pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
     (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
   }
-  const c2d_status status = build_at_rest(f);
+  const c2d_status status = as_if_rigid ? build_at_rest(f) : stick_without_friction(f);
   if (status != C2D_OK) return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status;
-  set_constants(f);
+  if (as_if_rigid) set_constants(f);
   refresh(f);
   *outcome = C2D_REACHED;
   return C2D_OK;

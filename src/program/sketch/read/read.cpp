@@ -77,7 +77,7 @@ std::vector<std::string> Reader::words() {
 }
 
 namespace {
-// What bodies of revolution cannot have (METHOD 21.5).
+// What bodies of revolution cannot have (METHOD 21.6).
 bool is_for_plane_bodies(const std::string& keyword) {
   const char* const words[] = {"force", "weight", "spin", "platen", "stress"};
   return std::find(std::begin(words), std::end(words), keyword) != std::end(words);
@@ -179,7 +179,6 @@ void Reader::axisymmetric(Statement& s) {
   if (!s_.bodies.empty()) throw Fault{s.at(), "'axisymmetric' stands after a body, expected it before the first body"};
   if (s_.symmetry[0]) s.fail("a line of symmetry x is given, bodies of revolution have the axis x = 0");
   s_.axisymmetric = true;
-  s_.chooses_order = false; // a contact that begins on the axis needs linear or cubic functions (METHOD 21.5)
   s_.symmetry[0] = 0.0;
 }
 
@@ -188,7 +187,7 @@ void Reader::functions(Statement& s) {
   const int order = s.is_number() ? s.whole("1 for linear, 2 for quadratic, 3 for cubic functions, 0 for the default", 0, 3)
                                   : static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
   s_.order = std::max(order, 1);
-  s_.chooses_order = order == 0 && !s_.axisymmetric;
+  s_.chooses_order = order == 0;
 }
 
 // Pairs of a name and a value; later values may use earlier ones. A value given on the command line takes precedence.
