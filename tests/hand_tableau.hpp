@@ -49,7 +49,7 @@ public:
       dof += 1 + p.tangential;
       p.length = 1.0;
       p.status = C2D_STICK;
-      p.mu = mu;
+      p.law.mu = mu;
     }
     tableau_ =
         Tableau{m_, m_,      cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, kPlainEngine,

@@ -226,7 +226,7 @@ TEST_CASE("events: with a list a pair that would slip as soon as it sticks slips
     int32_t status, sign;
   };
   for (const Case& c : {Case{1, 0.1, C2D_SLIP, 1}, Case{-1, 0.1, C2D_SLIP, -1}, Case{1, 0.99, C2D_SLIP, 1},
-                        Case{1, 1.01, C2D_STICK, 0}, Case{-1, 2, C2D_STICK, 0}, Case{-1, 1e301, C2D_STICK, 0}}) {
+                        Case{1, 1.01, C2D_STICK, 0}, Case{-1, 2, C2D_STICK, 0}, Case{-1, HUGE_VAL, C2D_STICK, 0}}) {
     CAPTURE(c.mu);
     for (const bool list : {true, false}) {
       const size_t all = 2 * 7; // as many pairs as make rounds of changes

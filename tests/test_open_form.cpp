@@ -355,10 +355,10 @@ TEST_CASE("open form: a pair that does not give way cannot come in, and is named
     for (int32_t i = 0; i < t.pairs; ++i) draws.take(t.pair[i], i == way.pair ? way.status : 0);
     int32_t culprit = -1;
     // (friction pushes along a column that is left: the normal alone is not enough to be stiff)
-    if (way.status == 2) t.pair[way.pair].mu = 0;
+    if (way.status == 2) t.pair[way.pair].law.mu = 0;
     CHECK(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_ERR_SINGULAR);
     CHECK(culprit == way.pair);
-    t.pair[way.pair].mu = 0.3;
+    t.pair[way.pair].law.mu = 0.3;
     REQUIRE(c2d::write_column(draws.session.tape, c2d::ContactMatrix::stiffness, dof, kept.data()) == C2D_OK);
   }
 }
@@ -496,7 +496,7 @@ TEST_CASE("open form: friction that a stranger has put where the tape has none i
   int32_t culprit = -1;
   REQUIRE(c2d::build_tableau(t, draws.session.tape, &culprit) == C2D_OK);
   CHECK(t.smooth);
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mu = 0.3;
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].law.mu = 0.3;
   c2d::build_tableau(t, draws.session.tape, &culprit);
   CHECK_FALSE(t.smooth);
   CHECK(t.delayed.cols == t.n);

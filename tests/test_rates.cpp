@@ -28,7 +28,7 @@ public:
       pair_[sized(i)].dof = 2 * i;
       pair_[sized(i)].tangential = 1;
       pair_[sized(i)].status = C2D_STICK;
-      pair_[sized(i)].mu = mu;
+      pair_[sized(i)].law.mu = mu;
       pair_[sized(i)].stiffness[0] = pair_[sized(i)].stiffness[1] = 1.0;
     }
   }
@@ -52,7 +52,7 @@ public:
       d.slots = 2;
       d.kind = DoubtKind::apex;
       d.cell = Cell::stick;
-      d.mu = pair_[sized(i)].mu;
+      d.law.mu = pair_[sized(i)].law.mu;
       r_.size += 2;
     }
     return r_;
@@ -113,9 +113,9 @@ public:
         if (cell == Cell::open) at(i, n) = sticking_[sized(n * m_ + i)];
         if (cell != Cell::stick) at(i, n + 1) = sticking_[sized((n + 1) * m_ + i)];
       }
-      if (cell != Cell::open) at(n, n) -= 1.0;                                                         // p
-      if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                                // q
-      if (cell == Cell::slip_plus || cell == Cell::slip_minus) at(n + 1, n) -= s * pair_[sized(k)].mu; // q = s mu p
+      if (cell != Cell::open) at(n, n) -= 1.0;                                                             // p
+      if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                                    // q
+      if (cell == Cell::slip_plus || cell == Cell::slip_minus) at(n + 1, n) -= s * pair_[sized(k)].law.mu; // q = s mu p
     }
     std::vector<double> x(sized(m_));
     for (int c = 0; c < m_; ++c) {
@@ -134,7 +134,7 @@ public:
     }
     constexpr double none = 1e-7;
     for (int k = 0; k < m_ / 2; ++k) {
-      const double u = x[sized(2 * k)], v = x[sized(2 * k + 1)], mu = pair_[sized(k)].mu;
+      const double u = x[sized(2 * k)], v = x[sized(2 * k + 1)], mu = pair_[sized(k)].law.mu;
       switch (r.doubt[k].cell) {
       case Cell::open:
         if (u < -none) return false;

@@ -40,7 +40,7 @@ struct Drawn {
     h->tableau().load = h->follower().load;
     h->tableau().direction = h->follower().direction;
     h->tableau().model = h->follower().model;
-    for (size_t i = 0; i < mu.size(); ++i) h->pair(static_cast<int>(i)).mu = mu[i];
+    for (size_t i = 0; i < mu.size(); ++i) h->pair(static_cast<int>(i)).law.mu = mu[i];
     if (jumps) h->follower().watch.jumping = [](void*, bool) { return c2d_status{C2D_OK}; };
     return h;
   }
@@ -630,7 +630,7 @@ TEST_CASE("search: where the other end of a range cannot be taken all stays at t
   Hand h({{1, 0, 0, 0, 0}, {0, 2, 0, -1, -1}, {0, -1, 1, 1, 0}, {0, -1, 0, 1, 0}, {0, -1, 0, 0, 1}}, {{1, 5.5, -1, -2, -4}},
          {1, 1, 0}, 0.5);
   h.tableau().free_motions = 1;
-  h.pair(1).mu = 1e16, h.pair(1).status = C2D_SLIP, h.pair(1).sign = -1;
+  h.pair(1).law.mu = 1e16, h.pair(1).status = C2D_SLIP, h.pair(1).sign = -1;
   h.pair(2).gap = 0.5, h.pair(2).status = C2D_OPEN;
   h.follower().gap_scale = 1.0;
   REQUIRE(h.build() == C2D_OK);

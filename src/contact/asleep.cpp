@@ -49,7 +49,7 @@ void take_apart(const Tableau& t, const Form& form, Real* column, Real* by) {
         by[column_of(t, i, slot)] += there;
         there = 0;
       } else if (slot == 0 && last_slot(t, pair) == 1 && pair.status == C2D_SLIP && t.guided - 1 != i) {
-        by[column_of(t, i, 1)] += static_cast<Real>(-friction(pair, pair.sign)) * there; // r of a pair that holds a body
+        by[column_of(t, i, 1)] += static_cast<Real>(-pair.law.slope(pair.sign)) * there; // r of a pair that holds a body
       }
     }
   }
@@ -170,7 +170,7 @@ bool may_sleep(const Tableau& t, const Form& form) {
   if (is_let_go(t) && !is_on_demand(*t.model)) return false;
   if (t.body->slides != 0) return false;
   for (int32_t i = 0; i < t.pairs; ++i)
-    if (t.pair[i].tangential != 0 && t.pair[i].mu > 1e300) return false;
+    if (t.pair[i].tangential != 0 && !t.pair[i].law.has_bound()) return false;
   return true;
 }
 

@@ -87,15 +87,15 @@ void scale_pressures(RateProblem& r, const Doubt& d, const Pair& pair) {
 
 void name_apex(RateProblem& r, int32_t i, const Pair& pair) {
   const Doubt& d = r.doubt[i];
-  const double one = 1.0 + d.mu;
+  const double one = d.law.scale();
   if (pair.status == C2D_OPEN) {
-    turn_columns(r, d.row, d.mu);
+    turn_columns(r, d.row, d.law.mu);
     for (int s = 0; s < 2; ++s) scale_column(r, d.row + s, 1.0 / one);
   } else if (pair.status == C2D_STICK) {
-    turn_rows(r, d.row, d.mu);
+    turn_rows(r, d.row, d.law.mu);
     for (int s = 0; s < 2; ++s) scale_row(r, d.row + s, 0.5 * one);
   } else { // r = q - sign mu p is one part alone, and p the sum of both
-    scale_column(r, d.row + 1, -2.0 * pair.sign * d.mu / one);
+    scale_column(r, d.row + 1, -2.0 * d.law.slope(pair.sign) / one);
     scale_row(r, d.row, one);
     at(r, d.row, d.row + 1) -= Real(1);
     const int slips[2][4] = {{2, 1, 0, 3}, {3, 1, 0, 2}};
@@ -104,10 +104,10 @@ void name_apex(RateProblem& r, int32_t i, const Pair& pair) {
 }
 
 void name_cone(RateProblem& r, const Doubt& d, const Pair& pair) {
-  const double one = 1.0 / (1.0 + d.mu);
+  const double one = 1.0 / d.law.scale();
   if (pair.status == C2D_STICK) {
     scale_row(r, d.row + 1, -one * d.sign);
-    row_add(r.size + 1, r.matrix, r.size + 1, d.row + 1, d.row, static_cast<Real>(one * d.mu));
+    row_add(r.size + 1, r.matrix, r.size + 1, d.row + 1, d.row, static_cast<Real>(one * d.law.mu));
   } else {
     scale_column(r, d.row + 1, -d.sign / one);
   }

@@ -43,16 +43,16 @@ void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, E
   const Sizes force{kValueTolerance * s.p, kValueTolerance * f.pressure_scale, none.force, rest};
   const Sizes motion{gap, gap, none.motion, rest};
   if (pair.status == C2D_OPEN) {
-    const bool slides = pair.mu == 0.0;
+    const bool slides = pair.law.is_smooth();
     meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     return;
   }
   // Without any force now, and with none to come: its margins are round-off.
   if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= none.force) return;
   meet(best, now.p, rate.p, force, i, C2D_OPEN, 0);
-  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
+  if (pair.status != C2D_STICK || !pair.tangential || !pair.law.has_bound()) return;
   for (int32_t sign = -1; sign <= 1; sign += 2)
-    meet(best, pair.mu * now.p - sign * now.q, pair.mu * rate.p - sign * rate.q, force, i, C2D_SLIP, sign);
+    meet(best, pair.law.margin(now.p, now.q, sign), pair.law.margin(rate.p, rate.q, sign), force, i, C2D_SLIP, sign);
 }
 
 // Round-off must not let a rate that is zero but for its last digits make an event.
@@ -114,7 +114,7 @@ bool goes_straight_on(const Follower& f, const double* target) {
 // state jumps.
 bool may_jump(const Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i)
-    if (f.t->pair[i].tangential && f.t->pair[i].mu > 1e300) return true;
+    if (f.t->pair[i].tangential && !f.t->pair[i].law.has_bound()) return true;
   return false;
 }
 
@@ -141,7 +141,7 @@ bool land(Follower& f) {
     end_guide(f);
     const Pair& pair = f.t->pair[worst];
     int32_t to = C2D_OPEN;
-    if (pair.status == C2D_OPEN) to = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+    if (pair.status == C2D_OPEN) to = pair.law.is_smooth() ? C2D_SLIP : C2D_STICK;
     if (!apply_change(f, worst, to, to == C2D_SLIP ? 1 : 0, pair_state(*f.t, worst, f.y).wt)) return changes > 0;
   }
   return false;

@@ -166,7 +166,9 @@ int ForceCone::rays_of(const Doubt& d, bool in_doubt, Ray out[4]) const {
   if (has_no_share(m, pair)) return 0;
   const Ray normal = of(pair, 0), along = pair.tangential ? of(pair, 1) : times(0.0, normal);
   constexpr double kAsGoodAsNone = 1e4; // bound of friction: all it leaves out would be beside the point
-  const double mu = !pair.tangential || law == Friction::none ? 0.0 : law == Friction::rough ? 2.0 * kAsGoodAsNone : pair.mu;
+  const double mu = !pair.tangential || law == Friction::none ? 0.0
+                    : law == Friction::rough                  ? 2.0 * kAsGoodAsNone
+                                                              : pair.law.mu;
   if (law == Friction::ties && d.pair < f.t->pairs) return 0;
   if (!in_doubt || (law != Friction::own && d.kind == DoubtKind::cone)) {
     if (pair.status == C2D_OPEN) return 0;

@@ -17,7 +17,7 @@ struct Verdict {
 Verdict table4(const Follower& f, int32_t i, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y);
-  const bool slides = pair.mu == 0.0, adheres = pair.mu > 1e300;
+  const bool slides = pair.law.is_smooth(), adheres = !pair.law.has_bound();
   if (pair.status == C2D_OPEN) {
     if (now.wn > 0.0) return {C2D_OPEN, 0};
     return slides ? Verdict{C2D_SLIP, 1} : Verdict{C2D_STICK, 0};
@@ -25,7 +25,7 @@ Verdict table4(const Follower& f, int32_t i, const PathScales& s) {
   if (now.p < -1e-12 * s.p) return {C2D_OPEN, 0};
   if (!pair.tangential || slides || adheres) return {pair.status, pair.sign};
   if (pair.status == C2D_STICK) {
-    if (fabs(now.q) <= pair.mu * now.p + 1e-12 * s.p) return {C2D_STICK, 0};
+    if (fabs(now.q) <= pair.law.bound(now.p) + 1e-12 * s.p) return {C2D_STICK, 0};
     return {C2D_SLIP, now.q > 0.0 ? 1 : -1};
   }
   const double slip = now.wt - pair.increment_from;

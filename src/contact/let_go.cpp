@@ -292,7 +292,7 @@ bool close_touching(Follower& f) {
   bool any = false;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     if (!touches(f, i, s)) continue;
-    const bool slides = f.t->pair[i].mu == 0.0;
+    const bool slides = f.t->pair[i].law.is_smooth();
     set_status(f, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     any = true;
   }

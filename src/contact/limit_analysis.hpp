@@ -6,7 +6,7 @@ namespace c2d {
 
 // The contact's forces can balance the rates of the loads only if these lie in the cone of what the pairs can do to each
 // free motion of the bodies: both directions of p and q of a pair that sticks within its bounds, one side of a pair on the
-// cone, |q| <= mu p, p >= 0 of a pair at the apex. That is a linear programme of as many equations as there are free motions.
+// cone, Coulomb's law of a pair at the apex. That is a linear programme of as many equations as there are free motions.
 // Where it has no solution, its dual is a motion of the bodies on which the loads do work and which no force of a pair
 // opposes: proof that there are no rates, whatever the bodies' compliance. *outcome: C2D_GROSS_SLIDING if with unbounded
 // friction there is a solution, else C2D_TIPPING if the contact takes part of the load, else C2D_FREE_MOTION. Where the

@@ -125,7 +125,7 @@ c2d_status settle(Follower& f, c2d_outcome* outcome);
 inline bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
   const bool open = pair.status == C2D_OPEN;
-  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
+  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.law.is_smooth())) return true; // it touched or lifted
   return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
 }
 // Is the pair's status for its rates to decide? In any case fills what `d` says of the pair itself.

@@ -49,7 +49,7 @@ void nonbasic(const Pair& pair, const Quantities& x, int slot, double out[2]) {
   const Sides s = sides(pair, slot);
   for (int c = 0; c < 2; ++c) {
     out[c] = x.of[s.z][c];
-    if (pair.status == C2D_SLIP && slot == 1) out[c] -= pair.sign * pair.mu * x.of[2][c];
+    if (pair.status == C2D_SLIP && slot == 1) out[c] -= pair.law.slope(pair.sign) * x.of[2][c];
   }
 }
 
@@ -87,7 +87,7 @@ void add_columns(RateProblem& r, const Doubt& d) {
 static double bound_scale(double mu) { return 1.0 / (1.0 + mu); }
 
 double cell_friction(const RateProblem& r, const Doubt& d) {
-  return d.kind == DoubtKind::apex ? r.mu_part * d.mu : (d.kind == DoubtKind::cone ? d.mu : 0.0);
+  return d.kind == DoubtKind::apex ? r.mu_part * d.law.mu : (d.kind == DoubtKind::cone ? d.law.mu : 0.0);
 }
 
 int cell_conditions(const RateProblem& r, const Doubt& d, Cell cell, Condition out[2]) {
@@ -129,12 +129,12 @@ Crossing cross(const RateProblem& r, const Doubt& d, int which, const Real* u) {
 }
 
 Cell closed_cell(const Doubt& d) {
-  return d.kind == DoubtKind::normal && d.mu == 0.0 && d.slots == 2 ? Cell::slip_plus : Cell::stick;
+  return d.kind == DoubtKind::normal && d.law.is_smooth() && d.slots == 2 ? Cell::slip_plus : Cell::stick;
 }
 
 int32_t cell_status(const Doubt& d, Cell cell) {
   if (cell == Cell::open) return C2D_OPEN;
-  if (d.kind == DoubtKind::normal) return d.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+  if (d.kind == DoubtKind::normal) return d.law.is_smooth() ? C2D_SLIP : C2D_STICK;
   return cell == Cell::stick ? C2D_STICK : C2D_SLIP;
 }
 int32_t cell_sign(const Doubt& d, Cell cell) {

@@ -28,7 +28,7 @@ struct Doubt {
   Cell taken;      // of the solution taken so far
   int32_t allowed; // branch_cells: 1 << cell of those left
   int32_t sign;    // cone: of the friction on body 2
-  double mu;
+  FrictionLaw law;
 };
 
 // branch_cells: the cells of a pair divided in two.

@@ -188,7 +188,7 @@ namespace {
 // Would nothing hold this sticking pair if it slipped, with this sign of its friction?
 bool holds_alone(const Tableau& t, const Pair& pair, int32_t sign) {
   const double along = own_entry(t, pair.dof + 1), across = cross_entry(t, pair.dof, pair.dof + 1);
-  return fabs(along - friction(pair, sign) * across) <= kRegular * pair.stiffness[1];
+  return fabs(along - pair.law.slope(sign) * across) <= kRegular * pair.stiffness[1];
 }
 
 // Does this pair alone hold a motion, with friction that is at its bound and stays there? Then it may slide as well, along a
@@ -197,7 +197,7 @@ bool holds_alone(const Tableau& t, const Pair& pair, int32_t sign) {
 int32_t ends_a_range(Follower& f, int32_t i) {
   const Tableau& t = *f.t;
   const Pair& pair = t.pair[i];
-  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return 0;
+  if (pair.status != C2D_STICK || !pair.tangential || !pair.law.has_bound()) return 0;
   if (!holds_alone(t, pair, 1) && !holds_alone(t, pair, -1)) return 0; // so it is nearly always
   const PathScales s = decision_scales(f);
   Doubt d;
@@ -206,7 +206,7 @@ int32_t ends_a_range(Follower& f, int32_t i) {
   const double none = no_rate(pair, s).force;
   const int32_t sign = d.kind == DoubtKind::cone ? d.sign : rate.q > 0.0 ? 1 : -1;
   const bool pressed = d.kind == DoubtKind::cone || rate.p > none;
-  const bool stays = pressed && fabs(sign * rate.q - pair.mu * rate.p) <= none;
+  const bool stays = pressed && fabs(pair.law.excess(rate.p, rate.q, sign)) <= none;
   return stays && holds_alone(t, pair, sign) ? sign : 0;
 }
 
@@ -244,7 +244,7 @@ struct Range {
       const Pair& p = f.t->pair[i];
       const PairState v = moved(i), rate = pair_rates(*f.t, i, f.dy);
       Doubt d;
-      const bool slips = p.status == C2D_SLIP && p.tangential && p.mu > 0.0;
+      const bool slips = p.status == C2D_SLIP && p.tangential && !p.law.is_smooth();
       if (!slips && (p.status != C2D_OPEN || !is_in_doubt(f, i, s, d))) continue;
       const double room = slips ? -p.sign * rate.wt : rate.wn, closing = slips ? p.sign * v.wt : -v.wn;
       if (x * closing <= room || x * closing <= 0.0) continue;

@@ -21,31 +21,29 @@ struct Violation {
   int32_t status, sign;
 };
 
-bool is_finite_friction(const Pair& pair) { return pair.mu <= 1e300; }
-
 // A pair in contact whose pressure is zero: it may stay only if its pressure grows. `held`: whatever opens.
 Violation judge_unloaded(const Pair& pair, bool held, const PairState& rate, const PathScales& s) {
   const double none = no_rate(pair, s).force;
   if (rate.p < -none) return {-rate.p / s.dp, C2D_OPEN, 0};
   if (held && pair.status == C2D_SLIP && rate.p <= none && fabs(rate.wt) > no_rate(pair, s).motion)
     return {fabs(rate.wt) / s.dw, C2D_OPEN, 0};
-  if (pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair)) {
-    const double excess = fabs(rate.q) - pair.mu * larger(rate.p, 0.0);
+  if (pair.status == C2D_STICK && pair.tangential && pair.law.has_bound()) {
+    const double excess = pair.law.excess(larger(rate.p, 0.0), rate.q);
     if (excess > none) return {excess / s.dp, C2D_SLIP, rate.q > 0.0 ? 1 : -1};
   }
   return {0.0, 0, 0};
 }
 
 Violation judge_sticking(const Pair& pair, int32_t sign, const PairState& rate, const PathScales& s) {
-  if (!pair.tangential || !is_finite_friction(pair)) return {0.0, 0, 0};
-  const double excess = sign * rate.q - pair.mu * rate.p;
+  if (!pair.tangential || !pair.law.has_bound()) return {0.0, 0, 0};
+  const double excess = pair.law.excess(rate.p, rate.q, sign);
   if (excess > no_rate(pair, s).force) return {excess / s.dp, C2D_SLIP, sign};
   return {0.0, 0, 0};
 }
 
 // Friction on body 2 opposes its motion relative to body 1: sign * dw_t <= 0.
 Violation judge_slipping(const Pair& pair, const PairState& rate, const PathScales& s) {
-  if (!pair.tangential || pair.mu == 0.0) return {0.0, 0, 0};
+  if (!pair.tangential || pair.law.is_smooth()) return {0.0, 0, 0};
   const double back = pair.sign * rate.wt;
   if (back > no_rate(pair, s).motion) return {back / s.dw, C2D_STICK, 0};
   return {0.0, 0, 0};
@@ -55,7 +53,7 @@ Violation judge_slipping(const Pair& pair, const PairState& rate, const PathScal
 bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) { // one that is not unloaded
   const Pair& pair = f.t->pair[i];
   if (i == f.bound.pair) return true;
-  return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
+  return pair.law.margin(now.p, now.q) <= kValueTolerance * pair.law.scale() * s.p;
 }
 
 // Of friction at its bound.
@@ -67,12 +65,12 @@ int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
 // A pair that closes sticks. In a large tableau, where each exchange counts, it slips at once if its friction would be beyond
 // its bound, all others being as they are: the sign of its friction, or 0.
 int32_t slips_at_once(const Tableau& t, const Pair& pair, const PairState& rate, const PathScales& s) {
-  if (!delays(t) || !pair.tangential || !is_finite_friction(pair)) return 0;
+  if (!delays(t) || !pair.tangential || !pair.law.has_bound()) return 0;
   const int32_t a = pair.dof, b = a + 1;
   const double aa = own_entry(t, a), bb = own_entry(t, b), ab = cross_entry(t, a, b), ba = cross_entry(t, b, a);
   const double det = aa * bb - ab * ba;
   const double p = (ab * rate.wt - bb * rate.wn) / det, q = (ba * rate.wn - aa * rate.wt) / det;
-  return p > 0.0 && fabs(q) - pair.mu * p > no_rate(pair, s).force ? (q > 0.0 ? 1 : -1) : 0;
+  return p > 0.0 && pair.law.excess(p, q) > no_rate(pair, s).force ? (q > 0.0 ? 1 : -1) : 0;
 }
 
 // Of most pairs the values alone say that their rates do not matter.
@@ -85,7 +83,7 @@ Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   const PairState rate = pair_rates(*f.t, i, f.dy);
   if (pair.status == C2D_OPEN) {
     if (rate.wn >= -no_rate(pair, s).motion) return {0.0, 0, 0};
-    const int32_t sign = pair.mu == 0.0 ? 1 : slips_at_once(*f.t, pair, rate, s);
+    const int32_t sign = pair.law.is_smooth() ? 1 : slips_at_once(*f.t, pair, rate, s);
     return {-rate.wn / s.dw, sign != 0 ? C2D_SLIP : C2D_STICK, sign};
   }
   if (unloaded) {
@@ -265,11 +263,11 @@ bool is_in_doubt(const Follower& f, int32_t i, const PathScales& s, Doubt& d) {
   d.pair = i;
   d.dof = pair.dof;
   d.slots = 1 + pair.tangential;
-  d.mu = pair.mu;
+  d.law = pair.law;
   if (i >= f.t->pairs || is_asleep(*f.t, i)) return false; // tied; far from touching
-  d.kind = !pair.tangential || pair.mu == 0.0 ? DoubtKind::normal
-           : is_finite_friction(pair)         ? DoubtKind::apex
-                                              : DoubtKind::adhesive;
+  d.kind = !pair.tangential || pair.law.is_smooth() ? DoubtKind::normal
+           : pair.law.has_bound()                   ? DoubtKind::apex
+                                                    : DoubtKind::adhesive;
   if (pair.status == C2D_OPEN || unloaded) {
     d.cell = pair.status == C2D_OPEN ? Cell::open : closed_cell(d);
     if (d.kind == DoubtKind::apex && pair.status == C2D_SLIP) d.cell = pair.sign > 0 ? Cell::slip_plus : Cell::slip_minus;

@@ -31,7 +31,7 @@ void touch_statuses(Tableau& t) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
     reset_pair(pair);
-    pair.status = pair.gap > 0.0 ? C2D_OPEN : (pair.mu == 0.0 ? C2D_SLIP : C2D_STICK);
+    pair.status = pair.gap > 0.0 ? C2D_OPEN : (pair.law.is_smooth() ? C2D_SLIP : C2D_STICK);
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
     if (follows_slip(t)) t.slip[i].now = t.slip[i].rate = t.slip[i].work = 0.0;
   }
@@ -255,7 +255,7 @@ c2d_status stick_without_friction(Follower& f) {
   refresh(f);
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Pair& pair = f.t->pair[i];
-    if (pair.status != C2D_SLIP || pair.mu == 0.0) continue;
+    if (pair.status != C2D_SLIP || pair.law.is_smooth()) continue;
     pair.status = C2D_STICK;
     pair.sign = 0;
     pair.offset = pair.tangential ? f.y[pair.dof + 1] : Real(0);
@@ -272,7 +272,7 @@ c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
     if (f.y[pair.dof] > touches) continue;
     if (f.y[pair.dof] < -touches) as_if_rigid = false;
     const Real along = pair.tangential ? f.y[pair.dof + 1] : Real(0);
-    pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+    pair.status = pair.law.is_smooth() ? C2D_SLIP : C2D_STICK;
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
     (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
   }

@@ -15,7 +15,7 @@ struct FreeBody {
   int32_t others() const { return motions - slides; }
 };
 
-// Zero load, no history: statuses (touching pairs stick, or slide if mu = 0; everything else open), tableau, books.
+// Zero load, no history: statuses (touching pairs stick, or slide without friction; everything else open), tableau, books.
 // If these statuses would leave the body free, *floating is 1 and the tableau is not valid until seat().
 // Errors: the block store's.
 c2d_status start_path(Follower& f, int32_t* floating);

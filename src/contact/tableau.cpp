@@ -159,7 +159,7 @@ bool stick_to_open(Tableau& t, Pair& pair) {
 bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
   if (!pair.tangential) return true;
-  const double f = friction(pair, sign);
+  const double f = pair.law.slope(sign);
   if (!stiff(pair, 1, own_entry(t, b) - f * cross_entry(t, a, b))) return false;
   add_row(t, b, -f, a);
   pivot(t, pair, 1);
@@ -173,7 +173,7 @@ bool slip_to_stick(Tableau& t, Pair& pair, double at) {
   if (!compliant(pair, 1, own_entry(t, b))) return false;
   constants(t)[b] -= static_cast<Real>(at);
   pivot(t, pair, 1);
-  add_row(t, b, friction(pair, pair.sign), a);
+  add_row(t, b, pair.law.slope(pair.sign), a);
   pair.offset = static_cast<Real>(at);
   return true;
 }
@@ -182,13 +182,13 @@ bool slip_to_open(Tableau& t, Pair& pair) {
   const int32_t a = pair.dof;
   if (!stiff(pair, 0, own_entry(t, a))) return false;
   pivot(t, pair, 0);
-  if (pair.tangential) add_tangent_column(t, pair, -friction(pair, pair.sign));
+  if (pair.tangential) add_tangent_column(t, pair, -pair.law.slope(pair.sign));
   return true;
 }
 
 bool open_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
-  const double f = pair.tangential ? friction(pair, sign) : 0.0;
+  const double f = pair.tangential ? pair.law.slope(sign) : 0.0;
   const double pivot_value = own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, b) : 0.0);
   if (!compliant(pair, 0, pivot_value)) return false;
   if (pair.tangential) add_tangent_column(t, pair, f);
@@ -259,7 +259,7 @@ void hold_slide(Tableau& t) {
 
 bool is_smooth(const Tableau& t) {
   bool smooth = delays(t);
-  for (int32_t i = 0; i < t.pairs && smooth; ++i) smooth = t.pair[i].tangential == 0 || t.pair[i].mu == 0.0;
+  for (int32_t i = 0; i < t.pairs && smooth; ++i) smooth = t.pair[i].tangential == 0 || t.pair[i].law.is_smooth();
   return smooth;
 }
 
@@ -401,7 +401,7 @@ void takes_part(Pair& pair, int slot) { pair.mark.exchanged = static_cast<uint8_
 bool bring_tangents_in(Tableau& t, int32_t* culprit) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
-    const bool rubs = pair.status == C2D_STICK || (pair.status == C2D_SLIP && pair.mu != 0.0);
+    const bool rubs = pair.status == C2D_STICK || (pair.status == C2D_SLIP && !pair.law.is_smooth());
     if (pair.tangential == 0 || !rubs || has_left(pair, 0) || !has_left(pair, 1)) continue;
     if (!compliant(pair, 1, own_entry(t, pair.dof + 1))) {
       *culprit = i;
@@ -423,7 +423,7 @@ bool bring_pair_in(Tableau& t, Pair& pair) {
     if (!exchange_pair(t, pair, compliant)) return false;
     takes_part(pair, 1);
   } else {
-    const double f = pair.tangential ? friction(pair, pair.sign) : 0.0;
+    const double f = pair.tangential ? pair.law.slope(pair.sign) : 0.0;
     if (!compliant(pair, 0, own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, a + 1) : 0.0))) return false;
     if (f != 0.0) add_tangent_column(t, pair, f);
     pivot(t, pair, 0);
@@ -460,7 +460,7 @@ void impose_friction(Tableau& t) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
     if (pair.status == C2D_SLIP && pair.tangential && !has_left(pair, 1))
-      add_row(t, pair.dof + 1, -friction(pair, pair.sign), pair.dof);
+      add_row(t, pair.dof + 1, -pair.law.slope(pair.sign), pair.dof);
   }
 }
 

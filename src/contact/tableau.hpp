@@ -110,13 +110,12 @@ void combine(const Tableau& t, const double* factor, bool with_constants, Real* 
 struct PairState {
   double wn, wt, p, q;
 };
-inline double friction(const Pair& pair, int32_t sign) { return sign * pair.mu; }
 inline PairState read_pair(const Pair& pair, const Real* y, double offset) {
   const double normal = y[pair.dof], tangential = pair.tangential ? static_cast<double>(y[pair.dof + 1]) : 0.0;
   switch (pair.status) {
   case C2D_OPEN: return {normal, tangential, 0.0, 0.0};
   case C2D_STICK: return {0.0, offset, normal, tangential};
-  default: return {0.0, tangential, normal, pair.tangential ? friction(pair, pair.sign) * normal : 0.0};
+  default: return {0.0, tangential, normal, pair.tangential ? pair.law.slope(pair.sign) * normal : 0.0};
   }
 }
 inline PairState pair_state(const Tableau& t, int32_t pair, const Real* y) {

@@ -31,7 +31,7 @@ void bond_pairs(const Model& m, int32_t zone, Reporter& reporter) {
   }
   for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) {
     m.pair[k].gap = m.pair[k].overlap = 0.0;
-    m.pair[k].mu = static_cast<double>(INFINITY);
+    m.pair[k].law = kFullAdhesion;
   }
 }
 

@@ -74,7 +74,7 @@ extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) 
   open_session(s, session);
   for (int32_t i = 0; i < s->model.path_pairs; ++i) {
     Pair& pair = session.model.pair[i];
-    pair.mu = mu[zones == 1 ? 0 : pair.zone];
+    pair.law.mu = mu[zones == 1 ? 0 : pair.zone];
   }
   s->mu = zones > 0 ? mu[0] : 0.0;
   s->coefficient = s->run_step = 0;

@@ -136,7 +136,7 @@ c2d_status run_coefficient(Session& session, int32_t index, int32_t from, c2d_ou
   c2d_solver* s = session.solver;
   if (!kSmallCode) s->run_outcome = *worst;
   for (int32_t i = 0; i < s->model.path_pairs; ++i)
-    session.model.pair[i].mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
+    session.model.pair[i].law.mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
   const double mu = coefficient_of_zone(s, 0, index);
   s->mu = mu;
   s->coefficient = index + 1;

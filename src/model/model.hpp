@@ -4,6 +4,7 @@
 #include "contact2d.h"
 #include "memory/config.hpp"
 #include "memory/sizes.hpp"
+#include "model/friction_law.hpp"
 #include "model/shape.hpp"
 
 namespace c2d {
@@ -119,7 +120,7 @@ struct Pair {
   int8_t good_status, good_sign; // of the last verified state (solver/judge.hpp)
   // The search for the next event reads these members of every pair: they are adjacent in memory, from `dof` to here.
   double gap;        // initial normal gap >= 0
-  double mu;         // coefficient of friction in force
+  FrictionLaw law;   // in force
   Real stiffness[2]; // normal and tangential, of this pair alone with its neighbours fixed
   // History of friction, written by src/contact alone; w_t = (u1 - u0).t of the sides in the length unit of the model.
   // For a pair of a separated body they store its last position: place_of and keep_place of contact/let_go.hpp.

@@ -133,7 +133,7 @@ void fill_row(const Session& session, int32_t i, double* row) {
   if (is_tied(session.model, pair))
     row[C2D_STATUS] = C2D_TIED;
   else if (pair.status != C2D_OPEN && !pair.tangential)
-    row[C2D_STATUS] = pair.mu > 0.0 ? C2D_STICK : C2D_SLIP;
+    row[C2D_STATUS] = pair.law.is_smooth() ? C2D_SLIP : C2D_STICK;
   row[C2D_TN] = now.p * head.stress_unit;
   row[C2D_TT] = now.q * head.stress_unit;
   row[C2D_UN1] = session.area.u[0][n] * length;

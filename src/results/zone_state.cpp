@@ -40,12 +40,12 @@ void add_element_force(const Session& session, int b, int32_t element, c2d_zone_
 }
 
 // Is the pair close to another status? Open: nearly closed; closed: nearly without pressure, or sticking near the friction
-// limit mu p. Infinite friction has no limit.
+// limit. Infinite friction has no limit.
 bool is_near(const Pair& pair, const PairState& now, const Largest& largest) {
   if (pair.status == C2D_OPEN) return now.wn <= kNear * largest.gap;
   if (now.p <= kNear * largest.p) return true;
-  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return false;
-  return fabs(now.q) >= (1.0 - kNear) * pair.mu * now.p;
+  if (pair.status != C2D_STICK || !pair.tangential || !pair.law.has_bound()) return false;
+  return fabs(now.q) >= (1.0 - kNear) * pair.law.bound(now.p);
 }
 
 } // namespace
@@ -64,7 +64,8 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
     if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
     if (pair.status == C2D_OPEN)
       ++out.open;
-    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0) // on an axis of symmetry: stick if there is friction
+    else if (pair.tangential ? pair.status == C2D_STICK
+                             : !pair.law.is_smooth()) // on an axis of symmetry: stick if there is friction
       ++out.stick;
     else
       ++out.slip;

@@ -98,7 +98,7 @@ void evaluate(const Session& session, const EnergyBook& book, bool values, bool 
   }
 }
 
-bool rubs(const Pair& pair) { return pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0; }
+bool rubs(const Pair& pair) { return pair.status == C2D_SLIP && pair.tangential && !pair.law.is_smooth(); }
 
 void add_dissipated(c2d_solver* s, double term) {
   s->dissipated += term;

@@ -362,7 +362,7 @@ struct State {
   double force;                   // magnitude of all forces, or of what the piece adds
   double no_force;                // that of pressures which round-off of motions makes: a body that goes along has only such
   double p, w;                    // largest pressure or friction (likewise), largest gap or motion
-  double tension, overlap, slide; // largest of each; slide: friction beyond its bound, over 1 + mu
+  double tension, overlap, slide; // largest of each; slide: friction beyond its bound, over the law's scale
   double dw, back;                // largest rate of a motion, of a slip along its friction
 };
 
@@ -390,9 +390,9 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
   out.overlap = larger(out.overlap, -now.wn);
   if (!is_tied(session.model, pair)) out.tension = larger(out.tension, -now.p);
   out.dw = larger(out.dw, larger(fabs(rate.wn), fabs(rate.wt)));
-  if (pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0) out.back = larger(out.back, pair.sign * rate.wt);
-  if (pair.status == C2D_STICK && pair.tangential && pair.mu <= 1e300)
-    out.slide = larger(out.slide, (fabs(now.q) - pair.mu * now.p) / (1.0 + pair.mu));
+  if (pair.status == C2D_SLIP && pair.tangential && !pair.law.is_smooth()) out.back = larger(out.back, pair.sign * rate.wt);
+  if (pair.status == C2D_STICK && pair.tangential && pair.law.has_bound())
+    out.slide = larger(out.slide, pair.law.excess(now.p, now.q) / pair.law.scale());
 }
 
 State sum_up(const Session& session, const Book& book) {

@@ -81,7 +81,7 @@ double push_pair(const Session& session, const Motions& motions, int32_t index, 
     force[0] = p;
   }
   if (pair.tangential && tt > 1e-18) {
-    const double most = friction * fmin(pair.mu, 1e12) * force[0];
+    const double most = friction * fmin(pair.law.mu, 1e12) * force[0];
     const double q = fmax(-most, fmin(most, force[1] - row_times(tangential, v, n) / tt));
     moved += push_along(v, tangential, n, q - force[1]);
     force[1] = q;

@@ -599,7 +599,7 @@ c2d_status tell(void* context) {
 
 bool rubs(const Model& m) {
   for (int32_t i = 0; i < m.head->path_pairs; ++i)
-    if (m.pair[i].tangential != 0 && m.pair[i].mu != 0.0) return true;
+    if (m.pair[i].tangential != 0 && !m.pair[i].law.is_smooth()) return true;
   return false;
 }
 

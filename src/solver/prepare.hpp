@@ -16,7 +16,7 @@ struct TapeShapes {
 };
 TapeShapes shape_tapes(c2d_solver* solver, const Model& model);
 
-// Where pairs rub (Pair::mu), but the contact system on the tape is that without friction, it is made anew with it; nothing
+// Where pairs rub (Pair::law), but the contact system on the tape is that without friction, it is made anew with it; nothing
 // stops that. Uses the phase area. Errors: the block store's.
 c2d_status allow_friction(c2d_solver* solver);
 // A saved state has been taken up: the contact system on the tape becomes that which it was made with. *again: the phase area

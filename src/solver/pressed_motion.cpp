@@ -24,10 +24,10 @@ bool holds_along(const Session& session, int32_t i, c2d_outcome outcome) {
   const Pair& pair = session.model.pair[i];
   if (!pair.tangential) return false;
   if (is_tied(session.model, pair)) return true;
-  if (!is_pressed(session)) return pair.mu > 0.0;
+  if (!is_pressed(session)) return !pair.law.is_smooth();
   if (pair.status != C2D_STICK) return false;
   const PairState now = pair_state(*session.follower.t, i, session.follower.y);
-  const bool at_bound = pair.mu <= 1e300 && fabs(now.q) >= (1.0 - 1e-6) * pair.mu * now.p;
+  const bool at_bound = pair.law.has_bound() && fabs(now.q) >= (1.0 - 1e-6) * pair.law.bound(now.p);
   return outcome != C2D_GROSS_SLIDING || (i != session.follower.last_pair && !at_bound);
 }
 

@@ -117,7 +117,7 @@ Model model_of(c2d_solver* solver);
 Sizes sizes_of(c2d_solver* solver); // with their list of bodies
 EliminationPlan& plan_of(c2d_solver* solver, int b);
 BodyResults& results_of(c2d_solver* solver, int b);
-bool is_coefficient(double mu);                                          // of friction: zero or more, infinity included
+bool is_coefficient(double value);                                       // of friction: zero or more, infinity included
 double coefficient_of_zone(c2d_solver* solver, int32_t zone, int32_t i); // both from 0
 double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all
 

@@ -48,7 +48,7 @@ int prevented_by_pairs(const Model& m, int b, double basis[3][3]) {
     const Pair& pair = m.pair[i];
     if (zone_of(m, pair).is_self != 0) continue;
     for (int d = 0; d <= pair.tangential && rank < k; ++d) {
-      if (d == 1 && pair.mu == 0.0) continue;
+      if (d == 1 && pair.law.is_smooth()) continue;
       double row[3] = {0.0, 0.0, 0.0};
       for (int j = 0; j < k; ++j) {
         double w[2];

@@ -42,7 +42,7 @@ EliminationPlan& plan_of(c2d_solver* s, int b) { return array_of<EliminationPlan
 BodyResults& results_of(c2d_solver* s, int b) { return array_of<BodyResults>(s, kBodyResults)[b]; }
 
 // Zero or more; infinity is full adhesion. Not-a-numbers are told apart without comparing them.
-bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }
+bool is_coefficient(double value) { return isinf(value) ? value > 0.0 : (is_usable(value) && value >= 0.0); }
 double* zone_friction(c2d_solver* s, int32_t i) {
   return array_of<double>(s, kFriction) + s->sizes.coefficients + i * s->sizes.zones;
 }

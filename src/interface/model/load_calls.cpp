@@ -83,27 +83,27 @@ extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
   return built(s);
 }
 
-extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
+extern "C" c2d_status c2d_add_friction(c2d_solver* s, double coefficient) {
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
-  if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
+  if (!is_coefficient(coefficient)) return refuse_value(s, "coefficient of friction", coefficient, "zero or more");
   if (s->model.coefficients >= s->sizes.coefficients)
     return refuse_limit(s, "coefficients", s->sizes.coefficients, s->model.coefficients + 1);
   const int32_t i = s->model.coefficients++;
-  array_of<double>(s, kFriction)[i] = mu;
+  array_of<double>(s, kFriction)[i] = coefficient;
   double* zones = zone_friction(s, i);
   for (int64_t z = 0; z < s->sizes.zones; ++z) zones[z] = -1.0;
   return built(s);
 }
 
-extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double mu) {
+extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double coefficient) {
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
-  if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
+  if (!is_coefficient(coefficient)) return refuse_value(s, "coefficient of friction", coefficient, "zero or more");
   if (!in_range(zone, 1, s->model.zones)) return refuse_number(s, C2D_ERR_ARGUMENT, "contact zone", zone, 1, s->model.zones);
   if (!in_range(i, 1, s->model.coefficients))
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of the coefficient of friction", i, 1, s->model.coefficients);
-  zone_friction(s, i - 1)[zone - 1] = mu;
+  zone_friction(s, i - 1)[zone - 1] = coefficient;
   return built(s);
 }
 

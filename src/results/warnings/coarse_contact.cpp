@@ -156,7 +156,7 @@ Stretch zone_from(const Looked& at, int32_t i, int32_t last) {
 
 // All stick and slip zones of these pairs. Without friction every closed pair slips, and there is nothing to resolve.
 void look_at_zones(const Looked& at, Stretch pairs, Stretch contact, Worst& friction) {
-  if (at.pair(pairs.first).mu == 0.0) return;
+  if (at.pair(pairs.first).law.is_smooth()) return;
   int32_t longest = 0;
   for (int32_t i = pairs.first; i <= pairs.last;) {
     const Stretch s = zone_from(at, i, pairs.last);

@@ -151,7 +151,7 @@ enum StatusBit { kOpenBit = 1, kStickBit = 2, kSlipBit = 4, kTiedBit = 8 };
 // State of the pairs of an element of side 1 at a sample point, interpolated with the shape functions.
 struct PairsThere {
   int32_t statuses;                // bits of all pairs of the element
-  double n[2], p, spare, wt, slip; // spare: mu p - |q|; slip: |w_t| since slip began
+  double n[2], p, spare, wt, slip; // spare: what friction lacks of its bound; slip: |w_t| since slip began
 };
 
 void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
@@ -161,7 +161,7 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   const bool tied = is_tied(session.model, pair);
   out.statuses |= tied ? kTiedBit : pair.status == C2D_OPEN ? kOpenBit : 0;
   if (!tied && pair.status != C2D_OPEN) {
-    if (pair.mu == 0.0)
+    if (pair.law.is_smooth())
       out.statuses |= kSlipBit;
     else if (pair.tangential != 0) // on an axis of symmetry a pair neither sticks nor slips: its neighbours decide
       out.statuses |= pair.status == C2D_STICK ? kStickBit : kSlipBit;
@@ -170,7 +170,7 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   out.n[1] += part * pair.ny;
   out.p += part * now.p * stress;
   out.wt += part * now.wt * length;
-  if (pair.mu < 1e300) out.spare += part * (pair.mu * now.p - fabs(now.q)) * stress;
+  if (pair.law.has_bound()) out.spare += part * pair.law.margin(now.p, now.q) * stress;
   if (pair.status == C2D_SLIP && pair.tangential != 0) out.slip += part * fabs(now.wt - pair.slip_from) * length;
 }
 
@@ -207,13 +207,13 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   return left + kCurvePart.slip_gap(m, z, at, n, wt, t.slip[z.first_pair].even);
 }
 
-// Residuals of the contact conditions of an element. In the integrals p*gap and (mu p - |q|)*slip both factors cannot be
+// Residuals of the contact conditions of an element. In the integrals p*gap and spare*slip both factors cannot be
 // non-zero in the exact solution (complementarity); on an element that is partly closed they measure the error.
 struct Residuals {
   int32_t statuses;
   double normal[kSamples], tangential[kSamples];
   double gap, drift; // largest magnitudes
-  double both;       // sum of p*gap on partly open elements and of (mu p - |q|)*slip on partly sticking ones
+  double both;       // sum of p*gap on partly open elements and of spare*slip on partly sticking ones
 };
 
 // Where all pairs are closed any gap is an error; where some are open only penetration is.

@@ -175,7 +175,7 @@ void warn_slip(Session& session) {
 void warn_friction(Session& session) {
   for (int32_t i = 0; i < session.model.head->path_pairs; ++i) {
     const Pair& pair = session.model.pair[i];
-    if (pair.mu > 3.0 && pair.mu < 1e6)
+    if (pair.law.mu > 3.0 && pair.law.mu < 1e6)
       return warn(session, C2D_WARN_FRICTION, pair.zone + 1, 0,
                   "the coefficient of friction is above 3: a contact state is often not unique, or does not exist");
   }
