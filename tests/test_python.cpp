@@ -50,6 +50,29 @@ TEST_CASE("python: the package's own tests, with numpy") {
     MESSAGE("skipped: no Python has numpy");
 }
 
+TEST_CASE("python: a type checker finds nothing in the package, and what is wrong in a script that uses it") {
+  if (!can_host("mypy")) return;
+  const Folder folder;
+  const std::string check =
+      "cd '" + kPackage + "' && MYPYPATH=. mypy --ignore-missing-imports --cache-dir '" + (folder / "cache") + "' ";
+  const Result own = run_shell(check + "-p contact2d");
+  CHECK_MESSAGE(own.status == 0, own.out << own.err);
+  write_file(folder / "use.py", "import contact2d\n"
+                                "result = contact2d.solve('a.c2s', mu=0.5)\n"
+                                "peak: float = result.quantity('peak pressure')\n"
+                                "for row in result['contact']:\n    print(row['tn'])\n"
+                                "solver = contact2d.Solver.of_deck('a.dat', threads=2)\n"
+                                "print(solver.advance(1.0).name, solver.contact()['tn'], solver.get('tn'))\n"
+                                "peak = result.outcome\n"     // 8
+                                "solver.advnce(1.0)\n"        // 9
+                                "contact2d.solve(3)\n"        // 10
+                                "contact2d.swep('a.c2s')\n"); // 11
+  const Result use = run_shell(check + "'" + (folder / "use.py") + "'");
+  CHECK(use.status == 1);
+  for (const char* line : {":8: error", ":9: error", ":10: error", ":11: error", "Found 4 errors"})
+    CHECK_MESSAGE(contains(use.out, line), line << "\n" << use.out);
+}
+
 TEST_CASE("python: hostile arguments, orders of calls, callbacks and forks, drawn") {
   if (!can_host("python3")) return;
   const Result run =

@@ -31,6 +31,7 @@ Made by port/python/generate.py from the headers; do not edit.
 
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32
 from ctypes import c_uint64, c_void_p, sizeof
+from typing import Any, Dict, List, Tuple
 
 
 class Struct(Structure):
@@ -175,7 +176,7 @@ class Reader:
 
     def text(self):
         table = ("\n\n# Of every function: what it returns; name, type, whether it is only read, and length of every argument; the\n"
-                 "# declaration and the header's comment.\nFUNCTIONS = {\n" + "".join(self.functions) + "}\n")
+                 "# declaration and the header's comment.\nFUNCTIONS: Dict[str, Tuple[Any, List[Tuple[str, Any, bool, Any]], str]] = {\n" + "".join(self.functions) + "}\n")
         return re.sub(r"\n{4,}", "\n\n\n", "".join(self.out) + table)
 
 

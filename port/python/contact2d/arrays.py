@@ -3,11 +3,13 @@
 import ctypes
 import math
 import operator
+from typing import Any
 
+numpy: Any = None
 try:
     import numpy
 except ImportError:
-    numpy = None
+    pass
 
 
 def integer(where, value, kind=ctypes.c_int32, least=None):

@@ -5,6 +5,7 @@ Made by port/python/generate.py from the headers; do not edit.
 
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32
 from ctypes import c_uint64, c_void_p, sizeof
+from typing import Any, Dict, List, Tuple
 
 
 class Struct(Structure):
@@ -644,7 +645,7 @@ c2d_threads_task = CFUNCTYPE(None, c_void_p, c_int32)
 
 # Of every function: what it returns; name, type, whether it is only read, and length of every argument; the
 # declaration and the header's comment.
-FUNCTIONS = {
+FUNCTIONS: Dict[str, Tuple[Any, List[Tuple[str, Any, bool, Any]], str]] = {
     "c2d_memory_need": (c_int32, [
         ("limits", POINTER(c2d_limits), True, None),
         ("minimum", POINTER(c_uint64), False, None),

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import inspect
 import sys
-from typing import Any, Dict
+from typing import Any, Dict, List
 
 from . import arrays, calls, header
 from .errors import offer
 from .methods import ModelCalls
 from .solver import Solver, limits_of
 
-FUNCTIONS = {name[4:]: name for name, (_, arguments, _) in header.FUNCTIONS.items()
+FUNCTIONS: Dict[str, str] = {name[4:]: name for name, (_, arguments, _) in header.FUNCTIONS.items()
              if arguments and arguments[0][0] == "solver" and name[4:].startswith(("set_", "add_", "tie_", "clear_"))}
 
 
@@ -28,7 +28,9 @@ class Model(ModelCalls):
     """
 
     def __init__(self, function_nodes: int = 2, **problem: Any) -> None:
-        self._kept, self._function_nodes, self._files = [], function_nodes, {}
+        self._kept: List[Any] = []
+        self._files: Dict[int, str] = {}
+        self._function_nodes = function_nodes
         self._keep("set_problem", (), dict({"analysis": header.C2D_ANALYSIS_FULL}, **problem), 0)
 
     def __getattr__(self, name: str) -> Any:
@@ -41,7 +43,7 @@ class Model(ModelCalls):
             self._keep(name, given, named, caller.f_lineno)
 
         keep.__name__, keep.__doc__ = name, header.FUNCTIONS[FUNCTIONS[name]][2]
-        keep.__signature__ = calls.signature_of(FUNCTIONS[name])
+        setattr(keep, "__signature__", calls.signature_of(FUNCTIONS[name]))
         return keep
 
     def __dir__(self):

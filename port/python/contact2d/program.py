@@ -193,8 +193,9 @@ class Result:
         messages = messages_of(stderr)
         self.warnings = [message for message in messages if message.severity == "warning"]
         self.notes = [message for message in messages if message.severity == "note"]
-        self.complete, self.outcome = status == 0, self.summary["outcome"]
-        self.why = "" if self.complete else self.summary.get("incomplete", {}).get("why", self.outcome)
+        self.complete: bool = status == 0
+        self.outcome: str = self.summary["outcome"]
+        self.why: str = "" if self.complete else self.summary.get("incomplete", {}).get("why", self.outcome)
 
     def __getitem__(self, name: str) -> Table:
         if name not in self.tables:

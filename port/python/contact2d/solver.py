@@ -175,7 +175,9 @@ class Solver(SolverCalls):
         self._solver = self._pool = self._store = self._workspace = None
         self._process, self._gate, self._worker = os.getpid(), threading.RLock(), None
         self.messages: List[Message] = []
-        self._heard, self._port, self._cancelled_by, self._origin = [], header.c2d_port(), None, Origin()
+        self._heard: List[Any] = []
+        self._cancelled_by: Optional[str] = None
+        self._port, self._origin = header.c2d_port(), Origin()
         if limits is not None and sizes:
             raise TypeError("limits are given, and by name: %s" % ", ".join(sorted(sizes)))
         self._limits = limits if isinstance(limits, Limits) else limits_of(sizes if limits is None else limits)
@@ -406,7 +408,7 @@ class Solver(SolverCalls):
                 stopped.append(True)
             return 1 if stopped else 0
 
-        callback = header.c2d_step_fn(seen) if step is not None else header.c2d_step_fn()
+        callback = header.c2d_step_fn(seen) if step is not None else header.c2d_step_fn(0)
         try:
             self._call("c2d_run", callback, None)
         except Exception as why:
@@ -456,10 +458,10 @@ class Solver(SolverCalls):
     def get(self, field: Union[str, int], body: int = 0, first: int = 1, count: Optional[int] = None) -> Any:
         """A field of contact2d_codes.h, as "tn" or "end_hoop": of pairs, or of a body's element ends, nodes or elements."""
         number, body = field_number(field), arrays.integer("get: 'body'", body)
-        first, count = entries("get", first, count, self.count(number, body))
-        out = (ctypes.c_double * max(1, count))()
-        self._call("c2d_get", number, body, first, count, out, 1)
-        return arrays.shaped(out[:count])
+        first, many = entries("get", first, count, self.count(number, body))
+        out = (ctypes.c_double * max(1, many))()
+        self._call("c2d_get", number, body, first, many, out, 1)
+        return arrays.shaped(out[:many])
 
     def contact(self) -> Table:
         """A table with a row per pair."""
@@ -483,10 +485,10 @@ class Solver(SolverCalls):
     def indicators(self, body: int, first: int = 1, count: Optional[int] = None) -> Table:
         """A table with what the mesh leaves open, a row per element (C2D_OFF_...)."""
         body = arrays.integer("indicators: 'body'", body)
-        first, count = entries("indicators", first, count, self.get_body_result(body).elements)
-        out = (ctypes.c_double * max(1, count * header.C2D_OFF_FIELDS))()
-        self._call("c2d_indicators", body, first, count, out, header.C2D_OFF_FIELDS)
-        return table_of(arrays.shaped(out[: count * header.C2D_OFF_FIELDS], header.C2D_OFF_FIELDS), OFF_FIELDS)
+        first, many = entries("indicators", first, count, self.get_body_result(body).elements)
+        out = (ctypes.c_double * max(1, many * header.C2D_OFF_FIELDS))()
+        self._call("c2d_indicators", body, first, many, out, header.C2D_OFF_FIELDS)
+        return table_of(arrays.shaped(out[: many * header.C2D_OFF_FIELDS], header.C2D_OFF_FIELDS), OFF_FIELDS)
 
 
 def method_of(function):
@@ -602,8 +604,8 @@ def expand_points(points: Any, **members: Any) -> Any:
     elif not isinstance(points, header.c2d_points) or members:
         raise TypeError("points is %r, expected a c2d_points, a mapping, or members by name" % (points,))
     total = ctypes.c_int32()
-    for count in (0, None):
-        count = total.value if count is None else count
+    for is_counted in (False, True):
+        count = total.value if is_counted else 0
         if 16 * count > physical_memory():
             raise MemoryError("%d points" % count)
         xy = (ctypes.c_double * max(2, 2 * count))()

@@ -18,7 +18,7 @@ def parsed(name: str, words: List[str]) -> Sequence[Any]:
     try:
         if name in COUNTS:
             return [int(word or 0) for word in words]
-        numbers = [float(word) if word else float("nan") for word in words]
+        numbers: Sequence[Any] = [float(word) if word else float("nan") for word in words]
     except ValueError:
         return words
     return words if all(word == "" for word in words) else numbers

@@ -124,7 +124,7 @@ class Closed(ValueError):
 class Worker:
     """A thread that runs jobs; it ends after stop()."""
 
-    everyone = weakref.WeakSet()
+    everyone: "weakref.WeakSet[Worker]" = weakref.WeakSet()
 
     def __init__(self):
         self.jobs, self.job = queue.SimpleQueue(), None
