@@ -13,6 +13,7 @@ const page = {
   kind: "sketch", family: null, companions: {}, // "sketch", "deck" or "family"; files that a sketch reads
   busy: false, wanted: null, number: 0, waiting: new Map(),
   result: null, full: null, slow: true, drawn: null,
+  shape: null, magnified: null, // the deformed shape and the factors that fit, the factor chosen
 };
 
 // ---------------------------------------------------------------- the worker
@@ -163,7 +164,7 @@ async function choose(name) {
     takeCompanions();
     showParameters(sketchParameters($("editor").value));
   }
-  page.full = null, page.drawn = null;
+  page.full = null, page.drawn = null, page.magnified = null, $("view").value = "contact";
   await solve(true);
 }
 
@@ -171,7 +172,7 @@ function taken(text, kind) { // from a file or the editor
   page.kind = kind, page.family = null;
   $("editor").value = text;
   showParameters(sketchParameters(text));
-  page.full = null, page.drawn = null;
+  page.full = null, page.drawn = null, page.magnified = null, $("view").value = "contact";
   solve(true);
 }
 
@@ -413,14 +414,24 @@ function show() {
   showNumbers();
 }
 
+// The last state, whose displacements the boundary table has: of the last coefficient of friction.
 function showDeformed(wide) {
-  const {ends} = page.result;
+  const {ends, rows, json, mus} = page.result, last = rows.filter((row) => row.mu === mus[mus.length - 1]);
   if (ends.length === 0) return;
-  const size = Math.max(...ends.map((end) => end.x)) - Math.min(...ends.map((end) => end.x)) + Math.max(...ends.map((end) => end.y)) - Math.min(...ends.map((end) => end.y));
-  const moved = Math.max(...ends.map((end) => Math.hypot(end.ux, end.uy))) || 1;
-  const automatic = 10 ** (Math.round(3 * Math.log10(0.04 * size / moved)) / 3), factor = automatic * 10 ** (Number($("magnify").value) / 20);
-  $("magnify-text").textContent = `times ${short(factor, 3)}`;
-  $("deformed").innerHTML = drawDeformed(ends, factor, units(), wide);
+  const key = [$("view").value, wide].join(" ");
+  if (page.shape === null || page.shape.of !== page.result || page.shape.key !== key) {
+    const step = last.length > 0 ? last[last.length - 1].step : 0;
+    const d = deformation(ends, last.filter((row) => row.step === step), json.zones || [], $("view").value === "whole");
+    page.shape = {of: page.result, key, d, ...factorsOf(d, wide)};
+  }
+  const {d, factors, automatic} = page.shape;
+  const now = page.magnified === null ? automatic : factors.filter((factor) => factor <= page.magnified).length - 1;
+  $("magnify").max = factors.length - 1, $("magnify").value = now;
+  $("magnify").disabled = factors.length < 2;
+  $("magnify-text").textContent = factors[now] === 1 ? "to scale" : `times ${short(factors[now], 3)}`;
+  $("magnify").setAttribute("aria-valuetext", $("magnify-text").textContent);
+  const axis = json.plane === "axisymmetric" ? [{axis: "x", at: 0, isAxis: true}] : [];
+  $("deformed").innerHTML = drawDeformed(d, factors[now], [...(json.symmetry || []), ...axis], units(), wide);
 }
 
 function htmlTable(names, rows) {
@@ -578,7 +589,9 @@ async function begin() {
   $("solve").onclick = () => solve(true);
   $("stop").onclick = stop;
   $("mu").onchange = $("zone").onchange = () => { page.drawn = null; show(); };
-  $("step").oninput = $("magnify").oninput = () => show();
+  $("step").oninput = () => show();
+  $("magnify").oninput = () => { page.magnified = page.shape.factors[Number($("magnify").value)]; show(); };
+  $("view").onchange = () => { page.magnified = null; show(); };
   addEventListener("resize", () => { if (page.result) show(); });
   const start = "sketch:roller.c2s";
   if (!await restore()) {

@@ -310,6 +310,48 @@ class PageTest(unittest.TestCase):
         self.assertAlmostEqual(seen[-1] / seen[0], 1, delta=3)
         self.assertGreater(value, 100)
 
+    def test_the_deformed_shape_shows_the_contact_and_bodies_that_do_not_overlap(self):
+        overlaps = """
+          const shapes = [...$('deformed').querySelectorAll('path')].filter((each) => /fill[12]/.test(each.getAttribute('fill')));
+          const box = $('deformed').querySelector('clipPath rect').getBBox(), found = [];
+          for (const shape of shapes) shape.style.strokeWidth = '3px';
+          for (const shape of shapes)
+            for (const [x, y] of [...shape.getAttribute('d').matchAll(/[ML](\\S+) ([^ML]+)/g)].map((each) => [Number(each[1]), Number(each[2])])) {
+              if (x < box.x || x > box.x + box.width || y < box.y || y > box.y + box.height) continue;
+              const point = new DOMPoint(x, y);
+              for (const other of shapes)
+                if (other.getAttribute('fill') !== shape.getAttribute('fill') && other.isPointInFill(point) && !other.isPointInStroke(point)) found.push([x, y]);
+            }
+          return [shapes.length, found];"""
+        for value, bodies in (("sketch:roller.c2s", 4), ("sketch:press_fit.c2s", 8), ("family:mindlin", 2)):
+            self.choose(value)
+            self.assertEqual(self.browser.run("return $('view').value"), "contact")
+            widths = []
+            for view in ("contact", "whole"):
+                self.browser.run("$('view').value = arguments[0]; $('view').onchange()", view)
+                words = self.browser.run("return [...$('deformed').querySelectorAll('text')].map((each) => each.textContent)")
+                self.assertIn("x", "".join(words))
+                places = [float(each) for each in words if re.fullmatch(r"-?[0-9.e-]+", each)]
+                self.assertGreater(len(places), 5)  # ticks of both axes
+                widths.append(self.browser.run("return 2 * page.shape.d.half"))
+                steps = self.browser.run("return Number($('magnify').max)")
+                for step in range(steps + 1):
+                    self.browser.run("$('magnify').value = arguments[0]; $('magnify').oninput()", step)
+                    count, found = self.browser.run(overlaps)
+                    self.assertEqual((count, found), (bodies, []), "%s, %s, %s" % (value, view, self.text("magnify-text")))
+                self.assertRegex(self.text("deformed"), "to scale" if steps == 0 else "displacements and gaps × [0-9]+")
+            self.assertLessEqual(widths[0], widths[1])
+        self.choose("sketch:roller.c2s")
+        self.assertLess(self.browser.run("return page.shape.d.half"), 2)  # mm, of a roller of radius 20
+
+    def test_on_a_phone_chart_and_sliders_are_on_one_screen_however_many_there_are(self):
+        self.size(390, 844)
+        self.choose("family:mindlin")
+        self.assertGreater(self.browser.run("return $('parameters').children.length"), 8)
+        chart, sliders = self.browser.run("return ['pressure', 'parameters'].map((id) => $(id).getBoundingClientRect().toJSON())")
+        self.assertGreaterEqual(sliders["top"], chart["bottom"] - 1)
+        self.assertLessEqual(sliders["bottom"] - chart["top"], 844)
+
     def test_the_load_path_is_scrubbed(self):
         self.choose("deck:hertz.dat")
         self.assertIn("step 28 of 28", self.text("step-text"))
