@@ -1,8 +1,10 @@
 #include "program/sweep/responses.hpp"
 
+#include "program/near_word.hpp"
 #include "program/read_number.hpp"
 #include "report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -101,6 +103,77 @@ bool take_place(std::vector<std::string> words, Response& r) {
          row_of(static_cast<Measure>(r.which)).place != PlaceKind::kNone;
 }
 
+std::vector<std::string> split_words(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> out;
+  for (std::string word; in >> word;) out.push_back(word);
+  return out;
+}
+
+std::string with_blanks(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
+bool read_response(std::vector<std::string> words, Response& r) {
+  r.words = with_blanks(words);
+  take_tail(words, r);
+  return take_head(words, r) || take_place(words, r);
+}
+
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> out;
+  for (size_t i = 0; i < kMeasures; ++i)
+    if (const char* name = name_of(static_cast<Measure>(i)); find_measure(name) != nullptr) out.emplace_back(name);
+  return out;
+}
+
+std::vector<std::string> response_words() {
+  std::vector<std::string> out{"zone", "x", "y", "along", "max", "min", "load"};
+  for (const Word& w : kColumns) out.emplace_back(w.word);
+  for (const Word& w : kPointColumns) out.emplace_back(w.word);
+  for (const Word& w : kCounts) out.emplace_back(w.word);
+  for (const std::string& name : quantity_names())
+    for (const std::string& word : split_words(name)) out.push_back(word);
+  return out;
+}
+
+// The words with each unknown one replaced by the known one nearest to it.
+std::vector<std::string> corrected(std::vector<std::string> words) {
+  const std::vector<std::string> known = response_words();
+  for (std::string& word : words) {
+    int32_t number = 0;
+    if (read_number(word, number) || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    if (const std::string near = nearest(word, known); !near.empty()) word = near;
+  }
+  return words;
+}
+
+// What may be meant by words that are no response: those with misspelt words corrected, a name with its blanks elsewhere, or
+// all names in which the words occur.
+std::vector<std::string> suggested(const std::vector<std::string>& words) {
+  const std::vector<std::string> near = corrected(words), names = quantity_names();
+  if (Response r; near != words && read_response(near, r)) return {r.words};
+  if (const std::string name = nearest(with_blanks(words), names); !name.empty() && name != with_blanks(words)) return {name};
+  std::vector<std::string> out;
+  for (const std::string& name : names) {
+    const std::vector<std::string> parts = split_words(name);
+    const auto occurs = [&](const std::string& word) { return std::find(parts.begin(), parts.end(), word) != parts.end(); };
+    if (std::all_of(near.begin(), near.end(), occurs)) out.push_back(name);
+  }
+  return out;
+}
+
+std::string why_unknown(const std::vector<std::string>& words) {
+  const std::vector<std::string> names = suggested(words);
+  std::string out = "'" + with_blanks(words) + "'";
+  if (names.empty()) return out + ": expected " + kResponseWords;
+  for (size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? ", did you mean '" : i + 1 < names.size() ? ", '" : " or '") + names[i] + "'";
+  return out + "?";
+}
+
 double of_pairs(const Response& r, const CoefficientRecord& c) {
   double best = NAN, count = 0;
   for (size_t at = 0; at + C2D_PAIR_FIELDS <= c.table.size(); at += C2D_PAIR_FIELDS) {
@@ -138,15 +211,10 @@ double of_point(const Response& r, const RunRecord& record) {
 bool read_responses(const std::string& text, std::vector<Response>& responses, std::string& error) {
   std::istringstream list(text);
   for (std::string part; std::getline(list, part, ';');) {
-    std::istringstream in(part);
-    std::vector<std::string> words;
-    std::string all;
-    for (std::string word; in >> word;) words.push_back(word), all += (all.empty() ? "" : " ") + word;
+    const std::vector<std::string> words = split_words(part);
     if (words.empty()) continue;
     Response r;
-    r.words = all;
-    take_tail(words, r);
-    if (!take_head(words, r) && !take_place(words, r)) return error = "'" + all + "': expected " + kResponseWords, false;
+    if (!read_response(words, r)) return error = why_unknown(words), false;
     responses.push_back(r);
   }
   if (responses.empty()) error = std::string("no response is given, expected ") + kResponseWords;
