@@ -124,8 +124,8 @@ TEST_CASE("totals: a line of symmetry completes the balance of the part; the who
   app::Summary s;
   s.bodies = 2, s.pairs = 1, s.symmetry = 1, s.symmetry_at[0] = 2;
   s.body.list().assign(2, C2D_INIT(c2d_body_result));
+  s.cut = {1, 0};
   c2d_body_result& cut = s.body.list()[0];
-  cut.open_regions = 1;
   // At (5, 3): fx 2, fy 7; contact at (4, 0): fx 0, fy -7.
   cut.applied[0] = 2, cut.applied[1] = 7, cut.applied[2] = 5 * 7 - 3 * 2;
   cut.contact[1] = -7, cut.contact[2] = 4 * -7;
@@ -135,10 +135,46 @@ TEST_CASE("totals: a line of symmetry completes the balance of the part; the who
   CHECK((rows[3].force[0] == 0 && rows[3].force[1] == 14 && rows[3].force[2] == 2 * 14)); // acts at x = 2
   CHECK((rows[5].is_sum && rows[5].force[0] == 0 && rows[5].force[1] == 0 && rows[5].force[2] == 0));
   CHECK((app::totals_of(s, 2).size() == 3 && app::totals_of(s, 2)[2].of == "sum")); // beside the line
-  s.symmetry = 2, s.symmetry_at[1] = 2;
+  s.symmetry = 2, s.symmetry_at[1] = 2, s.cut = {2, 0};
   CHECK((app::totals_of(s, 1)[3].force[0] == 4 && app::totals_of(s, 1)[3].force[2] == -8)); // at y = 2
-  s.symmetry = 3;
-  CHECK(app::totals_of(s, 1).size() == 3);
+  s.symmetry = 3, s.cut = {1, 0};                                                           // one of two lines
+  CHECK((app::totals_of(s, 1)[3].force[1] == 14 && app::totals_of(s, 1)[2].force[1] == 0));
+  s.cut = {3, 0}; // all four parts of the whole cancel
+  REQUIRE(app::totals_of(s, 1).size() == 6);
+  for (size_t row = 3; row < 6; ++row)
+    for (const double value : app::totals_of(s, 1)[row].force) CHECK(value == 0);
+}
+
+TEST_CASE("totals: of a quarter with two lines of symmetry each body is cut by the lines at which its outline ends") {
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", "symmetry x 0\nsymmetry y 0\n"
+                                     "body low E 1000 nu 0.3\n  from 3 0\n  line side to 3 1\n  line top to 0 1\n"
+                                     "body high E 1000 nu 0.3\n  from 0 1\n  line foot to 2 1\n  line free to 2 3\n"
+                                     "  line head to 0 3\ncontact low.top high.foot\npressure high.head 4\ntolerance off\n");
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  const test::Result run = test::run_shell(in + "run a.c2s --listing - --report r.html --csv c.csv --figures f");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const std::string balance = run.out.substr(run.out.find("Balance of forces"));
+  // The load of 8 on the upper body: 4 N/mm on the 2 mm that are drawn, 16 with the image; of the lower body all four cancel.
+  const auto row = [&](size_t from, const std::string& name) {
+    const size_t at = balance.find(name, from);
+    REQUIRE_MESSAGE(at != std::string::npos, name);
+    std::istringstream in_row(balance.substr(at + name.size(), 60));
+    double x = 1e9, y = 1e9;
+    in_row >> x >> y;
+    return std::make_pair(x, y);
+  };
+  const size_t low = balance.find("(low)"), high = balance.find("(high)");
+  REQUIRE((low != std::string::npos && high != std::string::npos));
+  CHECK(row(low, "whole: contact").second == 0);
+  CHECK(row(low, "lines of symmetry").second == doctest::Approx(8).epsilon(1e-6));
+  CHECK(row(high, "whole: loads and supports").second == doctest::Approx(-16).epsilon(1e-6));
+  CHECK(row(high, "whole: contact").second == doctest::Approx(16).epsilon(1e-6));
+  // Nothing on the page reads as unbalanced.
+  const std::string picture = test::read_file(folder / "f/balance.svg");
+  CHECK(test::contains(picture, "lines of symmetry"));
+  CHECK_FALSE(test::contains(picture, ">8 <"));
+  CHECK_FALSE(test::contains(picture, ">-8 <"));
 }
 
 TEST_CASE("check: bounds of the memory of a search, which ends with status 5 where a mesh has not enough") {

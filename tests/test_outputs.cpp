@@ -58,6 +58,23 @@ double shear_at(int step) {
 
 } // namespace
 
+// Cells of a line that two blanks or more separate.
+static std::string words_of_line(const std::string& line) {
+  std::string out;
+  for (size_t i = line.find_first_not_of(' '); i != std::string::npos;) {
+    const size_t end = line.find("  ", i);
+    out += (out.empty() ? "" : "|") + line.substr(i, end == std::string::npos ? end : end - i);
+    i = end == std::string::npos ? end : line.find_first_not_of(' ', end);
+  }
+  return out;
+}
+
+static std::string six(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
 TEST_CASE("outputs: every load factor, slip since the loads turned, the key table, curves where loads turn") {
   const Cycle cycle;
   const Table contact(read_file(cycle.folder / "o/contact.csv")), bodies(read_file(cycle.folder / "o/bodies.csv")),
@@ -102,15 +119,20 @@ TEST_CASE("outputs: every load factor, slip since the loads turned, the key tabl
   // The key table of the listing, by the table of the summary.
   const size_t at = cycle.listing.find("Contact in numbers, step by step");
   REQUIRE(at != std::string::npos);
-  std::istringstream rows(cycle.listing.substr(cycle.listing.find("stick borders", at) + 13));
+  const size_t heading = cycle.listing.find("stick borders", at), below = cycle.listing.find('\n', heading);
+  CHECK(words_of_line(cycle.listing.substr(heading, below - heading)) ==
+        "stick borders|peak along contact width|stuck width|eccentricity|along of edges|along of borders");
+  std::istringstream rows(cycle.listing.substr(below));
   for (int step = 1; step <= 37; ++step) {
     std::map<std::string, double> value;
-    double place = -1; // of the peak, along side 2
+    double place = -1, along_peak = -1; // of the peak: along side 2, and along the second side of the statement
+    std::string along_edges;
     for (size_t i = 0; i < summary.rows.size(); ++i) {
       if (summary.number(i, "step") != step) continue;
       const std::string& name = summary.rows[i][summary.column.at("quantity")];
       value[name] = summary.number(i, "value");
-      if (name == "peak pressure") place = summary.number(i, "s");
+      if (name == "peak pressure") place = summary.number(i, "s"), along_peak = summary.number(i, "along");
+      if (name == "contact edge") along_edges += (along_edges.empty() ? "" : ", ") + six(summary.number(i, "along"));
     }
     std::string word[13];
     for (std::string& w : word) REQUIRE(static_cast<bool>(rows >> w));
@@ -123,6 +145,15 @@ TEST_CASE("outputs: every load factor, slip since the loads turned, the key tabl
     CHECK(std::stod(word[8]) == doctest::Approx(value.at("force y")).epsilon(1e-5));
     if (step > 1) CHECK(std::stod(word[11]) == doctest::Approx(value.at("slip range")).epsilon(1e-5));
     if (step > 1) CHECK(std::stod(word[12]) == doctest::Approx(value.at("dissipated")).epsilon(1e-5));
+    const std::string end = words_of_line(rest); // edges, borders, and what came later
+    std::vector<std::string> last;
+    std::istringstream in_end(end);
+    for (std::string cell; std::getline(in_end, cell, '|');) last.push_back(cell);
+    REQUIRE_MESSAGE(last.size() == 8, end);
+    CHECK(last[2] == six(along_peak));
+    CHECK(last[3] == six(value.at("contact width")));
+    CHECK(last[4] == (value.count("stuck width") != 0 ? six(value.at("stuck width")) : "-"));
+    CHECK(last[6] == along_edges);
   }
   CHECK(contains(cycle.listing, "Increments\n"));
   CHECK(contains(cycle.listing, "  load factors " + std::string(29, '.') + " 1, 1\n"));

@@ -268,3 +268,80 @@ TEST_CASE("page: a second view of the model only where it shows something else")
   CHECK(small.figures.count("model_zone") == 1);
   CHECK(large.figures.count("model_zone") == 0);
 }
+
+TEST_CASE("page: the diagrams of pressure and friction stay within the frame, all round a contact too") {
+  const std::string files[] = {example("press_fit.c2s"),       example("pin.c2s"),
+                               example("roller.c2s"),          example("fretting_pad.c2s"),
+                               example("families/shrink.c2s"), example("families/disc_in_hole.c2s")};
+  for (const std::string& file : files) {
+    CAPTURE(file);
+    Shown shown;
+    show(shown, file);
+    size_t diagrams = 0;
+    for (const auto& [name, svg] : shown.figures) {
+      if (name.compare(0, 7, "contact") != 0) continue;
+      const app::Box frame = shapes_of(svg).frame;
+      const std::string mark = "<g fill-opacity=\"0.3\">\n<path d=\"";
+      for (size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1))
+        for (const Curve& curve : curves_of(svg.substr(at + mark.size(), svg.find('"', at + mark.size()) - at - mark.size()))) {
+          const auto is_in = [&](app::Point p) {
+            return p.x >= frame.left - 1 && p.x <= frame.right + 1 && p.y >= frame.top - 1 && p.y <= frame.bottom + 1;
+          };
+          const auto in = std::count_if(curve.begin(), curve.end(), is_in);
+          if (in == 0) continue; // an image of the contact that lies elsewhere
+          CHECK(in == static_cast<ptrdiff_t>(curve.size()));
+          ++diagrams;
+        }
+    }
+    CHECK(diagrams > 0);
+  }
+}
+
+// The polylines of a chart in the order in which they are drawn, one of each look.
+static std::vector<Element> curves_drawn(const std::string& svg) {
+  std::vector<Element> elements, out;
+  REQUIRE(read_xml(svg, elements).empty());
+  std::set<std::string> looks;
+  const auto dash = [](const Element& e) {
+    const auto found = e.attributes.find("stroke-dasharray");
+    return found != e.attributes.end() ? found->second : std::string();
+  };
+  for (const Element& e : elements)
+    if (e.name == "polyline" && looks.insert(e.attributes.at("stroke") + dash(e)).second) out.push_back(e);
+  return out;
+}
+
+TEST_CASE("page: a curve that others cover is seen beside them") {
+  // The largest pressure of a symmetric contact does not depend on friction: the curves of all coefficients coincide.
+  Shown shown;
+  show(shown, example("hertz.dat"));
+  for (const char* name : {"path", "energy"}) {
+    CAPTURE(name);
+    const std::vector<Element> curves = curves_drawn(shown.figures[name]);
+    REQUIRE(curves.size() >= 2);
+    CHECK(number_of(curves[0], "stroke-width") >= number_of(curves[1], "stroke-width") + 1);
+    CHECK(curves[1].attributes.count("stroke-dasharray") == 1);
+  }
+  // Earlier states lie over the curve of the end, and none is drawn that equals it.
+  Shown press;
+  show(press, example("press_fit.c2s"));
+  CHECK(!contains(press.figures["tractions"], ">load 1</text>"));
+  show(shown, example("roller.c2s"));
+  const std::vector<Element> all = curves_drawn(shown.figures["tractions"]);
+  REQUIRE(all.size() >= 4);
+  CHECK(all[0].attributes.at("stroke") == "#0060a8");
+  CHECK(all[1].attributes.at("stroke-dasharray") == "2 3");
+}
+
+TEST_CASE("page: numbers have their places along the second side, and steps their widths") {
+  Shown shown;
+  show(shown, example("roller.c2s"));
+  CHECK(contains(shown.page, "<th><a href=\"#term-along\">along</a>, mm</th>"));
+  CHECK(contains(shown.page, "<dt id=\"term-along\">"));
+  for (const char* name : {"contact width", "stuck width", "eccentricity", "along of edges"})
+    CHECK_MESSAGE(contains(shown.page, "<th>" + std::string(name) + "</th>"), name);
+  // Of the roller's right half: from the line of symmetry to the edge.
+  const size_t edge = shown.page.find("#term-contact-edge\">contact edge</a> 1</td>");
+  const std::string row = shown.page.substr(edge, shown.page.find("</tr>", edge) - edge);
+  CHECK(std::stod(row.substr(row.rfind("<td>") + 4)) == doctest::Approx(0.8438).epsilon(5e-3));
+}

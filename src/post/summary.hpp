@@ -24,6 +24,7 @@ struct Summary : c2d_summary {
   Bodies body;
   std::vector<c2d_zone> zone;                    // from 0; empty as long as there is no complete model
   std::vector<std::string> body_name, zone_name; // from 0; empty: none
+  std::vector<int32_t> cut;                      // per body from 0, the lines of symmetry it meets: 1 x, 2 y, 3 both
   // Can a zone have other bodies than body 1 on side 1 and body 2 on side 2, or has anything a name? Then bodies are
   // named.
   bool names_bodies() const;

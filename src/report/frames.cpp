@@ -17,6 +17,7 @@ const char kFrameStyle[] =
 
 namespace {
 
+const Stroke kPressureLine{colour::kBlue, 1.8, ""}, kFrictionLine{colour::kOrange, 1.8, "6 2"};
 constexpr double kFilmLeft = 66.0, kFilmStrip = 12.0, kFilmHigh = 250.0;
 
 // What all frames of a zone share.
@@ -60,9 +61,8 @@ void draw_bounds(Svg& svg, const Film& film, const std::vector<double>& table, c
 }
 
 std::vector<LegendEntry> legend_of(const Film& film, const StatusFills& fills) {
-  std::vector<LegendEntry> out{{traction_name(film.zone, true), Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""}};
-  if (film.friction)
-    out.push_back({traction_name(film.zone, false), Stroke{colour::kOrange, 2.0, "6 2"}, Mark::kNone, true, ""});
+  std::vector<LegendEntry> out{{traction_name(film.zone, true), beneath(kPressureLine, 1), Mark::kNone, true, ""}};
+  if (film.friction) out.push_back({traction_name(film.zone, false), kFrictionLine, Mark::kNone, true, ""});
   if (film.bounded) out.push_back({"Coulomb bounds", Stroke{}, Mark::kNone, true, "#eeeeee"});
   for (const LegendEntry& entry : fills_legend(fills)) out.push_back(entry);
   return out;
@@ -95,8 +95,8 @@ std::string draw_frame(const Film& film, const Snapshot& s, const std::string& n
   if (film.bounded) draw_bounds(svg, film, s.table, chart);
   draw_axes(svg, chart);
   svg.begin_clip(chart.frame);
-  svg.polyline(curve_in(film, s.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
-  if (film.friction) svg.polyline(curve_in(film, s.table, C2D_TT, chart), Stroke{colour::kOrange, 2.0, "6 2"});
+  svg.polyline(curve_in(film, s.table, C2D_TN, chart), beneath(kPressureLine, 1));
+  if (film.friction) svg.polyline(curve_in(film, s.table, C2D_TT, chart), kFrictionLine);
   svg.end_clip();
   return svg.finish("Step " + std::to_string(s.step), caption);
 }

@@ -52,16 +52,13 @@ void History::note_reversal(CoefficientHistory& c, Snapshot now) {
 
 std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
                                             const std::vector<double>& table) {
-  std::vector<const Snapshot*> out;
-  if (history.reversals.empty()) {
-    for (const Snapshot& s : history.frames)
-      if (s.is_quarter && s.step != last_step) out.push_back(&s);
-    return out;
-  }
-  for (auto s = history.reversals.rbegin(); s != history.reversals.rend(); ++s) { // of equal ones the latest
-    bool is_new = !is_same_state(s->table, table);
-    for (const Snapshot* kept : out) is_new = is_new && !is_same_state(s->table, kept->table);
-    if (is_new) out.insert(out.begin(), &*s);
+  std::vector<const Snapshot*> some, out;
+  for (const Snapshot& s : history.reversals.empty() ? history.frames : history.reversals)
+    if (!history.reversals.empty() || (s.is_quarter && s.step != last_step)) some.push_back(&s);
+  for (auto s = some.rbegin(); s != some.rend(); ++s) { // of equal ones the latest
+    bool is_new = !is_same_state((*s)->table, table);
+    for (const Snapshot* kept : out) is_new = is_new && !is_same_state((*s)->table, kept->table);
+    if (is_new) out.insert(out.begin(), *s);
   }
   return out;
 }

@@ -30,6 +30,8 @@ const char kStyle[] =
     "table{border-collapse:collapse;font-size:13px;margin:8px 0}td{white-space:nowrap}\n"
     "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}th{border-bottom:1px solid #555}\n"
     "th:first-child,td:first-child{text-align:left;padding-left:0}th.group{padding-top:12px;white-space:normal}\n"
+    ".dense{font-size:12px}.dense th,.dense td{padding:2px 4px}.dense th:first-child,.dense "
+    "td:first-child{padding-left:0}.dense th.group{padding-top:10px}\n"
     "dt{font-weight:bold;font-size:13px}dd{margin:0 0 6px;font-size:13px;max-width:70em}\n"
     ".outcome{padding:6px 12px;border-left:4px solid #007a5a;background:#f3f8f6}\n"
     ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
@@ -39,6 +41,8 @@ const char kStyle[] =
     "@media screen and (min-width:1000px){body{display:grid;grid-template-columns:190px minmax(0,1fr);column-gap:32px}\n"
     "nav{display:block;position:sticky;top:16px;align-self:start;max-height:95vh;overflow:auto;font-size:13px}\n"
     "nav ul{list-style:none;margin:4px 0;padding:0}nav li{margin:5px 0}}\n"
+    // The numbers beside the first picture need more room than it.
+    "@media screen and (min-width:1240px){.first{grid-template-columns:440px minmax(0,1fr)}}\n"
     "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}th,td{padding:2px 6px}}\n";
 
 std::string whole(uint64_t value) { return std::to_string(value); }
@@ -149,21 +153,27 @@ const char* meaning_of(Measure what) {
 
 using Numbers = std::vector<Quantity>;
 
-// Forces that are round-off beside the largest of the state are 0.
-double without_noise(const Quantity& q, const Numbers& all) {
-  if (q.what != Measure::kForceX && q.what != Measure::kForceY && q.what != Measure::kFrictionForce) return q.value;
+// Below this a number is round-off: forces and moments beside the largest force of the state, lengths beside the size of the
+// model.
+double noise_of(const Quantity& q, const Numbers& all, double size) {
   double most = 0.0;
   for (const Quantity& other : all)
     if (other.what == Measure::kForceX || other.what == Measure::kForceY) most = std::max(most, std::fabs(other.value));
-  return std::fabs(q.value) < 1e-10 * most ? 0.0 : q.value;
+  const Unit unit = row_of(q.what).unit;
+  if (unit == Unit::kForce) return 1e-10 * most;
+  if (q.what == Measure::kMoment) return 1e-10 * most * size;
+  return unit == Unit::kLength ? 1e-15 * size : 0.0;
 }
 
 void append_number_row(std::string& out, const Scene& scene, const Quantity& q, const Numbers& all, bool stated) {
+  const double noise = noise_of(q, all, size_of(scene));
+  const auto without_noise = [&](double value) { return std::fabs(value) <= noise ? 0.0 : value; };
   const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
   std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
-                               figure(without_noise(q, all), unit_of(q.what, scene), 6)};
-  if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none);
-  for (const double at : q.at) row.push_back(std::isfinite(at) ? figure(told_place(at, size_of(scene)), 6) : none);
+                               figure(without_noise(q.value), unit_of(q.what, scene), 6)};
+  if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(without_noise(q.error), 2) : none);
+  for (const double at : {q.at[0], q.at[1], q.along})
+    row.push_back(std::isfinite(at) && std::isfinite(q.at[0]) ? figure(told_place(at, size_of(scene)), 6) : none);
   append_row(out, row);
 }
 
@@ -174,10 +184,12 @@ void append_numbers(std::string& out, const Scene& scene) {
     for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
       any = true, stated = stated || std::isfinite(c.steps.back().quantities[k].error);
   if (!any) return;
-  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table>\n";
+  out +=
+      "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table class=\"dense\">\n";
   std::vector<std::string> heading{"quantity", "value"};
   if (stated) heading.emplace_back("stated error");
   for (const char* name : {"x", "y"}) heading.push_back(with_unit(name, scene.length_unit));
+  heading.push_back("<a href=\"#term-along\">along</a>" + (scene.length_unit.empty() ? "" : ", " + scene.length_unit));
   append_row(out, heading, "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i) {
     const CoefficientRecord& c = scene.record->coefficients[i];
@@ -211,6 +223,9 @@ void append_terms(std::string& out, const Scene& scene) {
   for (const Measure what : terms)
     out += "<dt id=\"term-" + term_of(what) + "\">" + name_of(what) + "</dt><dd>" + meaning_of(what) + "</dd>\n";
   out +=
+      "<dt id=\"term-along\">along</dt><dd>The distance of a place along the second side of its contact statement, from the "
+      "start "
+      "of its first curve (of a deck along side 2); the same on every mesh.</dd>\n"
       "<dt>stated error</dt><dd>An estimate from meshes of different fineness, not a bound.</dd>\n"
       "<dt>side 1, side 2</dt><dd>A zone names its bodies in this order; stresses act on side 2. n points from side 1 to side "
       "2, and t is n turned by -90 degrees.</dd>\n</dl>\n</section>\n";
@@ -362,7 +377,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   std::string page;
   page += "<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
   append_outcome(page, scene);
-  page += "<div class=\"pictures\">\n";
+  page += "<div class=\"pictures first\">\n";
   const size_t first = first_picture(scene, pictures);
   if (first < pictures.size()) append_picture(page, pictures[first]);
   append_numbers(page, scene);

@@ -14,8 +14,11 @@ struct BodyTotal {
   bool is_sum = false; // zero but for round-off and the error of the solution
 };
 
-// Body from 1. If the body meets lines of symmetry, their share completes the balance of the part. With one line there are
-// totals of the whole, too; a body beside the lines is whole.
+// The lines of symmetry that a body, from 1, meets: 1 x, 2 y, 3 both.
+int32_t lines_that_cut(const Summary& summary, int32_t body);
+
+// Body from 1. If the body meets lines of symmetry, their share completes the balance of the part, and there are totals of the
+// whole, too, which of a body that meets both are zero; a body beside the lines is whole.
 std::vector<BodyTotal> totals_of(const Summary& summary, int32_t body);
 
 // What the rows mean, with lines of symmetry; else empty.

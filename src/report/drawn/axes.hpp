@@ -67,6 +67,11 @@ struct LegendEntry {
   std::string fill;        // not empty: a box
   Head head = Head::kNone; // at the right end of the line
 };
+// A curve that `later` ones may cover is wider than each of them, so that its edges are seen beside them.
+inline Stroke beneath(Stroke stroke, size_t later) {
+  stroke.width += 1.2 * static_cast<double>(later);
+  return stroke;
+}
 // Draws from (left, top) and returns the height used; with `svg` null only the height.
 double draw_legend(Svg* svg, Point corner, double width, const std::vector<LegendEntry>& entries);
 

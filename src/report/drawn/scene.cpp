@@ -145,6 +145,11 @@ std::string figure(double value, int digits) {
   std::string out;
   if (std::isinf(value)) return "infinite";
   append_general(out, value, 0, digits);
+  const size_t at = out.find("e+0");
+  if (at == std::string::npos || out[at + 3] > '6') return out;
+  const double last = std::pow(10.0, out[at + 3] - '0' + 1 - digits); // up to ten million in full: 210000
+  out.clear();
+  append_general(out, std::round(value / last) * last, 0, 7);
   return out;
 }
 

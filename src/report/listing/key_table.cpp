@@ -24,11 +24,11 @@ std::string value_of(const StepRecord& step, Measure what, int32_t zone, int dig
   return q != nullptr ? number(q->value, digits) : "-";
 }
 
-// Of all items of a kind.
-std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits) {
+// Of all items of a kind: their values, or where they are along the second side.
+std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits, bool along = false) {
   std::string out;
   for (const Quantity& q : step.quantities)
-    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(q.value, digits);
+    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(along ? q.along : q.value, digits);
   return out.empty() ? "-" : out;
 }
 
@@ -45,10 +45,20 @@ std::vector<std::string> row_of(const StepRecord& step, int32_t zone, int digits
     row.push_back(value_of(step, what, zone, digits));
   row.push_back(value_of(step, Measure::kDissipated, zone, digits));
   for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder}) row.push_back(values_of(step, what, zone, digits));
+  row.push_back(peak != nullptr ? number(peak->along, digits) : "-");
+  for (const Measure what : {Measure::kContactWidth, Measure::kStuckWidth, Measure::kEccentricity})
+    row.push_back(value_of(step, what, zone, digits));
+  for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder})
+    row.push_back(values_of(step, what, zone, digits, true));
   return row;
 }
 
 } // namespace
+
+bool KeyTable::is_list(size_t column) const {
+  const std::string& name = heading[column];
+  return !name.empty() && name.find(' ') != std::string::npos && name.back() == 's';
+}
 
 KeyTable key_table(const CoefficientRecord& c, int32_t zone, int digits) {
   KeyTable out;
@@ -59,7 +69,8 @@ KeyTable key_table(const CoefficientRecord& c, int32_t zone, int digits) {
   out.heading = {"step"};
   for (size_t k = 1; k <= c.steps.back().loads.size(); ++k) out.heading.push_back(k == 1 ? "load" : "load" + std::to_string(k));
   for (const char* name : {"peak pressure", "at x", "at y", "at s", "force x", "force y", "moment", "shift", "slip range",
-                           "dissipated", "contact edges", "stick borders"})
+                           "dissipated", "contact edges", "stick borders", "peak along", "contact width", "stuck width",
+                           "eccentricity", "along of edges", "along of borders"})
     out.heading.emplace_back(name);
   return out;
 }

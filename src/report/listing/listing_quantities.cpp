@@ -30,20 +30,27 @@ void append_row(std::string& out, const Quantity& q) {
   out += '\n';
 }
 
-// The last two columns, which are as long as they like, begin at the left.
-void append_line(std::string& out, const std::vector<std::string>& cells, size_t edges) {
-  for (size_t k = 0; k + 2 < cells.size(); ++k) append_column(out, cells[k].c_str(), k == 0 ? 8 : 14);
-  const std::string& last = cells[cells.size() - 2];
-  out += "  " + last;
-  out.append(edges - last.size() + 2, ' ') += cells.back() + "\n";
+// Lists, which are as long as they like, begin at the left.
+void append_line(std::string& out, const KeyTable& table, const std::vector<std::string>& cells,
+                 const std::vector<size_t>& widths) {
+  for (size_t k = 0; k < cells.size(); ++k) {
+    if (!table.is_list(k)) {
+      append_column(out, cells[k].c_str(), k == 0 ? 8 : 14);
+      continue;
+    }
+    out += "  " + cells[k];
+    if (k + 1 < cells.size()) out.append(widths[k] - cells[k].size(), ' ');
+  }
+  out += '\n';
 }
 
 void append_table(std::string& out, const KeyTable& table) {
-  size_t edges = 0;
-  for (const std::vector<std::string>& row : table.rows) edges = std::max(edges, row[row.size() - 2].size());
-  edges = std::max(edges, table.heading[table.heading.size() - 2].size());
-  append_line(out, table.heading, edges);
-  for (const std::vector<std::string>& row : table.rows) append_line(out, row, edges);
+  std::vector<size_t> widths;
+  for (const std::string& name : table.heading) widths.push_back(name.size());
+  for (const std::vector<std::string>& row : table.rows)
+    for (size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  append_line(out, table, table.heading, widths);
+  for (const std::vector<std::string>& row : table.rows) append_line(out, table, row, widths);
 }
 
 } // namespace
@@ -84,7 +91,8 @@ void append_key_tables(std::string& out, const RunRecord& record, const Summary&
   if (tables.empty()) return;
   append_section(out, "Contact in numbers, step by step");
   out += tables + "\n  dissipated: by friction in the zone since zero load; edges and borders by the length along side 2 from "
-                  "the zone's first pair\n";
+                  "the zone's first pair;\n  along: distance along the second side of the contact statement, the same on every "
+                  "mesh\n";
 }
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "report/drawn/axes.hpp"
 #include "report/pictures/pictures.hpp"
 #include "report/text.hpp"
+#include "report/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,19 @@ namespace {
 // One component of force of one body.
 struct Row {
   std::string name;
-  double applied, contact;
+  double applied, contact, lines; // the last: of the lines of symmetry
+  double sum() const { return applied + contact + lines; }
 };
+
+std::vector<Row> rows_of_body(const Scene& scene, int32_t body, const std::string& label) {
+  const c2d_body_result& b = scene.summary.body[body - 1];
+  std::vector<Row> out;
+  for (int k = 0; k < 2; ++k) {
+    const bool cut = (lines_that_cut(scene.summary, body) >> k & 1) != 0; // by a line that carries this component
+    out.push_back({label + (k == 0 ? ", fx" : ", fy"), b.applied[k], b.contact[k], cut ? -b.applied[k] - b.contact[k] : 0.0});
+  }
+  return out;
+}
 
 void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::string& fill, const char* ink) {
   const double zero = chart.at(0.0, 0.0).x, end = chart.at(value, 0.0).x;
@@ -41,22 +53,21 @@ std::string short_label(const Scene& scene, int32_t body) {
   return text_width(label, 12.0) < 130.0 ? label : "body " + std::to_string(body);
 }
 
-std::string caption(const Scene& scene) {
-  const Summary& s = scene.summary;
+std::string caption(const Scene& scene, const std::vector<Row>& rows, bool lines) {
   std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
   out += ": loads and supports";
-  out += scene.pairs.empty() ? " add up to zero" : " and contact tractions cancel";
+  if (!scene.pairs.empty()) out += lines ? ", contact tractions" : " and contact tractions";
+  if (lines) out += " and the lines of symmetry";
+  out += scene.pairs.empty() && !lines ? " add up to zero" : " cancel";
   double largest = 0.0, worst = 0.0;
-  for (int32_t b = 0; b < s.bodies; ++b)
-    for (int k = 0; k < 2; ++k) {
-      largest = std::max({largest, std::fabs(s.body[b].applied[k]), std::fabs(s.body[b].contact[k])});
-      worst = std::max(worst, std::fabs(s.body[b].applied[k] + s.body[b].contact[k]));
-    }
+  for (const Row& row : rows) {
+    largest = std::max({largest, std::fabs(row.applied), std::fabs(row.contact)});
+    worst = std::max(worst, std::fabs(row.sum()));
+  }
   if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
   if (!scene.pairs.empty()) out += contact_text(scene);
   if (scene.summary.plane == C2D_AXISYMMETRIC) out += ". They are those of the whole circumference";
-  if (mirror_lines(scene.summary) != 0)
-    out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
+  if (mirror_lines(scene.summary) != 0) out += ". They are those of the part that is modelled";
   return out + ".";
 }
 
@@ -67,22 +78,24 @@ void draw_balance(const Scene& scene, Pictures& out) {
   std::vector<Row> rows;
   Range range;
   range.include(0.0);
-  for (int32_t b = 0; b < s.bodies; ++b)
-    for (int k = 0; k < 2; ++k) {
-      rows.push_back({short_label(scene, b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
-      range.include(s.body[b].applied[k]);
-      range.include(s.body[b].contact[k]);
-    }
+  for (int32_t b = 1; b <= s.bodies; ++b)
+    for (const Row& each : rows_of_body(scene, b, short_label(scene, b))) rows.push_back(each);
   const bool contact = !scene.pairs.empty();
+  bool lines = false;
+  for (int32_t b = 1; b <= s.bodies; ++b) lines = lines || lines_that_cut(s, b) != 0;
+  for (const Row& each : rows)
+    for (const double value : {each.applied, each.contact, each.lines}) range.include(value);
+  const double noise = 1e-12 * std::max(std::fabs(range.low), std::fabs(range.high));
   double left = 84.0;
   for (const Row& each : rows) left = std::max(left, 16.0 + text_width(each.name, 12.0));
-  const double row = contact ? 40.0 : 28.0, right = kPictureWidth - 112.0, top = 54.0;
+  const double row = 28.0 + (contact ? 12.0 : 0.0) + (lines ? 14.0 : 0.0), right = kPictureWidth - 112.0, top = 54.0;
   const double bottom = top + row * static_cast<double>(rows.size());
   Svg svg("balance", kPictureWidth, bottom + 44.0);
   const std::string hatched = svg.hatch(colour::kOrange, "#fbe3d0");
   std::vector<LegendEntry> entries{{"loads and supports", Stroke{colour::kBlue, 0.8, ""}, Mark::kNone, true, colour::kBlue}};
   if (contact) entries.push_back({"contact", Stroke{colour::kOrange, 0.8, ""}, Mark::kNone, true, hatched});
-  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  if (lines) entries.push_back({"lines of symmetry", Stroke{colour::kGreen, 1.6, ""}, Mark::kNone, true, "none"});
+  draw_legend(&svg, {left, 4.0}, right + 106.0 - left, entries);
   Chart chart{{left, top, right, bottom}, make_axis(range, "force per thickness", scene.force_unit, 7), Axis{}};
   chart.y.name = "";
   chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
@@ -93,13 +106,15 @@ void draw_balance(const Scene& scene, Pictures& out) {
     if (i > 0) svg.line({left, y}, {right, y}, Stroke{colour::kGrid, 0.7, ""});
     draw_bar(svg, chart, y + 8.0, rows[i].applied, colour::kBlue, colour::kBlue);
     if (contact) draw_bar(svg, chart, y + 22.0, rows[i].contact, hatched, colour::kOrange);
+    if (rows[i].lines != 0.0) draw_bar(svg, chart, y + (contact ? 36.0 : 22.0), rows[i].lines, "none", colour::kGreen);
     const double middle = y + 0.5 * row + 4.0;
     svg.text({left - 8.0, middle}, rows[i].name, 12.0, Anchor::kEnd);
-    svg.text({right + 106.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0, Anchor::kEnd);
+    svg.text({right + 106.0, middle}, figure(std::fabs(rows[i].sum()) <= noise ? 0.0 : rows[i].sum(), scene.force_unit, 3),
+             11.0, Anchor::kEnd);
   }
   const double zero = chart.at(0.0, 0.0).x;
   svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});
-  Picture picture{"balance", "Balance of forces", caption(scene), ""};
+  Picture picture{"balance", "Balance of forces", caption(scene, rows, lines), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -68,10 +68,26 @@ c2d_status collect(const Scene& scene, size_t b, Curves& out) {
     size_t begin = from; // of what is boundary
     while (begin + 1 < to && body.on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
     const Point start = body.ends[begin];
-    out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at " + place_text(scene, start, size_of(scene)),
-                           kBodyLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
+    out.entries.push_back(
+        {"curve " + std::to_string(r) + ", s = 0 at " + place_text(scene, start, size_of(scene)),
+         beneath(kBodyLines[static_cast<size_t>(r - 1) % 4], std::min(3, summary.body[b].regions - r) > 0
+                                                                 ? static_cast<size_t>(std::min(3, summary.body[b].regions - r))
+                                                                 : 0),
+         Mark::kNone, true, ""});
   }
   return status;
+}
+
+// The number of a curve where its stress is largest in size.
+void label_curve(Svg& svg, const Chart& chart, const Pieces& pieces, size_t number) {
+  BoundarySample most{0.0, 0.0};
+  for (const std::vector<BoundarySample>& piece : pieces)
+    for (const BoundarySample& p : piece)
+      if (std::fabs(p.hoop) >= std::fabs(most.hoop)) most = p;
+  const Point at = chart.at(most.s, most.hoop);
+  const double y = most.hoop < 0.0 ? at.y + 14.0 : at.y - 5.0;
+  svg.text({std::min(at.x, chart.frame.right - 6.0), std::max(chart.frame.top + 12.0, std::min(y, chart.frame.bottom - 4.0))},
+           std::to_string(number + 1), 11.0, Anchor::kMiddle, kBodyLines[number % 4].colour, false, true);
 }
 
 c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
@@ -95,8 +111,9 @@ c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {
     for (const std::vector<BoundarySample>& piece : curves.pieces[r]) {
       std::vector<Point> points;
       for (const BoundarySample& p : piece) points.push_back(chart.at(p.s, p.hoop));
-      svg.polyline(points, kBodyLines[r % 4]);
+      svg.polyline(points, beneath(kBodyLines[r % 4], std::min<size_t>(3, curves.pieces.size() - 1 - r)));
     }
+  for (size_t r = 0; curves.pieces.size() > 1 && r < curves.pieces.size(); ++r) label_curve(svg, chart, curves.pieces[r], r);
   picture.caption = "Normal stress along the boundary" + which + " (hoop stress) at " + place_at_end(scene) +
                     ": the largest in size is " + figure(curves.largest, scene.stress_unit, 6) + " at " +
                     place_text(scene, curves.where, size_of(scene)) + ".";

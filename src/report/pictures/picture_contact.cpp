@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLeft = 62.0, kRight = 14.0;
 constexpr double kDiagram = 92.0;        // pixels: height of the diagram of the largest pressure
+constexpr double kRound = 60.0;          // the same where it would reach out of the frame: all round a contact
 constexpr double kArrowSpacing = 17.0;   // pixels along the surface
 constexpr double kDeformed = 1.0 / 12.0; // of the window: largest displacement relative to the mean
 constexpr double kLittleFriction = 0.25; // of the pressure: less is drawn to a scale of its own
@@ -81,8 +82,8 @@ void extent_of(const Contact& c, Range& x, Range& y) {
         if (c.touches(p)) x.include(image.place(on).x), y.include(image.place(on).y);
 }
 
-// The contact in the middle, with room around it for the diagrams.
-Chart view_of_contact(const Contact& c, double top) {
+// The contact in the middle, with `margin` pixels around it.
+Chart view_with_margin(const Contact& c, double top, double margin) {
   Range x, y;
   extent_of(c, x, y);
   const double size = std::max(x.high - x.low, y.high - y.low), whole = size_of(c.scene);
@@ -93,7 +94,40 @@ Chart view_of_contact(const Contact& c, double top) {
   }
   const double wide = kPictureWidth - kLeft - kRight;
   const double high = std::min(380.0, std::max(300.0, wide * (y.high - y.low) / std::max(x.high - x.low, 1e-300)));
-  return make_view({kLeft, top, kPictureWidth - kRight, top + high}, x, y, 62.0, c.scene.length_unit);
+  return make_view({kLeft, top, kPictureWidth - kRight, top + high}, x, y, margin, c.scene.length_unit);
+}
+
+// Pixels per unit of stress, for the diagram of the largest to have this height.
+double scale_of_diagrams(const Contact& c, double height) {
+  const double largest = std::max(c.largest(C2D_TN), c.friction_scale * c.largest(C2D_TT));
+  return largest > 0.0 ? height / largest : 0.0;
+}
+
+// Do the diagrams stay in the frame, but for the width of their lines?
+bool holds_diagrams(const Contact& c, const Chart& view, double height) {
+  const double scale = scale_of_diagrams(c, height);
+  for (const Image& image : c.images())
+    for (size_t p = c.zone.first; p < c.zone.first + c.zone.pairs; ++p) {
+      if (!c.touches(p)) continue;
+      const Point at = view.at(image.place(c.scene.pairs[p].on[1])), n = image.direction(c.scene.pairs[p].normal);
+      for (const double out : {-scale * c.value(p, C2D_TN), c.friction_scale * scale * std::fabs(c.value(p, C2D_TT))}) {
+        const double x = at.x + out * n.x, y = at.y - out * n.y;
+        if (x < view.frame.left || x > view.frame.right || y < view.frame.top || y > view.frame.bottom) return false;
+      }
+    }
+  return true;
+}
+
+struct FramedContact {
+  Chart chart;
+  double diagram; // height of the largest
+};
+
+// With room for the diagrams: a flat contact has it above and below, one that goes round needs it on all sides.
+FramedContact view_of_contact(const Contact& c, double top) {
+  const FramedContact flat{view_with_margin(c, top, 62.0), kDiagram};
+  if (holds_diagrams(c, flat.chart, kDiagram)) return flat;
+  return {view_with_margin(c, top, kRound + 22.0), kRound};
 }
 
 // The surface of side 2 as it is drawn, with the tractions on it, in pixels: y downwards.
@@ -105,10 +139,8 @@ struct Acting {
 
 class ContactView {
 public:
-  ContactView(Svg& svg, const Contact& contact, const Deformation& deformation, const Chart& view)
-      : svg_(svg), c_(contact), deformation_(deformation), view_(view) {
-    const double largest = std::max(c_.largest(C2D_TN), c_.friction_scale * c_.largest(C2D_TT));
-    scale_ = largest > 0.0 ? kDiagram / largest : 0.0;
+  ContactView(Svg& svg, const Contact& contact, const Deformation& deformation, const FramedContact& view)
+      : svg_(svg), c_(contact), deformation_(deformation), view_(view.chart), scale_(scale_of_diagrams(contact, view.diagram)) {
   }
 
   void draw() {
@@ -232,7 +264,7 @@ private:
   const Contact& c_;
   const Deformation& deformation_;
   const Chart& view_;
-  double scale_ = 0.0; // pixels per stress
+  double scale_; // pixels per stress
 };
 
 std::vector<LegendEntry> legend_of(const Contact& c) {
@@ -284,7 +316,8 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   c.friction_scale = scale_of_friction(c);
   const std::vector<LegendEntry> entries = legend_of(c);
   const double top = 16.0 + draw_legend(nullptr, {kLeft, 4.0}, kPictureWidth - kLeft - kRight, entries);
-  const Chart view = view_of_contact(c, top);
+  const FramedContact drawn = view_of_contact(c, top);
+  const Chart& view = drawn.chart;
   const Point mean = mean_motion(c);
   const double wanted = wanted_factor(view.x.high - view.x.low, relative_motion(c, mean), kDeformed);
   const GapLift lift(scene);
@@ -292,9 +325,12 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   const std::string suffix = scene.zones.size() > 1 ? "_zone" + std::to_string(zone_index + 1) : "", name = "contact" + suffix;
   Svg svg(name, kPictureWidth, view.frame.bottom + 42.0);
   draw_legend(&svg, {kLeft, 4.0}, kPictureWidth - kLeft - kRight, entries);
-  ContactView(svg, c, deformation, view).draw();
-  Picture picture{name, c.tied ? "Stresses of the tie" : "Pressure and friction where they act", caption_of(c, deformation),
-                  ""};
+  ContactView(svg, c, deformation, drawn).draw();
+  const bool friction = c.largest(C2D_TT) > 1e-9 * c.largest(C2D_TN);
+  const char* title = c.tied     ? "Stresses of the tie"
+                      : friction ? "Pressure and friction where they act"
+                                 : "Pressure where it acts";
+  Picture picture{name, title, caption_of(c, deformation), ""};
   if (scene.zones.size() > 1) picture.title += ", " + zone_label(scene, zone_index);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

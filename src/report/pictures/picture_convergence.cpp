@@ -69,7 +69,8 @@ bool has_points(const std::vector<Line>& lines) {
 std::vector<LegendEntry> legend_of(const std::vector<Line>& lines) {
   std::vector<LegendEntry> out;
   for (size_t i = 0; i < lines.size(); ++i)
-    if (!lines[i].points.empty()) out.push_back({lines[i].name, kMeasureLines[i], kMarks[i], i % 2 == 0, ""});
+    if (!lines[i].points.empty())
+      out.push_back({lines[i].name, beneath(kMeasureLines[i], lines.size() - 1 - i), kMarks[i], i % 2 == 0, ""});
   return out;
 }
 
@@ -89,7 +90,7 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
   for (size_t i = 0; i < lines.size(); ++i) {
     std::vector<Point> points;
     for (const Point& p : lines[i].points) points.push_back(chart.at(p));
-    svg.polyline(points, kMeasureLines[i]);
+    svg.polyline(points, beneath(kMeasureLines[i], lines.size() - 1 - i));
     for (const Point& p : points) svg.mark(kMarks[i], p, 6.0, kMeasureLines[i].colour, i % 2 == 0);
   }
   svg.end_clip();

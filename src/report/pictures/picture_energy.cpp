@@ -7,7 +7,7 @@
 namespace app {
 namespace {
 
-// A quantity of energy and how it is drawn; the work, which the elastic energy often covers, in large hollow
+// A quantity of energy and how it is drawn; the work, which the elastic energy often covers, wider and in large hollow
 // marks.
 struct EnergyCurve {
   double EnergyPoint::*value;
@@ -17,7 +17,7 @@ struct EnergyCurve {
   double size;
 };
 const EnergyCurve kCurves[] = {
-    {&EnergyPoint::work, "work of the loads", {colour::kBlue, 2.0, ""}, Mark::kCircle, 7.5},
+    {&EnergyPoint::work, "work of the loads", {colour::kBlue, 4.0, ""}, Mark::kCircle, 9.0},
     {&EnergyPoint::elastic, "elastic energy", {colour::kGreen, 1.4, "7 3"}, Mark::kSquare, 4.0},
     {&EnergyPoint::dissipated, "dissipated by friction", {colour::kOrange, 2.0, "2 2"}, Mark::kTriangle, 5.5}};
 

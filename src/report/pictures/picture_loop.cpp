@@ -60,8 +60,9 @@ void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures&
   Svg svg(name, kPictureWidth, 378.0);
   if (loop.any()) svg.area({cycle}, "#eeeeee", Stroke{});
   draw_axes(svg, chart);
-  svg.polyline(points, Stroke{colour::kFaint, 1.1, "6 3"});
-  if (loop.any()) svg.polyline(cycle, Stroke{colour::kOrange, 2.0, ""});
+  const Stroke last{colour::kOrange, 1.4, ""};
+  svg.polyline(points, beneath(Stroke{colour::kFaint, last.width, "6 3"}, 1)); // the last cycle may cover what was before
+  if (loop.any()) svg.polyline(cycle, last);
   for (const Point& p : points) svg.mark(Mark::kCircle, p, 4.5, colour::kOrange);
   Picture picture{name, "Friction over displacement" + chart_title(scene, mu, zone), caption(scene, coefficient, zone, loop),
                   ""};

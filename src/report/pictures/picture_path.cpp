@@ -55,7 +55,7 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
       if (recorded) steps.push_back(at);
       recorded = false;
     }
-    svg.polyline(points, kLines[c]);
+    svg.polyline(points, beneath(kLines[c], lines - 1 - c));
     const size_t every = steps.size() / 40 + 1;
     for (size_t i = 0; i < steps.size(); i += every) svg.mark(kStepMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
   }
@@ -72,8 +72,10 @@ const CoefficientRecord& longest(const Scene& scene) {
 
 std::vector<LegendEntry> load_legend(const Scene& scene) {
   std::vector<LegendEntry> out;
-  for (size_t k = 0; scene.cases > 1 && k < std::min(scene.cases, kMostDrawn); ++k)
-    out.push_back({"factor of load case " + std::to_string(k + 1), kLines[k], kStepMarks[k], k != 1, ""});
+  const size_t lines = std::min(scene.cases, kMostDrawn);
+  for (size_t k = 0; scene.cases > 1 && k < lines; ++k)
+    out.push_back(
+        {"factor of load case " + std::to_string(k + 1), beneath(kLines[k], lines - 1 - k), kStepMarks[k], k != 1, ""});
   return out;
 }
 
@@ -86,11 +88,12 @@ void draw_loads(Svg& svg, const Scene& scene, const Box& frame, const Axis& x) {
   const Chart chart{frame, x, make_axis(range, "load factor", "", 4)};
   draw_axes(svg, chart, false);
   draw_heading(svg, frame, scene.cases > 1 ? "Factors of the load cases" : "Load factor");
-  for (size_t k = 0; k < std::min(scene.cases, kMostDrawn); ++k) {
+  const size_t lines = std::min(scene.cases, kMostDrawn);
+  for (size_t k = 0; k < lines; ++k) {
     std::vector<Point> points{chart.at(0.0, 0.0)};
     for (const StepRecord& step : record.steps)
       points.push_back(chart.at(step.step, k < step.loads.size() ? step.loads[k] : 0.0));
-    svg.polyline(points, kLines[k]);
+    svg.polyline(points, beneath(kLines[k], lines - 1 - k));
     for (size_t i = 1; i < points.size(); i += points.size() / 40 + 1)
       svg.mark(kStepMarks[k], points[i], 5.0, kLines[k].colour, k != 1);
   }
@@ -122,11 +125,12 @@ void draw_path(const Scene& scene, Pictures& out) {
   const bool by_load = all_rise(scene);
   load.include(0.0);
   std::vector<LegendEntry> entries;
-  for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostDrawn); ++c) {
+  const size_t lines = std::min(scene.history->coefficients().size(), kMostDrawn);
+  for (size_t c = 0; c < lines; ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
     for (const PathPoint& p : h.points) any = any || p.events > 0;
     for (const double place : places(h, by_load)) load.include(place);
-    entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kStepMarks[c], c != 1, ""});
+    entries.push_back({"&#956; = " + figure(h.mu), beneath(kLines[c], lines - 1 - c), kStepMarks[c], c != 1, ""});
   }
   const Axis x = make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load);
   const double left = 66.0, right = kPictureWidth - 18.0, high = 120.0, step = high + 32.0;
@@ -149,7 +153,7 @@ void draw_path(const Scene& scene, Pictures& out) {
     draw_heading(svg, frame, "Events so far (loads at which a status changes)");
     next();
   }
-  draw_value(svg, scene, frame, x, "largest nodal pressure", scene.stress_unit, false, false, false, peak);
+  draw_value(svg, scene, frame, x, "pressure", scene.stress_unit, false, false, false, peak);
   draw_heading(svg, frame, "Largest pressure of all pairs");
   next();
   draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);

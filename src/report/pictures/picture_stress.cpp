@@ -259,6 +259,8 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
     for (const double at : {zoom_x.low + d, zoom_x.high + d}) near_x.include(std::min(x.high, std::max(x.low, at)));
     for (const double at : {zoom_y.low + d, zoom_y.high + d}) near_y.include(std::min(y.high, std::max(y.low, at)));
   }
+  const auto is_most = [](const Range& part, const Range& all) { return part.high - part.low > 0.8 * (all.high - all.low); };
+  if (is_most(near_x, x) && is_most(near_y, y)) return status; // no nearer than the picture before
   return draw_stress_of(scene, "stress_zone", "Stress near the contact", near_x, near_y, 12.0, out);
 }
 

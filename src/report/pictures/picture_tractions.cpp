@@ -191,9 +191,9 @@ void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
   draw_axes(svg, chart, labels);
   draw_heading(svg, frame, l.zone.tied ? "Normal stress of the tie (pressure is positive)" : "Contact pressure");
   svg.begin_clip(Box{frame.left - l.margin(), frame.top - 1.0, frame.right + l.margin(), frame.bottom + 5.0});
-  draw_earlier(svg, l, C2D_TN, chart);
   svg.polyline(curve_of(l.zone, l.record.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
   draw_marks(svg, l, C2D_TN, chart, colour::kBlue);
+  draw_earlier(svg, l, C2D_TN, chart); // thin ones over the wide one, which would hide them
   svg.end_clip();
   tell_beyond(svg, l, C2D_TN, chart);
 }
@@ -219,9 +219,9 @@ void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
     svg.polyline(upper, Stroke{colour::kInk, 0.8, "4 2"});
     svg.polyline(lower, Stroke{colour::kInk, 0.8, "4 2"});
   }
-  draw_earlier(svg, l, C2D_TT, chart);
   svg.polyline(curve_of(l.zone, l.record.table, C2D_TT, chart), Stroke{colour::kOrange, 2.0, ""});
   draw_marks(svg, l, C2D_TT, chart, colour::kOrange);
+  draw_earlier(svg, l, C2D_TT, chart);
   svg.end_clip();
   tell_beyond(svg, l, C2D_TT, chart);
 }
