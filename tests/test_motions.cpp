@@ -123,6 +123,50 @@ TEST_CASE("loop: a platen's motion is wanted without a contact; Timoshenko's bea
   CHECK(found.loop.stopped.empty());
 }
 
+// Of a flat pad with rounded ends, tilted as drawn by t and, as given, by w: by rigid motions known beforehand contact moves
+// onto a rounded end, which the zone holds from the start (all that faces as drawn and is inclined by less than 50 degrees).
+TEST_CASE("motions: a pad that is turned onto its rounded end presses like one that is drawn so") {
+  const std::string text = R"(
+parameter l 0 w 0 t 0.03 r 0.5 a 1 q 40
+parameter cs {cos(t)} sn {sin(t)}
+parameter x1 {a} y1 {0} xc {a} yc {r} x2 {a+r*sin(q*deg)} y2 {r-r*cos(q*deg)}
+body block E 1000 nu 0.3
+  from -8 -8
+  line bottom to 8 -8
+  line right to 8 0
+  line top to -8 0
+  line left close
+body pad rigid
+  from {-x2*cs-y2*sn} {-x2*sn+y2*cs+l}
+  arc heel to {-x1*cs-y1*sn} {-x1*sn+y1*cs+l} centre {-xc*cs-yc*sn} {-xc*sn+yc*cs+l}
+  line flat to {x1*cs-y1*sn} {x1*sn+y1*cs+l}
+  arc toe to {x2*cs-y2*sn} {x2*sn+y2*cs+l} centre {xc*cs-yc*sn} {xc*sn+yc*cs+l}
+  line up to {x2*cs-3*sn} {x2*sn+3*cs+l}
+  line back to {-x2*cs-3*sn} {-x2*sn+3*cs+l}
+  line down close
+contact block.top pad.heel+flat+toe
+fix block.bottom
+drive pad about 0 {l} x 0 turn {w} y {0.02-l}
+want pressure 1 % edges 1 %
+)";
+  double peak[2] = {0, 0}, force[2] = {0, 0}, error[2] = {0, 0};
+  for (size_t drawn = 0; drawn < 2; ++drawn) {
+    const double tilt = 0.03;
+    const sketch::Sketch s =
+        sketches::sound(text, {{"w", drawn != 0 ? 0 : tilt}, {"t", drawn != 0 ? tilt : 0}, {"l", drawn != 0 ? 0.1 : 0}});
+    const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
+    CHECK(found.loop.stopped.empty());
+    for (const app::Stated& number : found.loop.stated) {
+      if (number.what == Measure::kPeakPressure)
+        peak[drawn] = number.value, error[drawn] = number.error, CHECK(number.is_met());
+      if (number.what == Measure::kForceY) force[drawn] = number.value;
+    }
+  }
+  CHECK(peak[0] > 0);
+  CHECK(std::fabs(peak[0] - peak[1]) < error[0] + error[1]);
+  CHECK(force[0] == doctest::Approx(force[1]).epsilon(3e-3)); // turns by 0.03: second order leaves 1e-3
+}
+
 TEST_CASE("motions: approach and shift of two points are wanted") {
   // Uniform stress: u = -0.01 y below y = 1, and the upper block alike; points 1.5 apart along y, and inclined ones.
   const std::string text = std::string(kLower) + kUpper + "traction upper.lid y -10\n";
