@@ -122,7 +122,8 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md explains each of th
   C2D_WARN_SHIFTED = 228,          /* nodes of pairs are shifted along the surface by up to half an element */
   C2D_WARN_OVERLAPPING = 229,      /* bodies overlap outside any zone between them                         */
   C2D_WARN_SIDEWAYS = 230,         /* a pair moved tangentially by more than an element before it touched  */
-  C2D_WARN_ROTATION = 231          /* rotations above 0.1: the theory assumes small rotations              */
+  C2D_WARN_ROTATION = 231,         /* rotations above 0.1: the theory assumes small rotations              */
+  C2D_WARN_SLIT = 232              /* linear functions: a slit in a body is narrower than half an element  */
 };
 
 #endif

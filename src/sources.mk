@@ -167,6 +167,7 @@ CORE_SOURCES += src/model/polar.cpp
 CORE_SOURCES += src/model/rigid.cpp
 CORE_SOURCES += src/model/shape.cpp
 CORE_SOURCES += src/model/slip_gap.cpp
+CORE_SOURCES += src/model/slits.cpp
 CORE_SOURCES += src/model/surface.cpp
 CORE_SOURCES += src/model/topology.cpp
 CORE_SOURCES += src/model/unknowns.cpp

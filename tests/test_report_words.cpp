@@ -288,7 +288,7 @@ TEST_CASE("report: what a run that came to nothing leaves") {
 
 TEST_CASE("report: what is wrong with all results is told first, with a place alone last") {
   std::vector<c2d_error> warnings;
-  for (int32_t kind = C2D_WARN_ROTATION; kind >= C2D_WARN_ZONE_END; --kind) {
+  for (int32_t kind = C2D_WARN_SLIT; kind >= C2D_WARN_ZONE_END; --kind) {
     c2d_error entry = C2D_INIT(c2d_error);
     entry.status = kind;
     warnings.push_back(entry);

@@ -9,6 +9,7 @@
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 #include "model/rigid.hpp"
+#include "model/slits.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate/validate_finding.hpp"
@@ -562,6 +563,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   validate_conditions(m, frames, reporter);
   if (reporter.faults != before) return false;
   warn_overlapping_bodies(m, reporter);
+  warn_slits(m, reporter);
   place_bodies(m);
   if (m.head->curves > 0) kCurvePart.find_slip_gaps(m);
   return true;

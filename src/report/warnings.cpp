@@ -29,6 +29,7 @@ Weight weight_of(int32_t kind) {
   case C2D_WARN_OFFSET:
   case C2D_WARN_SHIFTED:
   case C2D_WARN_CONSTANT:
+  case C2D_WARN_SLIT:
   case C2D_WARN_SIZES: return Weight::kMesh;
   case C2D_WARN_POINT_LOAD:
   case C2D_WARN_CORNER:

@@ -66,6 +66,7 @@ const Word kStatusWords[] = {
     {C2D_WARN_OVERLAPPING, "bodies overlap where no zone is"},
     {C2D_WARN_SIDEWAYS, "moved sideways before it touched"},
     {C2D_WARN_ROTATION, "large rotations"},
+    {C2D_WARN_SLIT, "a slit narrower than its elements"},
     {C2D_WARN_ENERGY, "the work of friction is not certain enough"},
 };
 

@@ -6,6 +6,7 @@
 #include "memory/config.hpp"
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
+#include "model/meeting_boxes.hpp"
 #include "model/validate/validate.hpp"
 #include "model/validate/validate_finding.hpp"
 
@@ -91,52 +92,8 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
   return false;
 }
 
-// All pairs of points and of elements must be compared. A first pass by recursive bisection with bounding boxes decides quickly
-// whether there is any fault; only then are all pairs visited in order, so that messages come in the order of the model. Small
-// code omits the first pass.
-constexpr int32_t kBoxes = 32;
-
-void widen(Box& box, const Box& by) {
-  box.x_min = fmin(box.x_min, by.x_min);
-  box.x_max = fmax(box.x_max, by.x_max);
-  box.y_min = fmin(box.y_min, by.y_min);
-  box.y_max = fmax(box.y_max, by.y_max);
-}
-
-struct Range {
-  int32_t first, end;
-  int32_t count() const { return end - first; }
-  int32_t middle() const { return first + count() / 2; }
-  Range half(int which) const { return which == 0 ? Range{first, middle()} : Range{middle(), end}; }
-};
-
-template <class BoxOf> Box box_around_all(const Range& range, BoxOf box_of) {
-  Box all = box_of(range.first);
-  for (int32_t i = range.first + 1; i < range.end; ++i) widen(all, box_of(i));
-  return all;
-}
-
-// Calls visit(i, j) for i in `a` and j in `b`, i <= j, whose boxes overlap, until it returns true; returns whether it did. The
-// ranges are equal or disjoint. Halves whose boxes do not overlap are skipped. Boxes are recomputed instead of stored: no
-// memory, and O(n log n) of them for a boundary.
-template <class BoxOf, class Visit> bool visit_meeting(const Range& a, const Range& b, BoxOf box_of, Visit visit) {
-  const bool same = a.first == b.first;
-  if (!same && !boxes_meet(box_around_all(a, box_of), box_around_all(b, box_of))) return false;
-  if (a.count() > kBoxes || b.count() > kBoxes) {
-    for (int i = 0; i < 2; ++i)
-      for (int j = same ? i : 0; j < 2; ++j)
-        if (visit_meeting(a.half(i), b.half(j), box_of, visit)) return true;
-    return false;
-  }
-  Box box[kBoxes];
-  for (int32_t j = b.first; j < b.end; ++j) box[j - b.first] = box_of(j);
-  for (int32_t i = a.first; i < a.end; ++i) {
-    const Box own = box_of(i);
-    for (int32_t j = same ? i : b.first; j < b.end; ++j)
-      if (boxes_meet(own, box[j - b.first]) && visit(i, j)) return true;
-  }
-  return false;
-}
+// All pairs of points and of elements must be compared. A first pass (model/meeting_boxes.hpp) decides quickly whether there is
+// any fault; only then are all pairs visited in order, so that messages come in the order of the model. Small code omits it.
 
 bool some_coincide(const Model& m, int b, double near) {
   if (kSmallCode) return true;
@@ -145,7 +102,7 @@ bool some_coincide(const Model& m, int b, double near) {
     const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
     return Box{p[0] - half, p[0] + half, p[1] - half, p[1] + half};
   };
-  const Range all{0, body_of(m, b).geometry_nodes};
+  const IndexRange all{0, body_of(m, b).geometry_nodes};
   return visit_meeting(all, all, box_of, [&](int32_t i, int32_t j) {
     return i != j && !(body_of(m, b).element_nodes == 2 && joined(m, b, i, j));
   });
@@ -238,7 +195,7 @@ bool some_cross(const Model& m, int b, double near) {
   if (kSmallCode) return true;
   Chords p, q;
   int32_t last = -1; // element whose chords p stores
-  const Range all{0, body_of(m, b).elements};
+  const IndexRange all{0, body_of(m, b).elements};
   return visit_meeting(
       all, all, [&](int32_t i) { return box_around(m, b, i); },
       [&](int32_t i, int32_t j) {

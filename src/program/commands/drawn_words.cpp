@@ -9,8 +9,8 @@ namespace app {
 namespace {
 
 // Warnings that only describe the mesh the program made. Those about the accuracy of results are shown.
-constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER, C2D_WARN_OFFSET,
-                                  C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE};
+constexpr int32_t kAboutMesh[] = {C2D_WARN_NORMALS,  C2D_WARN_KINK,  C2D_WARN_CORNER,  C2D_WARN_OFFSET,
+                                  C2D_WARN_LEFT_OUT, C2D_WARN_SIZES, C2D_WARN_SURFACE, C2D_WARN_SLIT};
 
 constexpr char kReachesEnd[] = "contact reaches the end of the facing parts and may extend beyond it";
 struct Phrase {
