@@ -59,7 +59,7 @@ TEST_CASE("axisymmetric bodies: bars in tension and under pressure all round, ev
           CHECK(u < 1e-10);
           CHECK(stress < 1e-8);
           std::vector<double> round(r.boundary[0].size());
-          REQUIRE(c2d_get(machine.solver, C2D_END_SZZ, 1, 1, static_cast<int64_t>(round.size()), round.data(), 1) == C2D_OK);
+          REQUIRE(c2d_get(machine.solver, C2D_END_SZZ, 1, 1, static_cast<int32_t>(round.size()), round.data(), 1) == C2D_OK);
           for (double value : round) CHECK(std::fabs(value - side) < 1e-8);
           // Forces are those of the whole circumference; the work of the loads on the way up.
           const double area = kPi * (4 - bore * bore);
@@ -308,7 +308,7 @@ TEST_CASE("axisymmetric contact: a sphere on a rigid flat with friction, the bor
       double stick = 0, edge = 0, centre = 0;
       for (const Row& row : r.zone_rows(1)) {
         if (row[C2D_TN] > 0) edge = std::max(edge, row[C2D_X]);
-        if (row[C2D_STATUS] == C2D_STICK) stick = std::max(stick, row[C2D_X]);
+        if (static_cast<int>(row[C2D_STATUS]) == C2D_STICK) stick = std::max(stick, row[C2D_X]);
         if (row[C2D_X] == 0) centre = row[C2D_TN] * kPi * kSphere / (2 * modulus);
       }
       CAPTURE(at.nu);

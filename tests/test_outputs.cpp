@@ -69,12 +69,6 @@ static std::string words_of_line(const std::string& line) {
   return out;
 }
 
-static std::string six(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 TEST_CASE("outputs: every load factor, slip since the loads turned, the key table, curves where loads turn") {
   const Cycle cycle;
   const Table contact(read_file(cycle.folder / "o/contact.csv")), bodies(read_file(cycle.folder / "o/bodies.csv")),

@@ -187,21 +187,22 @@ TEST_CASE("sweep: numbers that are asked for are those of the CSV, the summary a
 }
 
 TEST_CASE("sweep: misspelt requested numbers are answered by what may be meant") {
-  const std::pair<const char*, const char*> cases[] = {
-      {"peak presure", "'peak presure', did you mean 'peak pressure'?"},
-      {"load; Contact Egde 2 X zone 3", "'Contact Egde 2 X zone 3', did you mean 'contact edge 2 x zone 3'?"},
-      {"max tm", "'max tm', did you mean 'max tn'?"},
-      {"peak pressure zne 2", "'peak pressure zne 2', did you mean 'peak pressure zone 2'?"},
-      {"stres 3", "'stres 3', did you mean 'stress 3'?"},
-      {"touchin", "'touchin', did you mean 'touching'?"},
-      {"forcey", "'forcey', did you mean 'force y'?"},
-      {"presure", "'presure', did you mean 'peak pressure', 'mean pressure' or 'edge pressure'?"},
-      {"qqqqqq", "'qqqqqq': expected max or min of tn"}};
-  for (const auto& [wrong, words] : cases) {
+  struct {
+    const char *wrong, *answer;
+  } const cases[] = {{"peak presure", "'peak presure', did you mean 'peak pressure'?"},
+                     {"load; Contact Egde 2 X zone 3", "'Contact Egde 2 X zone 3', did you mean 'contact edge 2 x zone 3'?"},
+                     {"max tm", "'max tm', did you mean 'max tn'?"},
+                     {"peak pressure zne 2", "'peak pressure zne 2', did you mean 'peak pressure zone 2'?"},
+                     {"stres 3", "'stres 3', did you mean 'stress 3'?"},
+                     {"touchin", "'touchin', did you mean 'touching'?"},
+                     {"forcey", "'forcey', did you mean 'force y'?"},
+                     {"presure", "'presure', did you mean 'peak pressure', 'mean pressure' or 'edge pressure'?"},
+                     {"qqqqqq", "'qqqqqq': expected max or min of tn"}};
+  for (const auto& c : cases) {
     std::vector<app::Response> responses;
     std::string error;
-    CHECK_MESSAGE(!app::read_responses(wrong, responses, error), wrong);
-    CHECK_MESSAGE(error.rfind(words, 0) == 0, error);
+    CHECK_MESSAGE(!app::read_responses(c.wrong, responses, error), c.wrong);
+    CHECK_MESSAGE(error.rfind(c.answer, 0) == 0, error);
   }
 }
 
