@@ -11,6 +11,7 @@
 #include <cfenv>
 #include <cmath>
 #include <complex>
+#include <cstring>
 #include <initializer_list>
 #include <vector>
 
@@ -359,6 +360,33 @@ TEST_CASE("halves can be asked for separately and give the same numbers") {
       }
     }
   }
+}
+
+TEST_CASE("points of the rules kept from one source to the next give every source the same numbers, to the last bit") {
+  std::vector<Element> elements = curved_elements();
+  const double x[] = {0.1, 0.45, 0.9}, y[] = {0.2, 0.15, 0.3}; // J along it varies
+  elements.push_back(make_element(3, x, y));
+  for (const Element& e : elements)
+    for (int functions = 1; functions <= 4; ++functions) {
+      Integrator in;
+      prepare(in, e, functions, 0.3, Quadrature::accurate);
+      Samples samples;
+      for (int k = 0; k < 60; ++k) { // from the neighbourhood of the element to far away, and back on the other side
+        const double away = 0.03 * std::pow(1.2, k < 30 ? k : 60 - k), sign = k < 30 ? 1 : -1;
+        const double sx = e.c[0][0] + sign * away * std::cos(1.0 + k), sy = e.c[0][1] + sign * away * std::sin(1.0 + k);
+        Blocks once = {}, kept = {};
+        integrate(in, sx, sy, -1, true, true, once);
+        integrate(in, sx, sy, -1, true, true, kept, &samples);
+        CHECK(std::memcmp(&once, &kept, sizeof once) == 0);
+      }
+      for (int at = 0; at < functions; ++at) {
+        const Point own = element_point(e, node_eta(functions, at));
+        Blocks once = {}, kept = {};
+        integrate(in, own.x, own.y, at, true, true, once);
+        integrate(in, own.x, own.y, at, true, true, kept, &samples);
+        CHECK(std::memcmp(&once, &kept, sizeof once) == 0);
+      }
+    }
 }
 
 namespace {

@@ -83,6 +83,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   const int32_t lines = images_of(system), end = sources_of(system);
+  Samples samples;
   for (int32_t source = 0; source < end; ++source) {
     const int32_t twin = system.twin[source];
     if (twin == kSecondTwin || twin == kAxisNode) continue;
@@ -92,7 +93,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
       const Source p = mirrored_source(*m.head, image, at);
       const int singular = p.on_itself ? singular_node(node, nf, node_of_source(system, source), twin) : -1;
       // A source on a line of symmetry is its own image: there the image's integrals are singular, too.
-      integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
+      integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks, &samples);
       if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
       if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
       deposits.scatter(source);

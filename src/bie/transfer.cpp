@@ -216,6 +216,7 @@ struct Receiver {
   const Receiver to(m, panel, t);
   Blocks& blocks = system.scratch->blocks;
   const Body& body = m.body[panel.b];
+  Samples samples;
   for (int32_t source = 0; source < body.nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
     const int32_t images = image_lines(m, panel.b);
@@ -224,7 +225,7 @@ struct Receiver {
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
       // The source is singular if it is the node at one end of the piece.
       const int at = !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
-      integrate(t.in, p.x, p.y, at, false, true, blocks);
+      integrate(t.in, p.x, p.y, at, false, true, blocks, &samples);
       for (int i = 0; i < 2; ++i)
         for (int c = 0; c < 2; ++c) {
           double value[kElementNodes];

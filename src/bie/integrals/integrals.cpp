@@ -164,7 +164,8 @@ void set_arc(Integrator& in, const Element& arc, bool reversed) {
   refresh(in);
 }
 
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out,
+               Samples* samples) {
   // Double nodes are joined by an element without length: it has no integrals.
   if (in.degenerate) {
     if (want_h) clear(out.h, in.functions);
@@ -180,7 +181,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
   const bool closed_h = kClosedForms && want_h && in.element.straight, closed_g = want_g && in.closed_form_g;
   if (kClosedForms && (closed_h || closed_g)) integrate_straight(in, sx, sy, singular, closed_h, closed_g, out);
   if (want_h != closed_h || want_g != closed_g) {
-    integrate_curved(in, sx, sy, singular, want_h && !closed_h, want_g, out); // (where g is closed, so is h)
+    integrate_curved(in, sx, sy, singular, want_h && !closed_h, want_g, samples, out); // (where g is closed, so is h)
   }
 }
 

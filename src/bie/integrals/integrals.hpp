@@ -60,11 +60,29 @@ void set_arc(Integrator& in, const Element& arc, bool reversed);
 // the measure 2 pi r J, r in the caller's `unit` of length. Call between prepare() and set_arc().
 void set_axis(Integrator& in, double unit);
 
+// One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for g.
+struct Sample {
+  double eta, shape[kElementNodes];
+  double rx, ry, nx, ny, jacobian;
+};
+
+// The points of the rules for sources that are not near, found when the first source needs them: only x - source depends on
+// it. For one element and many sources. Small code finds the points anew for every source.
+template <bool small> struct RuleSamples {
+  static constexpr int kRules = 12, kPoints = 118;
+  bool known[kRules] = {};
+  Sample at[kPoints]; // rx, ry: from the middle of the element
+  double weight[kPoints];
+};
+template <> struct RuleSamples<true> {};
+using Samples = RuleSamples<kSmallCode>;
+
 // Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if none. Its own h
 // is set to zero (free term and principal value follow from rigid translation), its g is complete. A source on the element but
 // not on one of its functional nodes is not allowed (the result is finite, but meaningless). Blocks not wanted are not
 // written.
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out,
+               Samples* samples = nullptr);
 
 // sum[i][j] = sum over l != singular of h[l][i][j].
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);

@@ -127,9 +127,30 @@ bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool o
   return has_no_zero(in.d, x.origin + t, radius);
 }
 
-void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
+RulePoints rule_points(const Integrator& in, int rule, RuleSamples<false>& samples) {
+  constexpr int kFirst[] = {0, 2, 5, 9, 14, 20, 28, 38, 50, 66, 86, 102, 118};
+  const int first = kFirst[rule], count = kFirst[rule + 1] - first;
+  if (!samples.known[rule]) {
+    const Expansion x = expand(in, 0.0, in.element.c[0][0], in.element.c[0][1], true);
+    const double sign = rule == kLowerHalf ? -1.0 : 1.0, half = rule < kUpperHalf ? 1.0 : 0.5, middle = 1.0 - half;
+    const GaussRule gauss = gauss_legendre(count);
+    for (int i = 0; i < count; ++i) {
+      const GaussPoint p = gauss_point(gauss, i);
+      samples.at[first + i] = sample(in, x, sign * (middle + half * p.x));
+      samples.weight[first + i] = half * p.w;
+    }
+    samples.known[rule] = true;
+  }
+  return {samples.at + first, samples.weight + first, count};
+}
+
+[[maybe_unused]] static RuleSamples<false>* seen(RuleSamples<false>* samples) { return samples; }
+[[maybe_unused]] static RuleSamples<false>* seen(RuleSamples<true>*) { return nullptr; }
+
+void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Samples* samples,
+                      Blocks& out) {
   Sums sums = {};
-  add_element_integrals(PlaneKernel{in, want_h, want_g}, sx, sy, singular, sums);
+  add_element_integrals(PlaneKernel{in, want_h, want_g}, sx, sy, singular, seen(samples), sums);
   finish(in, sums, singular, want_h, want_g, out);
 }
 

@@ -13,6 +13,7 @@ constexpr bool kClosedForms = !kSmallCode;
 // Gauss rules for the far case, cheapest first; Integrator::reach2 has one entry for each.
 constexpr int kFarOrders[] = {2, 3, 4, 5, 6, 8, 10, 12, 16, 20};
 constexpr int kFarOrderCount = 10;
+constexpr int kUpperHalf = kFarOrderCount, kLowerHalf = kUpperHalf + 1; // rules of kNearOrder points on half an element
 // Gauss and logarithmic points per panel of the near rule.
 constexpr int kNearOrder = 16;
 
@@ -22,12 +23,6 @@ struct Expansion {
   double origin;
   double delta[2];
   double b[3][2];
-};
-
-// One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for g.
-struct Sample {
-  double eta, shape[kElementNodes];
-  double rx, ry, nx, ny, jacobian;
 };
 
 // A panel: part of an element on one side of an expansion's origin.
@@ -56,6 +51,13 @@ struct Sums {
 // About parameter `origin`; the source is `node_eta` = origin exactly if at_source.
 Expansion expand(const Integrator& in, double origin, double sx, double sy, bool at_source);
 Sample sample(const Integrator& in, const Expansion& x, double tau);
+// The points of rule `rule`, 0 to kLowerHalf.
+struct RulePoints {
+  const Sample* at;
+  const double* weight;
+  int count;
+};
+RulePoints rule_points(const Integrator& in, int rule, RuleSamples<false>& samples);
 void finish(const Integrator& in, const Sums& sums, int singular, bool want_h, bool want_g, Blocks& out);
 
 // Straight elements, constant J: closed forms. Likewise their sum over l without the source's own node. The sum without a
@@ -65,7 +67,8 @@ void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2
 void rigid_sum_own_line(const Integrator& in, int singular, double sum[2][2]);
 
 // Anything: Gauss rules on the whole element, or on panels that shrink towards the source.
-void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Samples* samples,
+                      Blocks& out);
 
 // The rule of the thesis's appendix A.
 void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);

@@ -27,6 +27,17 @@ void add_panel(const Kernel& kernel, const Expansion& x, const Stretch& p, bool 
   for (int i = 0; i < logs.n; ++i) kernel.add_logarithm(sample(kernel.in, x, p.sign * p.to * logs.x[i]), p.to, logs.w[i], sums);
 }
 
+// A rule on the element, or on a half of it, by points that were found for an earlier source. The same sums as add_panel().
+template <class Kernel>
+void add_rule(const Kernel& kernel, const double delta[2], int rule, RuleSamples<false>& samples, Sums& sums) {
+  const RulePoints points = rule_points(kernel.in, rule, samples);
+  for (int i = 0; i < points.count; ++i) {
+    Sample s = points.at[i];
+    s.rx += delta[0], s.ry += delta[1];
+    kernel.add(s, points.weight[i], 1.0, sums);
+  }
+}
+
 // One side of the origin, |tau| from 0 to `end`. A panel that does not meet its bound is shortened by the factor 0.7; the next
 // one is tried five times as long. The limits on both loops are not reached unless the source lies on the element without
 // being one of its nodes.
@@ -59,8 +70,9 @@ template <class Kernel> void add_near(const Kernel& kernel, double sx, double sy
   if (tau > lo) add_side(kernel, x, -1.0, tau - lo, false, sums);
 }
 
-// The element for one source: at its functional node `singular`, far away, or near.
-template <class Kernel> void add_element_integrals(const Kernel& kernel, double sx, double sy, int singular, Sums& sums) {
+// The element for one source: at its functional node `singular`, far away, or near. `samples` (may be null) are the element's.
+template <class Kernel>
+void add_element_integrals(const Kernel& kernel, double sx, double sy, int singular, RuleSamples<false>* samples, Sums& sums) {
   const Integrator& in = kernel.in;
   if (singular >= 0) {
     const double eta = node_eta(in.functions, singular);
@@ -69,16 +81,22 @@ template <class Kernel> void add_element_integrals(const Kernel& kernel, double 
     if (eta > -1.0) add_side(kernel, x, -1.0, 1.0 + eta, true, sums);
     return;
   }
-  const Expansion x = expand(in, 0.0, sx, sy, false);
-  const double r2 = squared(x.delta);
+  const double delta[2] = {in.element.c[0][0] - sx, in.element.c[0][1] - sy};
+  const double r2 = squared(delta);
   int i = 0;
   while (i < kFarOrderCount && r2 <= in.reach2[i]) ++i;
+  if (!kSmallCode && i < kFarOrderCount && samples) return add_rule(kernel, delta, i, *samples, sums);
+  const Expansion x = expand(in, 0.0, sx, sy, false);
   if (i < kFarOrderCount) {
     add_panel(kernel, x, {-1.0, 1.0, 1.0}, false, kFarOrders[i], sums);
     // Two half panels are the most frequent near case and need no search for the nearest point.
   } else if (kernel.resolved(x, {0.0, 1.0, 1.0}, false) && kernel.resolved(x, {0.0, 1.0, -1.0}, false)) {
-    add_panel(kernel, x, {0.0, 1.0, 1.0}, false, kNearOrder, sums);
-    add_panel(kernel, x, {0.0, 1.0, -1.0}, false, kNearOrder, sums);
+    for (int half = kUpperHalf; half <= kLowerHalf; ++half) {
+      if (!kSmallCode && samples)
+        add_rule(kernel, delta, half, *samples, sums);
+      else
+        add_panel(kernel, x, {0.0, 1.0, half == kUpperHalf ? 1.0 : -1.0}, false, kNearOrder, sums);
+    }
   } else {
     add_near(kernel, sx, sy, sums);
   }

@@ -96,7 +96,7 @@ struct RingTrace {
 
 void integrate_rings(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   Sums sums = {};
-  add_element_integrals(RingElement{in, sx, want_h, want_g, nullptr}, sx, sy, singular, sums);
+  add_element_integrals(RingElement{in, sx, want_h, want_g, nullptr}, sx, sy, singular, nullptr, sums);
   finish(in, sums, singular, want_h, want_g, out);
 }
 
@@ -105,7 +105,7 @@ void ring_sum(const Integrator& in, double sx, double sy, int singular, double s
   if (in.degenerate) return;
   Sums sums = {};
   double motion[2] = {0.0, 0.0};
-  add_element_integrals(RingElement{in, sx, true, false, sx > 0.0 ? motion : nullptr}, sx, sy, singular, sums);
+  add_element_integrals(RingElement{in, sx, true, false, sx > 0.0 ? motion : nullptr}, sx, sy, singular, nullptr, sums);
   Blocks blocks;
   finish(in, sums, singular, true, false, blocks);
   for (int l = 0; l < in.functions; ++l)
@@ -116,7 +116,7 @@ void ring_sum(const Integrator& in, double sx, double sy, int singular, double s
 void add_ring_trace(const Integrator& in, double sx, double sy, double h[kElementNodes][2], double g[kElementNodes][2]) {
   if (in.degenerate) return;
   Sums none;
-  add_element_integrals(RingTrace{in, sx, h, g}, sx, sy, -1, none);
+  add_element_integrals(RingTrace{in, sx, h, g}, sx, sy, -1, nullptr, none);
 }
 
 } // namespace c2d
