@@ -270,7 +270,7 @@ c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Pair& pair = f.t->pair[i];
     if (f.y[pair.dof] > touches) continue;
-    if (f.y[pair.dof] < -touches) as_if_rigid = false;
+    if (kRings && f.y[pair.dof] < -touches) as_if_rigid = false;
     const Real along = pair.tangential ? f.y[pair.dof + 1] : Real(0);
     pair.status = pair.law.is_smooth() ? C2D_SLIP : C2D_STICK;
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
