@@ -345,3 +345,23 @@ TEST_CASE("page: numbers have their places along the second side, and steps thei
   const std::string row = shown.page.substr(edge, shown.page.find("</tr>", edge) - edge);
   CHECK(std::stod(row.substr(row.rfind("<td>") + 4)) == doctest::Approx(0.8438).epsilon(5e-3));
 }
+
+TEST_CASE("page: forces of bodies of revolution are those of the whole circumference, not per length") {
+  const Folder folder;
+  write_file(folder / "fit.c2s",
+             "units mm N\naxisymmetric\nsymmetry y 0\nbody shaft E 210e3 nu 0.3\n  from 20 0\n  line seat to 20 20\n"
+             "  line end to 0 20\nbody hub E 210e3 nu 0.3\n  from 40 0\n  line outer to 40 20\n"
+             "  line face to 19.98 20\n  line bore to 19.98 0\ncontact shaft.seat hub.bore\ninterference\ntolerance off\n");
+  Shown shown;
+  show(shown, folder / "fit.c2s");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  CHECK(contains(shown.page, "force x</a></td><td>"));
+  for (const std::string& text : {shown.page, shown.figures["balance"], shown.figures["energy"]}) {
+    CHECK(!contains(text, "N/mm<"));
+    CHECK(!contains(text, "N/mm]"));
+    CHECK(!contains(text, "per thickness"));
+    CHECK(!contains(text, "per unit thickness"));
+  }
+  CHECK(contains(shown.page, "<th>moment about the origin, N mm</th>"));
+}

@@ -42,7 +42,8 @@ const char kStyle[] =
     "nav{display:block;position:sticky;top:16px;align-self:start;max-height:95vh;overflow:auto;font-size:13px}\n"
     "nav ul{list-style:none;margin:4px 0;padding:0}nav li{margin:5px 0}}\n"
     // The numbers beside the first picture need more room than it.
-    "@media screen and (min-width:1240px){.first{grid-template-columns:440px minmax(0,1fr)}}\n"
+    "@media screen and (min-width:1240px){.first{grid-template-columns:440px minmax(0,1fr)}"
+    ".first>section:first-child{position:sticky;top:16px;align-self:start}}\n"
     "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}th,td{padding:2px 6px}}\n";
 
 std::string whole(uint64_t value) { return std::to_string(value); }
@@ -250,8 +251,8 @@ void append_balance(std::string& out, const Scene& scene) {
   const Summary& s = scene.summary;
   out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<div class=\"wide\"><table>\n";
   append_row(out,
-             {"per unit thickness", with_unit("fx", scene.force_unit), with_unit("fy", scene.force_unit),
-              with_unit("moment about the origin", scene.work_unit)},
+             {scene.is_revolved() ? "whole circumference" : "per unit thickness", with_unit("fx", scene.force_unit),
+              with_unit("fy", scene.force_unit), with_unit("moment about the origin", scene.work_unit)},
              "th");
   double most[3] = {0.0, 0.0, 0.0};
   for (int32_t b = 0; b < s.bodies; ++b)

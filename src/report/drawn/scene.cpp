@@ -62,8 +62,8 @@ void name_units(Scene& scene) {
   scene.length_unit = length;
   if (force.empty() || length.empty()) return;
   scene.stress_unit = force + "/" + length + "&#178;";
-  scene.force_unit = force + "/" + length;
-  scene.work_unit = force;
+  scene.force_unit = scene.is_revolved() ? force : force + "/" + length;
+  scene.work_unit = scene.is_revolved() ? force + " " + length : force;
 }
 
 } // namespace

@@ -115,6 +115,8 @@ struct Scene {
   std::vector<Image> images;                                   // the model first
   std::vector<Image> zone_images;                              // those of them that go on with any of the zones
   std::string length_unit, stress_unit, force_unit, work_unit; // escaped; empty if the user named none
+  // Forces and energies are those of the whole circumference, not per thickness.
+  bool is_revolved() const { return summary.plane == C2D_AXISYMMETRIC; }
 };
 
 // Loads of all cases and the lines of symmetry (scene_loads.cpp); pairs and zones (scene_zones.cpp).

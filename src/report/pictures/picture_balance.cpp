@@ -54,7 +54,8 @@ std::string short_label(const Scene& scene, int32_t body) {
 }
 
 std::string caption(const Scene& scene, const std::vector<Row>& rows, bool lines) {
-  std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
+  std::string out =
+      (scene.is_revolved() ? "Forces on each body at " : "Forces per unit thickness on each body at ") + place_at_end(scene);
   out += ": loads and supports";
   if (!scene.pairs.empty()) out += lines ? ", contact tractions" : " and contact tractions";
   if (lines) out += " and the lines of symmetry";
@@ -96,7 +97,9 @@ void draw_balance(const Scene& scene, Pictures& out) {
   if (contact) entries.push_back({"contact", Stroke{colour::kOrange, 0.8, ""}, Mark::kNone, true, hatched});
   if (lines) entries.push_back({"lines of symmetry", Stroke{colour::kGreen, 1.6, ""}, Mark::kNone, true, "none"});
   draw_legend(&svg, {left, 4.0}, right + 106.0 - left, entries);
-  Chart chart{{left, top, right, bottom}, make_axis(range, "force per thickness", scene.force_unit, 7), Axis{}};
+  Chart chart{{left, top, right, bottom},
+              make_axis(range, scene.is_revolved() ? "force" : "force per thickness", scene.force_unit, 7),
+              Axis{}};
   chart.y.name = "";
   chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
   draw_axes(svg, chart);

@@ -47,7 +47,7 @@ Axes make_axes(const Scene& scene, size_t count) {
   const double largest = std::max(std::fabs(size[0].low), std::fabs(size[0].high));
   if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest) out.dissipates = false;
   out.x = make_axis(place, out.by_load ? "load factor" : "step", "", 5, true, !out.by_load);
-  out.y[0] = make_axis(size[0], "energy per thickness", scene.work_unit, 5);
+  out.y[0] = make_axis(size[0], scene.is_revolved() ? "energy" : "energy per thickness", scene.work_unit, 5);
   out.y[1] = make_axis(size[1], "dissipated", scene.work_unit, 5);
   return out;
 }
