@@ -46,8 +46,8 @@ install: all $(SHARED)
 	$(fill) port/packaging/contact2dConfig.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake'
 	$(fill) port/packaging/contact2dConfigVersion.cmake.in > '$(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake'
 # (a program for another machine cannot say its completions here: they are left out, with a message)
-	for pair in $(COMPLETIONS); do file='$(DESTDIR)'$${pair#*:}; mkdir -p "$$(dirname $$file)" && \
-	  $(PROGRAM) completion $${pair%%:*} > $$file || { rm -f $$file; echo "no completion for $${pair%%:*}: $(PROGRAM) does not run here"; }; done
+	for pair in $(COMPLETIONS); do file='$(DESTDIR)'$${pair#*:}; mkdir -p "$$(dirname "$$file")" && \
+	  $(PROGRAM) completion $${pair%%:*} > "$$file" || { rm -f "$$file"; echo "no completion for $${pair%%:*}: $(PROGRAM) does not run here"; }; done
 	for page in $(PAGES) $(EXAMPLES); do mkdir -p '$(DESTDIR)$(DOCDIR)'/$$(dirname $$page) && \
 	  install -m 644 $$page '$(DESTDIR)$(DOCDIR)'/$$page || exit 1; done
 
