@@ -194,3 +194,34 @@ TEST_CASE("cycle: the friction loss of the last cycle is in the CSV summary as i
   }
   CHECK(stated == 1);
 }
+
+// At the end of it nothing is left of the contact but round-off: no pressure, and no edges where one could be sought.
+TEST_CASE("cycle: a contact that its history unloads meets its tolerance, without edges") {
+  const test::Folder folder;
+  for (const char* modulus : {"200e3", "70e3"}) { // like and unlike bodies
+    const std::string text = "title Pressed and let go\nparameter R 50 w 10 h {R - sqrt(R^2 - w^2)}\n"
+                             "body block E 200e3 nu 0.3\n from -30 -30\n line bottom to 30 -30\n line right to 30 0\n"
+                             " line top to -30 0\n line left close\nbody pad E " +
+                             std::string(modulus) +
+                             " nu 0.3\n from {-w} h\n arc face to w h radius R\n line right to w 20\n line top to {-w} 20\n"
+                             " line left close\ncontact block.top pad.face mu 0.6\ncase normal\n fix block.bottom\n"
+                             " platen pad.top about 0 20 force 0 -200 turn 0\nhistory normal 1, 0\n"
+                             "want pressure edges forces approach\n";
+    test::write_file(folder / "s.c2s", text);
+    const test::Result run =
+        test::run_shell("'" + paths::program() + "' run '" + (folder / "s.c2s") + "' -q --json '" + (folder / "j") + "'");
+    CHECK_MESSAGE(run.status == 0, run.err);
+    const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+    CHECK(json["accuracy"]["rounds"].items.size() <= 10);
+    int pressures = 0;
+    for (const test::Json& number : json["accuracy"]["stated"].items) {
+      CHECK_FALSE(test::contains(number["name"].text, "edge"));
+      CHECK_FALSE(test::contains(number["name"].text, "width"));
+      if (number["name"].text != "peak pressure") continue;
+      ++pressures;
+      CHECK(number["value"].number < 1e-6); // (1000 under the load)
+      CHECK(number["error"].number < 1e-2);
+    }
+    CHECK(pressures == 1);
+  }
+}

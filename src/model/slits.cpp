@@ -48,8 +48,7 @@ Box reach_of(const Model& m, int b, int32_t e) {
 }
 
 bool are_opposite(const Chord& a, const Chord& b) {
-  const double product = a.dx * b.dx + a.dy * b.dy;
-  return product < 0.0 && product * product > kOpposite * kOpposite * a.square() * b.square();
+  return a.dx * b.dx + a.dy * b.dy < -kOpposite * a.length() * b.length(); // (squares of products would overflow)
 }
 
 bool are_neighbours(const Model& m, int b, int32_t i, int32_t j) {

@@ -339,7 +339,7 @@ class PageTest(unittest.TestCase):
                     self.browser.run("$('magnify').value = arguments[0]; $('magnify').oninput()", step)
                     count, found = self.browser.run(overlaps)
                     self.assertEqual((count, found), (bodies, []), "%s, %s, %s" % (value, view, self.text("magnify-text")))
-                self.assertRegex(self.text("deformed"), "to scale" if steps == 0 else "displacements and gaps × [0-9]+")
+                self.assertRegex(self.text("deformed"), "to scale" if steps == 0 else "displacements and gaps \u00d7 [0-9]+")
             self.assertLessEqual(widths[0], widths[1])
         self.choose("sketch:roller.c2s")
         self.assertLess(self.browser.run("return page.shape.d.half"), 2)  # mm, of a roller of radius 20

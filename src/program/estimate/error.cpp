@@ -63,7 +63,8 @@ int edges_of(const State& state, int32_t zone) { // at least 1
 }
 
 // Scales of numbers near zero: forces are compared with the effect of round-off in motions, friction energies with 1e-4 of the
-// work, slip with 1e-4 of the approach, pressures and approaches with the round-off of motions.
+// work, slip with 1e-4 of the approach, pressures and approaches with the round-off of motions; forces, pressures and motions
+// also with 1e-4 of what they were before in the history.
 constexpr double kNothing = 1e-4, kNoForce = 1e-8, kRoundedOff = 1e-10;
 constexpr double kUnseen = 1e-6; // times these scales: smaller slip is not resolved by any mesh
 struct Sizes {
@@ -74,32 +75,43 @@ struct Sizes {
   std::vector<double> pressure;       // per zone: smallest one that counts
 };
 
-Sizes sizes_of(const Trial& trial, const State& state) {
-  Sizes out;
-  for (size_t b = 0; b < state.ends.size(); ++b)
-    for (const Field f : {kUx, kUy})
-      for (const double u : state.ends[b][f]) {
-        out.force = std::max(out.force, kNoForce * trial.stiffness[b] * std::fabs(u));
-        out.approach = std::max(out.approach, kRoundedOff * std::fabs(u));
-      }
-  out.work = kNothing * std::max(std::fabs(state.work), std::fabs(state.elastic));
-  out.forces.assign(trial.zones.size(), out.force);
-  for (size_t z = 0; z < trial.zones.size(); ++z) {
-    out.length.push_back(length_of_zone(trial, z));
-    out.pressure.push_back(kRoundedOff / kNoForce * out.force / out.length.back());
-  }
-  for (const app::Quantity& q : state.quantities) {
-    const double size = std::fabs(q.value);
-    if (q.what == Measure::kApproach || q.what == Measure::kShift) out.approach = std::max(out.approach, size);
-    if (q.what == Measure::kMotionX || q.what == Measure::kMotionY) out.motion = std::max(out.motion, size);
-    if (q.what == Measure::kRotation) out.rotation = std::max(out.rotation, size);
-    const bool force = q.what == Measure::kForceX || q.what == Measure::kForceY;
-    if (force && q.zone > 0)
-      out.forces[static_cast<size_t>(q.zone) - 1] = std::hypot(out.forces[static_cast<size_t>(q.zone) - 1], size);
-  }
+double force_on(const State& state, int32_t zone) {
+  double force = 0;
   for (const app::Quantity& q : state.quantities)
-    if (q.what == Measure::kMeanPressure && q.value > out.pressure[static_cast<size_t>(q.zone) - 1])
-      out.length[static_cast<size_t>(q.zone) - 1] = out.forces[static_cast<size_t>(q.zone) - 1] / q.value;
+    if (q.zone == zone && (q.what == Measure::kForceX || q.what == Measure::kForceY)) force = std::hypot(force, q.value);
+  return force;
+}
+Sizes sizes_of(const Trial& trial, size_t last) {
+  Sizes out;
+  const State& end = trial.states[last];
+  for (size_t i = 0; i <= last; ++i)
+    for (size_t b = 0; b < trial.states[i].ends.size(); ++b)
+      for (const Field f : {kUx, kUy})
+        for (const double u : trial.states[i].ends[b][f]) {
+          out.force = std::max(out.force, kNoForce * trial.stiffness[b] * std::fabs(u));
+          out.approach = std::max(out.approach, kRoundedOff * std::fabs(u));
+        }
+  out.work = kNothing * std::max(std::fabs(end.work), std::fabs(end.elastic));
+  for (size_t z = 0; z < trial.zones.size(); ++z) {
+    const auto zone = static_cast<int32_t>(z) + 1;
+    out.length.push_back(length_of_zone(trial, z));
+    out.forces.push_back(std::hypot(out.force, force_on(end, zone)));
+    out.pressure.push_back(kRoundedOff / kNoForce * out.force / out.length.back());
+    for (const app::Quantity& q : end.quantities)
+      if (q.what == Measure::kMeanPressure && q.zone == zone && q.value > out.pressure.back())
+        out.length.back() = out.forces.back() / q.value;
+    for (size_t i = 0; i < last; ++i) {
+      out.forces.back() = std::max(out.forces.back(), kNothing * force_on(trial.states[i], zone));
+      out.pressure.back() = std::max(out.pressure.back(), kNothing * peak_pressure(trial.states[i], zone));
+    }
+  }
+  for (size_t i = 0; i <= last; ++i)
+    for (const app::Quantity& q : trial.states[i].quantities) {
+      const double size = (i == last ? 1 : kNothing) * std::fabs(q.value);
+      if (q.what == Measure::kApproach || q.what == Measure::kShift) out.approach = std::max(out.approach, size);
+      if (q.what == Measure::kMotionX || q.what == Measure::kMotionY) out.motion = std::max(out.motion, size);
+      if (q.what == Measure::kRotation) out.rotation = std::max(out.rotation, size);
+    }
   return out;
 }
 
@@ -194,25 +206,13 @@ void state(app::Stated& s, Seen seen, double before, const app::ErrorRule& rule)
   s.error_by_before = error_of(rule, seen);
 }
 
-double force_on(const State& state, int32_t zone) {
-  double force = 0;
-  for (const app::Quantity& q : state.quantities)
-    if (q.zone == zone && (q.what == Measure::kForceX || q.what == Measure::kForceY)) force = std::hypot(force, q.value);
-  return force;
-}
-double pressing(const State& state, int32_t zone) {
-  for (const app::Quantity& q : state.quantities)
-    if (q.zone == zone && q.what == Measure::kPeakPressure) return q.value;
-  return 0;
-}
-
 // Did the contact change in the last piece of the history?
 bool is_steady(const Trial& trial, size_t last, int32_t zone) {
   size_t before = last;
   while (before > 0 && !trial.states[--before].turn) {
   }
   if (before == last || !trial.states[before].turn) return false;
-  const double now = pressing(trial.states[last], zone), then = pressing(trial.states[before], zone);
+  const double now = peak_pressure(trial.states[last], zone), then = peak_pressure(trial.states[before], zone);
   return std::fabs(now - then) <= 0.01 * std::max(now, then);
 }
 
@@ -300,7 +300,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
   const size_t common = std::min(halved.states.size(), coarse.states.size()); // a history may end early
   if (common == 0) return out;
   const State &f = halved.states[common - 1], &c = coarse.states[common - 1];
-  const Sizes sizes = sizes_of(halved, f);
+  const Sizes sizes = sizes_of(halved, common - 1);
   for (const app::Quantity& q : f.quantities) {
     const app::Quantity* other = find(c, q);
     app::Stated s;

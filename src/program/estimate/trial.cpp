@@ -10,6 +10,7 @@
 #include "program/workspace.hpp"
 #include "report/record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -204,6 +205,22 @@ double History::work() const {
   return out + m * m * (m + static_cast<double>(now.exchanges + now.events));
 }
 
+// Where a contact ends that the history has unloaded is round-off.
+constexpr double kUnloaded = 1e-8; // of the largest pressure it had
+void drop_places_without_pressure(State& state, const std::vector<State>& before, int32_t zones) {
+  for (int32_t z = 1; z <= zones; ++z) {
+    double largest = 0;
+    for (const State& earlier : before) largest = std::max(largest, peak_pressure(earlier, z));
+    if (largest == 0 || peak_pressure(state, z) > kUnloaded * largest) continue;
+    const auto is_place = [&](const app::Quantity& q) {
+      const app::MeasureRow& row = app::row_of(q.what);
+      return q.zone == z && (row.scale == app::Scale::kPlace || row.by_places.edges + row.by_places.borders > 0);
+    };
+    std::vector<app::Quantity>& all = state.quantities;
+    all.erase(std::remove_if(all.begin(), all.end(), is_place), all.end());
+  }
+}
+
 c2d_status History::begin() {
   std::vector<double> mu;
   for (int32_t z = 1; z <= summary_.zones; ++z) {
@@ -230,6 +247,7 @@ c2d_status History::note_contact(State& state) {
   if (status == C2D_OK)
     state.quantities =
         app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_, bodies);
+  drop_places_without_pressure(state, out_.states, summary_.zones);
   if (status == C2D_OK && state.turn) {
     slip_at_turn_.clear();
     for (size_t k = C2D_SLIP_SUM; k < table.size(); k += C2D_PAIR_FIELDS) slip_at_turn_.push_back(table[k]);
@@ -313,6 +331,12 @@ c2d_status History::follow() {
 }
 
 } // namespace
+
+double peak_pressure(const State& state, int32_t zone) {
+  for (const app::Quantity& q : state.quantities)
+    if (q.zone == zone && q.what == app::Measure::kPeakPressure) return q.value;
+  return 0;
+}
 
 c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std::string& why) {
   const double start = app::clock_seconds(nullptr);

@@ -44,6 +44,8 @@ struct State {
   double work = 0, dissipated = 0, elastic = 0;
 };
 
+double peak_pressure(const State& state, int32_t zone); // zone from 1; 0: it has none
+
 struct Side { // elements from 0, going up; round an outline's end if last < first
   int32_t body, first, last;
 };
