@@ -9,9 +9,9 @@
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
 #include "model/rigid.hpp"
-#include "model/slits.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
+#include "model/validate/slits.hpp"
 #include "model/validate/validate_finding.hpp"
 
 namespace c2d {

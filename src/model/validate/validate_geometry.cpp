@@ -6,7 +6,7 @@
 #include "memory/config.hpp"
 #include "memory/math.hpp"
 #include "model/geometry.hpp"
-#include "model/meeting_boxes.hpp"
+#include "model/validate/meeting_boxes.hpp"
 #include "model/validate/validate.hpp"
 #include "model/validate/validate_finding.hpp"
 
@@ -92,8 +92,9 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
   return false;
 }
 
-// All pairs of points and of elements must be compared. A first pass (model/meeting_boxes.hpp) decides quickly whether there is
-// any fault; only then are all pairs visited in order, so that messages come in the order of the model. Small code omits it.
+// All pairs of points and of elements must be compared. A first pass (model/validate/meeting_boxes.hpp) decides quickly whether
+// there is any fault; only then are all pairs visited in order, so that messages come in the order of the model. Small code
+// omits it.
 
 bool some_coincide(const Model& m, int b, double near) {
   if (kSmallCode) return true;

@@ -3,11 +3,11 @@
 // For two elements whose outward normals are opposite and point at each other, the width is the distance from the middle of the
 // shorter one to the longer one; for an element beside a line of symmetry of its body it is twice the distance from the line.
 // Elements that share a point are the two sides of a notch and are skipped.
-#include "model/slits.hpp"
+#include "model/validate/slits.hpp"
 
 #include "memory/math.hpp"
-#include "model/meeting_boxes.hpp"
 #include "model/symmetry.hpp"
+#include "model/validate/meeting_boxes.hpp"
 #include "model/validate/validate_finding.hpp"
 
 namespace c2d {
