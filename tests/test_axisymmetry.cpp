@@ -106,7 +106,7 @@ double thick_sphere(int32_t functions, int32_t outside, int32_t inside, double n
   REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
   double worst = 0, largest = 0;
   std::vector<double> round(r.boundary[0].size()); // the stress round the axis, at the poles too
-  REQUIRE(c2d_get(machine.solver, C2D_END_SZZ, 1, 1, static_cast<int64_t>(round.size()), round.data(), 1) == C2D_OK);
+  REQUIRE(c2d_get(machine.solver, C2D_END_SZZ, 1, 1, static_cast<int32_t>(round.size()), round.data(), 1) == C2D_OK);
   for (size_t i = 0; i < round.size(); ++i) {
     const double rho = std::hypot(r.boundary[0][i].x, r.boundary[0][i].y);
     CAPTURE(r.boundary[0][i].x);
