@@ -93,8 +93,8 @@ TEST_CASE("symbols: what a hardened build asks for besides") {
     const std::string object = folder / "object.o";
     const std::string root = paths::root();
     const Result built =
-        run_shell("'" + paths::cxx_compiler() +
-                  "' -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
+        run_shell(paths::cxx_compiler() +
+                  " -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
                   "-fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -I'" +
                   root + "/src' -I'" + root + "/include' -c '" + root + "/src/" + source + ".cpp' -o '" + object + "'");
     REQUIRE_MESSAGE(built.status == 0, built.err);
