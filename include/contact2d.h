@@ -237,9 +237,9 @@ c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int
                           const double values[4]);
 /* Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, the share of the modelled part. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
-/* Body force per area: `force` (weight) plus the centrifugal rho_omega2 (x - axis[0], y - axis[1]), density times angular
-   velocity squared; axis may be null where rho_omega2 is 0. One per body and load case; a second call replaces the first. A
-   body on a line of symmetry can have no weight across it, and its axis must lie on the line. METHOD 6. */
+/* Body force per area, of bodies of revolution per volume: `force` (weight) plus rho_omega2 (x - axis[0], y - axis[1]), density
+   times angular velocity squared; axis may be null where rho_omega2 is 0. One per body and load case, a second call replaces
+   the first. Across a line of symmetry, or the axis x = 0, acts no weight, and `axis` must lie on the line. METHOD 6. */
 c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
                               const double axis[2]);
 /* Make the body rigid: it has no equations and moduli, its mesh defines frames and lengths. In a load case it moves by

@@ -255,8 +255,9 @@ c2d_status feed_body(c2d_solver* s, const Model& m, int32_t number) {
                                  ends[i].values);
     }
   }
-  if (b.force[0] != 0 || b.force[1] != 0)
-    if (status == C2D_OK) status = c2d_set_body_force(s, number, 1, b.force, 0, nullptr);
+  const double at_origin[2] = {0, 0};
+  if (b.force[0] != 0 || b.force[1] != 0 || b.spin != 0)
+    if (status == C2D_OK) status = c2d_set_body_force(s, number, 1, b.force, b.spin, at_origin);
   if (b.rigid == 0) return status;
   if (status == C2D_OK) status = c2d_set_rigid(s, number, 0, nullptr, nullptr);
   if (status == C2D_OK) status = c2d_set_rigid(s, number, 1, b.motion, b.point);
@@ -582,8 +583,8 @@ std::string deck_of(const Model& m, const std::string& title, std::vector<int32_
       nodes += std::to_string(k + 1) + reals({b.xy[index(2 * k)], b.xy[index(2 * k + 1)]}) + "\n";
     conditions += body_cards(m, b, number);
     if (b.rigid != 0) keywords += rigid_cards(b, number);
-    if (b.force[0] != 0 || b.force[1] != 0)
-      keywords += "*BODY FORCE " + words({number, 1}) + reals({b.force[0], b.force[1]}) + "\n";
+    if (b.force[0] != 0 || b.force[1] != 0 || b.spin != 0)
+      keywords += "*BODY FORCE " + words({number, 1}) + reals({b.force[0], b.force[1], b.spin, 0, 0}) + "\n";
     touching += words({in_contact[2 * i], in_contact[2 * i + 1]}) + "\n";
   }
   for (int axis = 0; axis < 2; ++axis)
@@ -719,6 +720,7 @@ Model scaled(Model m, double length, double stress) {
       b.motion[c] *= length, b.point[c] *= length;
       b.load[c] *= stress * length, b.force[c] *= stress / length;
     }
+    b.spin *= stress / (length * length);
     b.load[2] *= stress * length * length;
   }
   for (PointLoad& l : m.point_loads) l.x *= length, l.y *= length, l.fx *= stress * length, l.fy *= stress * length;

@@ -35,7 +35,7 @@ struct Body {
   std::vector<End> second;           // the same in load case 2, if there is one
   int32_t rigid = 0, is_free[3] = {0, 0, 0};
   double motion[3] = {0, 0, 0}, load[3] = {0, 0, 0}, point[2] = {0, 0}; // of a rigid body, about the point
-  double force[2] = {0, 0};                                             // per area
+  double force[2] = {0, 0}, spin = 0;                                   // per area; density times angular velocity squared
 
   int32_t elements() const { return regions.empty() ? 0 : regions.back().last; }
 };

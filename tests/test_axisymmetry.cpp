@@ -372,8 +372,8 @@ TEST_CASE("axisymmetric bodies: what is refused, and in which words" * doctest::
   m.point_loads.push_back({1, 0.3, 0.5, 0, 1});
   refuses(m, "point load 1 on a body of revolution");
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
-  m.body(1).force[1] = -1;
-  refuses(m, "a body force on body 1 of revolution");
+  m.body(1).force[0] = -1;
+  refuses(m, "the body force of body 1 in load case 1 acts across the axis x = 0, expected one along it");
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
   m.symmetry = 1;
   refuses(m, "a line of symmetry x = value in a model of bodies of revolution");

@@ -1,4 +1,5 @@
-// Particular solutions for weight and rotation, and their resultants (METHOD 6, equations METHOD (6.1) to (6.3)).
+// Particular solutions for weight and rotation, and their resultants (METHOD 6, equations METHOD (6.1) to (6.3); of
+// bodies of revolution METHOD 21.6).
 //   weight b:                  sigma_p = -(b.x) I
 //   rotation rho omega^2 x:    u_p = -rho omega^2 (1 - 2 nu) / (16 G (1 - nu)) r^2 x
 // u - u_p then satisfies the equations without body force, and no integral over the area is needed. Resultants and work are
@@ -7,6 +8,7 @@
 // Literature: Brebbia and Dominguez, Boundary Elements: An Introductory Course, on body forces (particular solutions).
 #include "bie/body_force.hpp"
 
+#include "bie/measure.hpp"
 #include "model/element.hpp"
 #include "model/geometry.hpp"
 #include "model/shape.hpp"
@@ -32,6 +34,21 @@ void add_rotation(const BodyForce& f, double nu, double g, double x, double y, P
   out.stress[0] += mean + 4.0 * g * k * x * x;
   out.stress[1] += mean + 4.0 * g * k * y * y;
   out.stress[2] += 4.0 * g * k * x * y;
+}
+
+// Bodies of revolution: weight along the axis, and rotation about it, whose field is that of the plane in any direction.
+void add_ring_weight(const BodyForce& f, double nu, double g, double r, double z, Particular& out) {
+  const double k = -f.by * (1.0 - 2.0 * nu) / (2.0 * g * (1.0 + nu));
+  out.u[0] += k * r * z;
+  out.u[1] += 0.5 * k * (z * z - r * r);
+  for (int c = 0; c < 2; ++c) out.stress[c] -= f.by * z;
+}
+
+void add_ring_rotation(const BodyForce& f, double nu, double g, double r, Particular& out) {
+  const double k1 = -f.rho_omega2 / (16.0 * g * (1.0 - nu)), k = (1.0 - 2.0 * nu) * k1, r2 = r * r;
+  out.u[0] += k * r2 * r;
+  out.stress[0] += (8.0 * nu * k1 + 6.0 * k) * g * r2;
+  out.stress[1] += 8.0 * nu * k1 * g * r2;
 }
 
 // Area and first moments about a point, from the boundary alone.
@@ -82,6 +99,11 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
   double origin[2];
   // On a line of symmetry the origin is on the line: u_p is then as symmetric as the body force.
   for (int c = 0; c < 2; ++c) origin[c] = (m.body[b].lines >> c & 1) != 0 ? head.line_at[c] : m.body[b].centre[c];
+  if (is_axisymmetric(m)) {
+    add_ring_weight(f, nu, g, x, y - origin[1], out);
+    add_ring_rotation(f, nu, g, x, out);
+    return out;
+  }
   add_weight(f, nu, g, x - origin[0], y - origin[1], out);
   add_rotation(f, nu, g, x - f.x0, y - f.y0, out);
   return out;
@@ -99,6 +121,10 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
   out[0] = out[1] = out[2] = 0.0;
   if (!is_loaded(f)) return;
   const double* centre = body_of(m, b).centre;
+  if (is_axisymmetric(m)) { // round the axis 2 pi r dA
+    out[1] = kTurn * f.by * area_moments(m, b, 0.0, centre[1]).x;
+    return;
+  }
   const AreaMoments a = area_moments(m, b, centre[0], centre[1]);
   // Force density: weight plus rho omega^2 (place - axis), with the place counted from the body's centre. Moments of area
   // about a far axis would cancel.
@@ -112,7 +138,8 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
 
 namespace {
 
-// Integral of b.u_p along a line y = constant from x = from to x = to: three Gauss points are exact for its fourth degree.
+// Integral of b.u_p along a line y = constant from x = from to x = to, of bodies of revolution times 2 pi r: three Gauss points
+// are exact for its fourth degree, and for the fifth with r.
 double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to, double y) {
   const GaussRule rule = gauss_legendre(3);
   double sum = 0.0;
@@ -121,7 +148,9 @@ double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particula
     const double x = 0.5 * (from + to) + 0.5 * (to - from) * g.x;
     const Particular p = particular_solution(m, b, particular_case, x, y);
     const double bx = f.bx + f.rho_omega2 * (x - f.x0), by = f.by + f.rho_omega2 * (y - f.y0);
-    sum += 0.5 * (to - from) * g.w * (bx * p.u[0] + by * p.u[1]);
+    const double work =
+        is_axisymmetric(m) ? kTurn * x * (f.rho_omega2 * x * p.u[0] + f.by * p.u[1]) : bx * p.u[0] + by * p.u[1];
+    sum += 0.5 * (to - from) * g.w * work;
   }
   return sum;
 }
@@ -132,8 +161,8 @@ double body_force_work(const Model& m, int b, int32_t load_case, int32_t particu
   const BodyForce& f = body_force(m, b, load_case);
   if (!is_loaded(f)) return 0.0;
   // Green's theorem: the area integral of f is the boundary integral of (int f dx) dy.
-  const double origin = body_of(m, b).centre[0];
-  const GaussRule rule = gauss_legendre(10); // exact for the 17th degree of cubic elements
+  const double origin = is_axisymmetric(m) ? 0.0 : body_of(m, b).centre[0];
+  const GaussRule rule = gauss_legendre(is_axisymmetric(m) ? 12 : 10); // exact for the degree of cubic elements: 20 or 17
   double sum = 0.0;
   for (int32_t e = 0; e < body_of(m, b).elements; ++e)
     for (int i = 0; i < rule.n; ++i) {

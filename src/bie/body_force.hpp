@@ -4,7 +4,7 @@
 //   weight     force per area (bx, by):        sigma_p,xx = sigma_p,yy = -(bx x + by y), sigma_p,xy = 0
 //   rotation   rho omega^2 (x - x0, y - y0):   u_p = k r^2 (x - x0, y - y0), k = -rho omega^2 (1-2 nu) / (16 G (1-nu))
 // with nu of the equivalent plane strain problem. For the weight x, y are measured from the body's centre, or from the lines
-// of symmetry, so that u_p is as symmetric as the body force.
+// of symmetry, so that u_p is as symmetric as the body force. Bodies of revolution: METHOD 21.6.
 #include "model/model.hpp"
 
 namespace c2d {
@@ -24,8 +24,8 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
 // Tractions t_p of an element at its local functional node l.
 void particular_traction(const Model& m, int b, int32_t load_case, int32_t element, int l, double t[2]);
 
-// Force and moment about (x, y) of the body force at factor 1 on the modelled part of the body. Exact: the integrals over the
-// area are integrals of polynomials along the boundary.
+// Force and moment about (x, y) of the body force at factor 1 on the modelled part of the body, of bodies of revolution the
+// force along the axis. Exact: the integrals over the area are integrals of polynomials along the boundary.
 void body_force_resultant(const Model& m, int b, int32_t load_case, double x, double y, double out[3]);
 
 // Integral over the body of the body force of one load case times u_p of another, both at factor 1.

@@ -53,7 +53,7 @@ void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const 
   }
   double force[3];
   body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
-  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * m.head->length_unit);
+  const double scale = balance_scale(m) / (2.0 * shear_modulus(m, b) * m.head->length_unit);
   for (int i = 0; i < 2; ++i) panel.add(2 * body.nodes + i, column, scale * force[i]);
   panel.add(2 * body.nodes + 2, column, scale * force[2] / m.head->length_unit);
 }

@@ -42,10 +42,11 @@ namespace {
     const double traction[2] = {s.stress[0] * p.nx + s.stress[2] * p.ny, s.stress[2] * p.nx + s.stress[1] * p.ny};
     double value[kElementNodes];
     shape(nf, g.x, value);
+    const double weight = g.w * p.jacobian * (is_axisymmetric(m) ? kTurn * p.x : 1.0);
     for (int l = 0; l < nf; ++l)
       for (int c = 0; c < 2; ++c) {
-        u[l][c] += g.w * p.jacobian * value[l] * s.u[c];
-        t[l][c] += g.w * p.jacobian * value[l] * traction[c];
+        u[l][c] += weight * value[l] * s.u[c];
+        t[l][c] += weight * value[l] * traction[c];
       }
   }
   for (int l = 0; l < nf; ++l)

@@ -792,7 +792,7 @@ Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along
         ("axis", POINTER(c_double), True, 2),
     ], """c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2, const double axis[2]);
 
-Body force per area: `force` (weight) plus the centrifugal rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity squared; axis may be null where rho_omega2 is 0. One per body and load case; a second call replaces the first. A body on a line of symmetry can have no weight across it, and its axis must lie on the line. METHOD 6."""),
+Body force per area, of bodies of revolution per volume: `force` (weight) plus rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity squared; axis may be null where rho_omega2 is 0. One per body and load case, a second call replaces the first. Across a line of symmetry, or the axis x = 0, acts no weight, and `axis` must lie on the line. METHOD 6."""),
     "c2d_set_rigid": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),

@@ -36,11 +36,8 @@ void validate_axis(const Model& m, Reporter& reporter) {
            " on a body of revolution, expected tractions on elements");
   }
   if (m.head->point_sets > 0) report(reporter, Where(), "points for interior results in bodies of revolution, expected none");
-  for (int b = 0; b < m.head->bodies; ++b) {
-    if (m.body[b].has_force != 0)
-      report(reporter, in_body(b), "a body force on body ", body_named(m, b), " of revolution, expected none");
+  for (int b = 0; b < m.head->bodies; ++b)
     if (is_platen(m, b)) report(reporter, in_body(b), "a platen in a model of bodies of revolution, expected none");
-  }
   m.head->symmetry |= 1;
   m.head->line_at[0] = 0.0;
 }

@@ -77,9 +77,9 @@ std::vector<std::string> Reader::words() {
 }
 
 namespace {
-// What bodies of revolution cannot have (METHOD 21.6).
+// What bodies of revolution cannot have (METHOD 21.7).
 bool is_for_plane_bodies(const std::string& keyword) {
-  const char* const words[] = {"force", "weight", "spin", "platen", "stress"};
+  const char* const words[] = {"force", "platen", "stress"};
   return std::find(std::begin(words), std::end(words), keyword) != std::end(words);
 }
 } // namespace

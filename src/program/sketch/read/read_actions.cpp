@@ -201,6 +201,7 @@ void Reader::weight(Statement& s) {
   BodyForce& f = body_force(s);
   if (f.weight.x != 0 || f.weight.y != 0) s.fail("the weight of the body in this load case is given twice");
   f.weight = force_vector(s);
+  if (s_.axisymmetric && f.weight.x != 0) s.fail("a weight along x on a body of revolution, expected one along its axis, fy");
 }
 
 void Reader::spin(Statement& s) {
@@ -208,6 +209,7 @@ void Reader::spin(Statement& s) {
   if (f.rho_omega2 != 0) s.fail("the rotation of the body in this load case is given twice");
   f.rho_omega2 = s.positive("density times the square of the angular velocity");
   if (s.accept("about")) f.centre = s.point("the axis");
+  if (s_.axisymmetric && f.centre.x != 0) s.fail("a body of revolution turns about x = 0, expected an axis there");
 }
 
 // For each of x, y and turn, the motion is given, or it is free with a load (default: 0).
