@@ -65,8 +65,8 @@ TEST_CASE("refine: neighbours stay within three to one, round the end of an outl
   Mesh mesh = first_mesh(s, 0.25);
   for (int round = 0; round < 4; ++round) {
     Levels levels;
-    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
-    levels[1][0] = 2; // at the begin of the roller's outline
+    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<Bisection>(outlines[0].elements()));
+    levels[1][0].level = 2; // at the begin of the roller's outline
     mesh = refined(s, mesh, levels);
   }
   const std::vector<double> lengths = lengths_of(mesh.bodies[1][0]);
@@ -77,18 +77,61 @@ TEST_CASE("refine: neighbours stay within three to one, round the end of an outl
   }
 }
 
+TEST_CASE("refine: an element is graded toward one of its ends") {
+  const Sketch s = roller();
+  const Mesh mesh = first_mesh(s, 0.25);
+  for (const int toward : {-1, 1}) {
+    Levels levels;
+    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<Bisection>(outlines[0].elements()));
+    const std::vector<double>& ends = mesh.bodies[0][0].curves[0].ends;
+    levels[0][0] = {5, toward};
+    const std::vector<double> now = refined(s, mesh, levels).bodies[0][0].curves[0].ends;
+    const double length = ends[1] - ends[0], at = toward < 0 ? ends[0] : ends[1];
+    for (int k = 1; k <= 5; ++k) // at a half, a quarter, ... of its length from there
+      CHECK(std::any_of(now.begin(), now.end(),
+                        [&](double end) { return std::fabs(std::fabs(end - at) - std::ldexp(length, -k)) < 1e-9 * length; }));
+    const std::ptrdiff_t inside = std::count_if(
+        now.begin(), now.end(), [&](double end) { return end > ends[0] + 1e-9 * length && end < ends[1] - 1e-9 * length; });
+    CHECK(inside == 5);
+  }
+}
+
+TEST_CASE(
+    "refine: a large share at the end of a curve is graded, one beside its like is not; a contact in one element is sought") {
+  const Sketch s = roller();
+  const Mesh mesh = first_mesh(s, 0.25);
+  estimate::Distance distance;
+  for (const auto& outlines : mesh.bodies) distance.shares.push_back(std::vector<estimate::Share>(outlines[0].elements()));
+  const auto bisections = [&] { return estimate::marks(mesh, distance, 0.01, 0.08); };
+  std::vector<estimate::Share>& shares = distance.shares[0];
+  REQUIRE(mesh.bodies[0][0].curves[0].elements() > 1);
+  shares[0].energy = 0.1;
+  CHECK(bisections()[0][0].toward == -1);
+  CHECK(bisections()[0][0].level > 2);
+  shares[1].energy = 0.05;
+  CHECK(bisections()[0][0].toward == 0);
+  CHECK(bisections()[0][0].level == 2);
+  shares[0].energy = shares[1].energy = 0;
+  estimate::Share& alone = distance.shares[1][0];
+  alone.pressure = 0.5, alone.edge = true;
+  CHECK(bisections()[1][0].level == 2);
+  alone.touch = 1;
+  CHECK(bisections()[1][0].level == 4);
+  CHECK(bisections()[1][0].toward == 1);
+}
+
 TEST_CASE("refine: what is asked of side 1 is done on both sides") {
   const Sketch s = roller();
   const Mesh mesh = first_mesh(s, 0.25);
   Levels levels;
-  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<Bisection>(outlines[0].elements()));
   size_t first = 0, middle = 0; // the element of the plate under the roller
   for (const MeshedCurve& curve : mesh.bodies[0][0].curves)
     for (size_t e = 0; e < curve.elements(); ++e, ++first) {
       const Point p = curve.curve->shape->at(curve.measure.u_at((curve.ends[e] + curve.ends[e + 1]) / 2));
       if (curve.curve->name == "top" && std::fabs(p.x) < curve.ends[e + 1] - curve.ends[e]) middle = first;
     }
-  levels[0][middle] = 1;
+  levels[0][middle].level = 1;
   const Mesh fine = refined(s, mesh, levels);
   CHECK(fine.bodies[1][0].elements() > mesh.bodies[1][0].elements());
   CHECK(fine.bodies[0][0].elements() > mesh.bodies[0][0].elements());
@@ -122,7 +165,7 @@ TEST_CASE("refine: elements at places that are not met are marked, with their ne
   std::string why;
   REQUIRE(estimate::solve(deck_of(s, mesh), {}, trial, why) == C2D_OK);
   Levels levels;
-  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<Bisection>(outlines[0].elements()));
   app::Stated edge;
   edge.what = app::Measure::kContactEdge;
   edge.zone = 1, edge.tolerance = 0.01, edge.scale = 1;
@@ -131,12 +174,14 @@ TEST_CASE("refine: elements at places that are not met are marked, with their ne
   REQUIRE_FALSE(std::isnan(edge.at[0]));
   edge.error = 0.001; // met
   estimate::mark_places(s, trial, {edge}, mesh, levels);
-  const auto marked = [&] { return std::count(levels[1].begin(), levels[1].end(), 1); };
+  const auto marked = [&] {
+    return std::count_if(levels[1].begin(), levels[1].end(), [](const Bisection& b) { return b.level == 1; });
+  };
   CHECK(marked() == 0);
   edge.error = 0.02;
   estimate::mark_places(s, trial, {edge}, mesh, levels);
   CHECK(marked() == 3);
-  CHECK(std::count(levels[0].begin(), levels[0].end(), 0) == static_cast<std::ptrdiff_t>(levels[0].size()));
+  CHECK(std::all_of(levels[0].begin(), levels[0].end(), [](const Bisection& b) { return b.level == 0; }));
 }
 
 TEST_CASE("loop: a contact takes few pairs, with an end of an element at each edge") {
@@ -247,8 +292,8 @@ TEST_CASE("refine: no element becomes so short that coordinates have no digits f
   Mesh mesh = first_mesh(s, 0.5);
   for (int round = 0; round < 40; ++round) {
     Levels levels;
-    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
-    levels[0][0] = 2;
+    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<Bisection>(outlines[0].elements()));
+    levels[0][0].level = 2;
     mesh = refined(s, mesh, levels);
   }
   const std::vector<double> lengths = lengths_of(mesh.bodies[0][0]);

@@ -46,6 +46,7 @@ private:
   Nodal nodal(size_t body, const Overlap* first, const Overlap* last, size_t state) const;
   void find_zones();
   bool holds_edge(size_t body, const Overlap& o, size_t state) const;
+  int touching_end(size_t body, size_t element, size_t state) const;
 
   const Trial &coarse_, &fine_;
   const Overlaps& overlaps_;
@@ -95,6 +96,13 @@ bool Comparer::holds_edge(size_t body, const Overlap& o, size_t state) const {
   for (size_t i = 1; i < static_cast<size_t>(coarse_.nodes); ++i)
     if (p[c + i] != p[c] || q[f + i] != q[f]) return true;
   return false;
+}
+
+// Of a coarse element: -1, 1: only its first, last end touches, or 0.
+int Comparer::touching_end(size_t body, size_t element, size_t state) const {
+  const auto nodes = static_cast<size_t>(coarse_.nodes);
+  const double* status = coarse_.states[state].ends[body][kStatus].data() + element * nodes;
+  return static_cast<int>(status[nodes - 1] > 0) - static_cast<int>(status[0] > 0);
 }
 
 Values values_at(const std::array<std::vector<double>, kFields>& ends, int32_t element, int32_t nodes, double eta) {
@@ -181,9 +189,12 @@ Distance Comparer::run() {
     const double weight = fine_.states[state].turn || state + 1 == common ? 1 : kBetween;
     double sum = 0;
     for (size_t b = 0; b < overlaps_.size() && weight == 1; ++b)
-      for (const Overlap& o : overlaps_[b])
-        if (!zones_[b][static_cast<size_t>(o.coarse)].empty() && holds_edge(b, o, state))
-          out.shares[b][static_cast<size_t>(o.coarse)].edge = true;
+      for (const Overlap& o : overlaps_[b]) {
+        const auto e = static_cast<size_t>(o.coarse);
+        if (zones_[b][e].empty() || !holds_edge(b, o, state)) continue;
+        out.shares[b][e].edge = true;
+        out.shares[b][e].touch = touching_end(b, e, state);
+      }
     for (size_t b = 0; b < out.shares.size(); ++b)
       for (size_t e = 0; e < out.shares[b].size(); ++e) {
         Share& share = out.shares[b][e];

@@ -21,6 +21,7 @@ struct Share {
   double pressure = 0; // in contacts without a tie: integral of |t' - I t'| over that of |t'| in the zone, METHOD (16.6)
   double energy = 0;   // energy norm of the same difference over the largest work of the states
   bool edge = false;   // it contains a contact edge or a stick border at a turn of the loads
+  int touch = 0;       // -1, 1: on the coarse mesh only its first, last end touches at such a turn
 };
 struct Distance {
   std::vector<std::vector<Share>> shares; // per body and coarse element

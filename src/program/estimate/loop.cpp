@@ -35,6 +35,9 @@ constexpr double kSlenderBends = 0.3; // the same for a model with a slender bod
 constexpr double kSlender = 8;        // (half the boundary) squared over the area: a rectangle six times as long as it is high
 constexpr double kUnfollowed = 0.1;   // above this energy difference no number counts as met
 constexpr int kMostRegrown = 3;       // after so many corrections no elements are left out
+constexpr double kLeastStep = 0.15, kFirstStep = 0.5; // least factors on the target of the distance: in one round, in the first
+constexpr double kLeastRest = 0.03, kMostRest = 0.5;  // of that of the energy, which is lowered in proportion to the distance
+constexpr double kRestOnce = 0.125;                   // the same where the distance is below its target
 constexpr double kOwn = 0.5;      // if the elements of a zone cause less than this fraction of its distance, refine elsewhere
 constexpr double kOfMotion = 0.1; // times the tolerance and the largest motion: smaller gaps count as contact
 constexpr double kOfUndecided = 0.25; // factor on the energy target while contact is neither found nor excluded
@@ -73,7 +76,7 @@ private:
   bool all_within() const;
   void end_stages();
   bool takes_quadratic();
-  bool lags_behind() const;
+  bool lags_behind(const Distance& distance) const;
   bool stays_linear();
   void watch();
   void tell_endless();
@@ -81,8 +84,9 @@ private:
   sketch::Mesh next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
   double aim() const;
   double energy_aim() const;
+  double step_of_rest(const Distance& distance, double pressure) const;
   bool is_near(const Distance& distance) const;
-  void tighten(const Distance& distance);
+  void tighten(const Distance& distance, bool first);
   double tolerance(const sketch::WantRow& row) const;
   double tolerance_of(const app::Stated& s, const Trial& trial) const;
   void take(const Level& level);
@@ -352,9 +356,16 @@ sketch::Mesh Loop::with_finer_contacts(const sketch::Mesh& mesh) const {
     levels.push_back({});
     for (const sketch::MeshedOutline& outline : outlines)
       for (const sketch::MeshedCurve& curve : outline.curves)
-        levels.back().insert(levels.back().end(), curve.elements(), curve.curve->contact >= 0 ? 1 : 0);
+        levels.back().insert(levels.back().end(), curve.elements(), sketch::Bisection{curve.curve->contact >= 0 ? 1 : 0, 0});
   }
   return sketch::refined(s_, without_far(mesh), levels, {});
+}
+
+// The factor on the target of the energy while the bodies, not the contacts, keep the tractions from converging: these follow
+// the energy about in proportion.
+double Loop::step_of_rest(const Distance& d, double pressure) const {
+  if (pressure < aim()) return kRestOnce;
+  return std::min(1.0, d.energy / energy_aim()) * std::clamp(aim() / pressure, kLeastRest, kMostRest);
 }
 
 // The next mesh: leave out far elements, bisect those with large shares, move element ends to edges and stick borders.
@@ -364,9 +375,9 @@ sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Dista
   double worst = 0, own = 0;
   for (size_t z = 0; z < distance.pressure.size(); ++z)
     if (distance.pressure[z] > worst) worst = distance.pressure[z], own = distance.own[z];
-  if (worst > kStalls * worst_ && own < kOwn * worst) rest_ /= 8;
+  if (worst > kStalls * worst_ && own < kOwn * worst) rest_ *= step_of_rest(distance, worst);
   worst_ = worst;
-  sketch::Levels levels = marks(distance, aim(), energy_aim());
+  sketch::Levels levels = marks(mesh, distance, aim(), energy_aim());
   mark_missed(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_, mesh, levels);
   std::vector<app::Stated> stated = out_.loop.stated;
   for (app::Stated& s : stated) s.tolerance *= stage_ / least_;
@@ -385,8 +396,9 @@ bool Loop::is_near(const Distance& d) const {
 }
 
 // Lowers the targets by the ratio of tolerance to error of the worst number, that of the energy from what it is: numbers inside
-// may need much less than `energy_aim`. Numbers at one place have marks of their own.
-void Loop::tighten(const Distance& d) {
+// may need much less than `energy_aim`. Numbers at one place have marks of their own. First errors are doubled, and may still
+// be those of the bodies.
+void Loop::tighten(const Distance& d, bool first) {
   double contact = 1, rest = 1;
   bool inside = false; // is a number inside a body inaccurate?
   for (const app::Stated& s : out_.loop.stated) {
@@ -398,7 +410,7 @@ void Loop::tighten(const Distance& d) {
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
     worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
   }
-  if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
+  if (contact < 1) strictness_ *= std::clamp(contact, first ? kFirstStep : kLeastStep, kOfPlaces);
   if (d.energy < energy_aim() && rest < 1) rest_ *= (inside ? d.energy / energy_aim() : 1) * std::clamp(rest, 0.05, 0.6);
 }
 
@@ -439,12 +451,14 @@ bool Loop::takes_quadratic() {
 }
 
 // Linear functions represent the deformation of bodies worse than tractions: one that bends, an arm beside a slit. Is a number
-// that depends on it much less accurate than is wanted, although the tractions are accurate enough?
-bool Loop::lags_behind() const {
-  return std::any_of(out_.loop.stated.begin(), out_.loop.stated.end(), [&](const app::Stated& s) {
-    return (is_inside(s) || !is_place(s)) && !std::isnan(s.tolerance) &&
-           s.error > kLags * stage_ / least_ * s.tolerance * s.scale;
-  });
+// that depends on it much less accurate than is wanted, although the tractions are nearly accurate enough?
+bool Loop::lags_behind(const Distance& d) const {
+  double worst = 0; // distance of the tractions over its target
+  for (const double p : d.pressure) worst = std::max(worst, p / aim());
+  return worst < kLags && std::any_of(out_.loop.stated.begin(), out_.loop.stated.end(), [&](const app::Stated& s) {
+           return (is_inside(s) || !is_place(s)) && !std::isnan(s.tolerance) &&
+                  s.error > kLags * std::max(1.0, worst) * stage_ / least_ * s.tolerance * s.scale;
+         });
 }
 
 // Returns to linear functions where quadratic ones cannot be solved (ill-conditioned floating slender bodies).
@@ -499,13 +513,14 @@ Loop::Next Loop::refine(Level& coarse, const Level& fine, const Distance& betwee
   const bool near = is_near(between);
   if (near) watch();
   if (all_met() && between.energy < kUnfollowed) return tell_endless(), Next::end;
-  if (near && lags_behind() && takes_quadratic()) return begun_ = true, watched_.clear(), Next::again;
+  if (begun_ && lags_behind(between) && takes_quadratic()) return watched_.clear(), Next::again;
   const double before = stage_;
   end_stages();
+  const bool first = !begun_;
   begun_ = true;
   if (stage_ < before && takes_quadratic())
-    return Next::again;                   // fewer unknowns for the same accuracy; first on the same elements
-  if (is_near(between)) tighten(between); // for the next stage
+    return Next::again;                          // fewer unknowns for the same accuracy; first on the same elements
+  if (is_near(between)) tighten(between, first); // for the next stage
   sketch::Mesh next = next_mesh(coarse, fine, between, near);
   if (is_same(next, coarse.mesh) && all_within()) next = fine.mesh; // confirm the errors on the finer mesh
   idle_ = sketch::elements_of(next) > sketch::elements_of(coarse.mesh) ? 0 : idle_ + 1;

@@ -11,8 +11,9 @@ namespace estimate {
 std::vector<sketch::Spot> edges_of(const Trial& trial);
 
 // Elements with shares above those of a mesh of equal shares with the distance `pressure` and the energy difference `energy`;
-// the element with the largest share always.
-sketch::Levels marks(const Distance& distance, double pressure, double energy);
+// the element with the largest share always. Outside contacts an element at the end of a curve whose share is far above that of
+// the next one lies beside a singular point, and is graded toward it.
+sketch::Levels marks(const sketch::Mesh& mesh, const Distance& distance, double pressure, double energy);
 
 // Does a number belong to one place: a contact edge, a stick border, a peak pressure, a stress?
 bool is_place(const app::Stated& s);

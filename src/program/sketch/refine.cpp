@@ -16,23 +16,30 @@ constexpr double kNeighbours = 3.0;    // largest ratio of the lengths of neighb
 constexpr double kLeastElement = 1e-8; // of the largest coordinate; lengths along curves are accurate to 1e-10
 
 // No element becomes shorter than `least`.
-std::vector<double> divided(const std::vector<double>& ends, const int* levels, double least) {
+std::vector<double> divided(const std::vector<double>& ends, const Bisection* bisections, double least) {
   std::vector<double> out(1, ends.front());
   for (size_t e = 0; e + 1 < ends.size(); ++e) {
-    int parts = 1 << levels[e];
-    while (parts > 1 && ends[e + 1] - ends[e] < least * parts) parts /= 2;
-    for (int k = 1; k < parts; ++k) out.push_back(ends[e] + (ends[e + 1] - ends[e]) * k / parts);
+    const double length = ends[e + 1] - ends[e];
+    int level = bisections[e].level;
+    while (level > 0 && length < std::ldexp(least, level)) --level;
+    const int parts = 1 << level;
+    if (bisections[e].toward == 0)
+      for (int k = 1; k < parts; ++k) out.push_back(ends[e] + length * k / parts);
+    else if (bisections[e].toward < 0)
+      for (int k = level; k > 0; --k) out.push_back(ends[e] + std::ldexp(length, -k));
+    else
+      for (int k = 1; k <= level; ++k) out.push_back(ends[e + 1] - std::ldexp(length, -k));
     out.push_back(ends[e + 1]);
   }
   return out;
 }
 
-// Gives elements of side 1 the levels requested for the elements of side 0 opposite.
+// Gives elements of side 1 the bisections requested for the elements of side 0 opposite.
 void carry(size_t contact, const Mesh& mesh, Levels& levels) {
   struct Asked {
-    Point middle;
+    Point middle, end; // the end that it is graded toward
     double half;
-    int level;
+    Bisection bisection;
   };
   std::vector<Asked> asked;
   const auto each = [&](int side, const auto& visit) { // element of a side
@@ -42,20 +49,25 @@ void carry(size_t contact, const Mesh& mesh, Levels& levels) {
         for (const MeshedCurve& curve : outline.curves) {
           const bool on = curve.curve->contact == static_cast<int>(contact) && curve.curve->side == side;
           for (size_t k = 0; k < curve.elements(); ++k, ++e)
-            if (on)
-              visit(curve, (curve.ends[k + 1] + curve.ends[k]) / 2, (curve.ends[k + 1] - curve.ends[k]) / 2, levels[b][e]);
+            if (on) visit(curve, k, levels[b][e]);
         }
     }
   };
   const auto point = [](const MeshedCurve& curve, double s) { return curve.curve->shape->at(curve.measure.u_at(s)); };
-  each(0, [&](const MeshedCurve& curve, double middle, double half, int level) {
-    if (level > 0) asked.push_back({point(curve, middle), half, level});
+  const auto middle = [&](const MeshedCurve& curve, size_t k) { return point(curve, (curve.ends[k] + curve.ends[k + 1]) / 2); };
+  each(0, [&](const MeshedCurve& curve, size_t k, const Bisection& own) {
+    const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
+    if (own.level > 0) asked.push_back({middle(curve, k), point(curve, curve.ends[own.toward > 0 ? k + 1 : k]), half, own});
   });
   if (asked.empty()) return;
-  each(1, [&](const MeshedCurve& curve, double middle, double half, int& level) {
-    const Point p = point(curve, middle);
-    for (const Asked& a : asked)
-      if (length(a.middle - p) < std::max(a.half, half) && half > 0.7 * a.half) level = std::max(level, a.level);
+  each(1, [&](const MeshedCurve& curve, size_t k, Bisection& own) {
+    const Point p = middle(curve, k);
+    const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
+    for (const Asked& a : asked) {
+      if (length(a.middle - p) >= std::max(a.half, half) || half <= 0.7 * a.half || own.level >= a.bisection.level) continue;
+      const auto away = [&](size_t end) { return length(point(curve, curve.ends[end]) - a.end); };
+      own = {a.bisection.level, a.bisection.toward == 0 ? 0 : away(k) < away(k + 1) ? -1 : 1};
+    }
   });
 }
 
@@ -93,10 +105,10 @@ void smooth(MeshedOutline& outline) {
     }
     size_t at = 0;
     for (MeshedCurve& curve : outline.curves) {
-      std::vector<int> levels;
-      for (size_t e = 0; e < curve.elements(); ++e) levels.push_back(split[at + e]);
+      std::vector<Bisection> levels;
+      for (size_t e = 0; e < curve.elements(); ++e) levels.push_back({split[at + e], 0});
       at += curve.elements();
-      if (std::count(levels.begin(), levels.end(), 1) == 0) continue;
+      if (std::none_of(levels.begin(), levels.end(), [](const Bisection& d) { return d.level > 0; })) continue;
       curve.ends = divided(curve.ends, levels.data(), 0);
       changed = true;
     }
@@ -178,12 +190,12 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const
   Mesh out = mesh;
   const double least = least_element(mesh);
   for (size_t b = 0; b < out.bodies.size(); ++b) {
-    const int* level = all[b].data();
+    const Bisection* bisection = all[b].data();
     for (MeshedOutline& outline : out.bodies[b]) {
       for (MeshedCurve& curve : outline.curves) {
         const size_t before = curve.elements();
-        curve.ends = divided(curve.ends, level, least);
-        level += before;
+        curve.ends = divided(curve.ends, bisection, least);
+        bisection += before;
       }
       smooth(outline);
     }
@@ -199,7 +211,7 @@ Mesh halved(const Sketch& sketch, const Mesh& mesh) {
   for (auto& outlines : out.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) {
-        const std::vector<int> once(curve.elements(), 1);
+        const std::vector<Bisection> once(curve.elements(), Bisection{1, 0});
         curve.ends = divided(curve.ends, once.data(), least);
       }
   for (size_t k = 0; k < sketch.contacts.size(); ++k) align(k, out);

@@ -5,8 +5,14 @@
 
 namespace sketch {
 
-// The number of bisections of every element, per body in the order of the deck.
-using Levels = std::vector<std::vector<int>>;
+// How an element is refined: bisected `level` times into equal parts, or, with `toward` -1 or 1, each time only the part at its
+// first or last end, beside a singular point.
+struct Bisection {
+  int level = 0;
+  int toward = 0;
+};
+// Of every element, per body in the order of the deck.
+using Levels = std::vector<std::vector<Bisection>>;
 
 // Refines elements by `levels`, then limits the ratio of neighbouring lengths to 3, moves element ends to `spots`, and aligns
 // the first side of each contact with the second.

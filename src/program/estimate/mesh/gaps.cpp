@@ -241,7 +241,7 @@ void mark_missed(const sketch::Sketch& sketch, const Solved& coarse, const Solve
           const OnMesh& place = survey.on_coarse(p);
           const std::vector<double>& ends = place.curve->ends;
           const double more = std::log2(2 * (ends[place.own + 1] - ends[place.own]) / width);
-          int& level = levels[static_cast<size_t>(contact.side[1].body)][place.element];
+          int& level = levels[static_cast<size_t>(contact.side[1].body)][place.element].level;
           level = std::max(level, static_cast<int>(std::clamp(more, 1.0, kMostBisections)));
           place.curve->far.clear();
         }
