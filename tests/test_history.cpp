@@ -234,6 +234,39 @@ Setup cylinder(int n = 12) { // displacement driven: case 1 presses, case 2 shea
 
 } // namespace
 
+// Energies of many cases are prepared some at once. The same load as one case, and as forty unlike shares of it.
+TEST_CASE("history: forty load cases that share a load do what one does, each its share of the work") {
+  for (const bool held : {false, true}) {
+    CAPTURE(held);
+    constexpr int kShares = 40;
+    Setup one, many;
+    one.held = many.held = held;
+    one.friction = many.friction = {0.2};
+    one.cases = {held ? Value{0, 0, 0.001, -0.01} : Value{1, -10, 0, 0}};
+    double all = 0;
+    for (int k = 1; k <= kShares; ++k) all += k;
+    const Value& v = one.cases[0];
+    many.cases.clear();
+    for (int k = 1; k <= kShares; ++k) many.cases.push_back({v.tx * k / all, v.ty * k / all, v.ux * k / all, v.uy * k / all});
+    one.path = {{4, {1}}};
+    many.path = {{4, Loads(kShares, 1.0)}};
+    Case a(one), b(many);
+    REQUIRE(a.finish() == C2D_OK);
+    REQUIRE(b.finish() == C2D_OK);
+    const std::vector<Record> whole = a.run(), shared = b.run();
+    REQUIRE(whole.size() == shared.size());
+    REQUIRE(whole.back().work > 0);
+    for (size_t i = 0; i < whole.size(); ++i) {
+      CHECK(shared[i].work == doctest::Approx(whole[i].work).epsilon(1e-10));
+      CHECK(shared[i].dissipated == doctest::Approx(whole[i].dissipated).epsilon(1e-9));
+      CHECK(difference(shared[i].table, whole[i].table) < 1e-10);
+      REQUIRE(shared[i].by_case.size() == kShares);
+      for (int k = 1; k <= kShares; ++k)
+        CHECK(shared[i].by_case[static_cast<size_t>(k) - 1] == doctest::Approx(whole[i].work * k / all).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("history: load cases are superposed") {
   Setup two, one;
   one.cases = {{0.3, -1, 0, 0}};

@@ -14,6 +14,7 @@
 // of Numerical Algorithms, chapter 9. Partial forward elimination with the contact last: figure 20 of the thesis.
 #include "elimination/eliminate.hpp"
 #include "linalg/dense.hpp"
+#include "linalg/dots.hpp"
 #include "memory/hostile.hpp"
 #include <string.h>
 
@@ -480,22 +481,14 @@ c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Rea
   }
 }
 
-namespace {
-
-Real dot(int32_t n, const Real* a, const Real* b) {
-  Real sum = 0;
-  for (int32_t i = 0; i < n; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-} // namespace
-
 // f . x = f . (U^-1 Y c) = w . c with w = Y^T U^-T f. The chunks of U come first and turn f into U^-T f by forward
 // substitution (U^T is lower triangular). The chunks of Y that follow give w.
-c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Real* f, Real* w, void* work) {
+c2d_status transposed_functionals(const EliminationPlan& uncut, Tapes& tapes, int32_t count, Real* const* f, Real* const* w,
+                                  void* work) {
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
-    for (int32_t j = 0; j < plan.trailing && w != nullptr; ++j) w[j] = 0;
+    for (int32_t k = 0; k < count && w != nullptr; ++k)
+      for (int32_t j = 0; j < plan.trailing; ++j) w[k][j] = 0;
     return C2D_OK;
   }
   Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
@@ -509,15 +502,21 @@ c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Rea
     const int32_t rows = trailing ? plan.pivots : chunk.first + chunk.count;
     for (int32_t j = 0; j < chunk.count; ++j) {
       const Real* column = data + static_cast<int64_t>(j) * rows;
-      if (trailing) {
-        w[chunk.first - plan.pivots + j] = dot(rows, column, f);
-        continue;
-      }
       const int32_t i = chunk.first + j; // column i of U is row i of U^T
-      const Real diagonal = column[i];
-      f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
+      Real sum[kFunctionalsAtOnce];
+      dots(trailing ? rows : i, column, count, f, sum);
+      for (int32_t k = 0; k < count; ++k) {
+        if (trailing)
+          w[k][i - plan.pivots] = sum[k];
+        else
+          f[k][i] = column[i] == Real(0) ? Real(0) : (f[k][i] - sum[k]) / column[i];
+      }
     }
   }
+}
+
+c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work) {
+  return transposed_functionals(plan, tapes, 1, &f, w != nullptr ? &w : nullptr, work);
 }
 
 } // namespace c2d

@@ -327,8 +327,13 @@ Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
 // Prescribed values in a load case, at factor 1.
-double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
-double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
+inline double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
+  return m.node_disp[b][(static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component];
+}
+inline double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case) {
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
+  return m.end_traction[b][(load_case * ends + end) * 2 + component];
+}
 
 // Are columns of the contact system made only when needed?
 inline bool is_on_demand(const Model& m) { return !kSmallCode && m.head->columns > 0; }

@@ -35,14 +35,6 @@ static bool is_displacement_known(const Model& m, int b, const int32_t* ends, in
   return false;
 }
 
-double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
-  return m.node_disp[b][(static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component];
-}
-double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case) {
-  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
-  return m.end_traction[b][(load_case * ends + end) * 2 + component];
-}
-
 bool displacement_known(const Model& m, int b, int32_t node, int component) {
   int32_t ends[2];
   return is_displacement_known(m, b, ends, all_ends_at_node(m, b, node, ends), component);

@@ -102,45 +102,82 @@ void add_mean(Adjoint& a, const Part& part, int c) {
     if (!is_within(m, a.b, element, part.loaded)) continue;
     EndResultant weight[kElementNodes];
     end_resultants(m, a.b, element, Measure::own_length, weight);
-    for (int l = 0; l < m.head->function_nodes; ++l)
-      add_displacement(a, functional_node(m, a.b, element, l), c, weight[l].w / part.length);
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      const int32_t node = functional_node(m, a.b, element, l);
+      add_displacement(a, node, c, unknown_at(m, a.b, node, c), weight[l].w / part.length);
+    }
   }
 }
 
-// Eliminates the outer unknowns from the functional by a transposed solve. First the functional is written in terms of all
-// unknowns of the body: `outer` (eliminated), `own` (contact displacements) and loads. Then the transposed factors move the
-// share of `outer` to the trailing columns. `own` is subtracted afterwards because the column of u_c represents -u_c.
-c2d_status find_component(Session& session, int b, const Part& part, int c) {
+// Work arrays of one functional.
+struct Work {
+  Real *own, *outer, *coefficient;
+};
+
+// The functional of component c in terms of all unknowns of the body: `outer` (eliminated), `own` (contact displacements),
+// loads.
+void begin_component(Session& session, int b, const Part& part, int c, const Work& work) {
   const Model& m = session.model;
-  const PathArea& area = session.area;
-  c2d_solver* s = session.solver;
+  const MeanMotion out = mean_motion(session, b);
+  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] = 0.0;
+  for (int32_t j = 0; j < m.body[b].contact; ++j) work.own[j] = 0;
+  for (int32_t j = 0; j < outer_columns(m, b); ++j) work.outer[j] = 0;
+  Adjoint a{&session, b, nullptr, nullptr, out.of_loads[c], nullptr, work.own, work.outer, work.coefficient, {}, false};
+  add_mean(a, part, c);
+}
+
+// After the transposed factors have moved the share of `outer` to the trailing columns. `own` is subtracted because the column
+// of u_c represents -u_c.
+void end_component(Session& session, int b, int c, const Work& work) {
+  const Model& m = session.model;
   const MeanMotion out = mean_motion(session, b);
   const int32_t own = m.body[b].contact;
-  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] = 0.0;
-  for (int32_t j = 0; j < own; ++j) area.own[j] = 0;
-  for (int32_t j = 0; j < outer_columns(m, b); ++j) area.outer[j] = 0;
-  Adjoint a{session, b, nullptr, nullptr, out.of_loads[c], nullptr, area.own, area.outer, false};
-  add_mean(a, part, c);
+  for (int32_t j = 0; j < 2 * own; ++j) out.of_contact[c][j] = work.coefficient[j];
+  for (int32_t j = 0; j < own; ++j) out.of_contact[c][j] -= work.own[j];
+  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] += static_cast<double>(work.coefficient[2 * own + k]);
+}
+
+c2d_status solve_outer(Session& session, int b, const Work* work, int32_t count) {
+  c2d_solver* s = session.solver;
   take_back_work(s);
   const EliminationPlan& plan = plan_of(s, b);
-  const c2d_status status = is_compressed(plan)
-                                ? kCompressedPart.compression_functional(session, b, area.outer, area.coefficient)
-                                : transposed_functional(plan, s->tapes, area.outer, area.coefficient, area.work);
-  for (int32_t j = 0; j < 2 * own; ++j) out.of_contact[c][j] = area.coefficient[j];
-  for (int32_t j = 0; j < own; ++j) out.of_contact[c][j] -= area.own[j];
-  for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] += static_cast<double>(area.coefficient[2 * own + k]);
-  return status;
+  if (is_compressed(plan)) return kCompressedPart.compression_functional(session, b, work->outer, work->coefficient);
+  Real *f[2], *w[2];
+  for (int32_t i = 0; i < count; ++i) f[i] = work[i].outer, w[i] = work[i].coefficient;
+  return transposed_functionals(plan, session.solver->tapes, count, f, w, session.area.work);
 }
 
 // Across a line of symmetry the image moves in the opposite direction, so the mean of the complete body is zero.
 bool is_mirrored(const Model& m, int b, int c) { return (m.body[b].lines >> c & 1) != 0; }
 
+// Both components need one pass over the factors if there are arrays for two: where results of all bodies go that are not
+// there.
+bool has_room_for_two(const Session& session, int b) {
+  if (kSmallCode || session.solver->back_substituted != 0 || is_compressed(plan_of(session.solver, b))) return false;
+  const Model& m = session.model;
+  const PhaseSizes sizes = model_sizes(m);
+  return outer_columns(m, b) <= 2 * sizes.nodes && 3 * m.body[b].contact + m.head->load_cases <= 2 * sizes.ends;
+}
+
 c2d_status find_mean_motion(Session& session, int b) {
   const Model& m = session.model;
+  const PathArea& area = session.area;
   const Part part = part_that_counts(m, b);
+  const Work work[2] = {{area.own, area.outer, area.coefficient},
+                        {area.traction, area.displacement, area.traction + m.body[b].contact}};
+  if (!is_mirrored(m, b, 0) && !is_mirrored(m, b, 1) && has_room_for_two(session, b)) {
+    for (int c = 0; c < 2; ++c) begin_component(session, b, part, c, work[c]);
+    const c2d_status status = solve_outer(session, b, work, 2);
+    for (int c = 0; c < 2; ++c) end_component(session, b, c, work[c]);
+    return status;
+  }
   c2d_status status = C2D_OK;
-  for (int c = 0; c < 2 && status == C2D_OK; ++c)
-    if (!is_mirrored(m, b, c)) status = find_component(session, b, part, c);
+  for (int c = 0; c < 2 && status == C2D_OK; ++c) {
+    if (is_mirrored(m, b, c)) continue;
+    begin_component(session, b, part, c, work[0]);
+    status = solve_outer(session, b, work, 1);
+    end_component(session, b, c, work[0]);
+  }
   return status;
 }
 

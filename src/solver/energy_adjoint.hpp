@@ -6,26 +6,29 @@
 namespace c2d {
 
 struct Adjoint {
-  Session& session;
-  int b;          // the body at hand
-  Real* tau;      // [m]
-  Real* jump;     // [m] of w'
-  double* lambda; // [cases]
-  Real* motion;   // of the motions x of all bodies that only the contact holds
-  Real* u;        // of the body's contact displacements, Body::contact of them
-  Real* outer;    // of its outer unknowns
-  bool touched;   // outer is not all zero
-  const Model& model() const { return session.model; }
+  Session* session;
+  int b;             // the body at hand
+  Real* tau;         // [m]
+  Real* jump;        // [m] of w'
+  double* lambda;    // [cases]
+  Real* motion;      // of the motions x of all bodies that only the contact holds
+  Real* u;           // of the body's contact displacements, Body::contact of them
+  Real* outer;       // of its outer unknowns
+  Real* coefficient; // of its trailing columns
+  Real* side[2];     // [m] each, of the displacements on the sides of the pairs
+  bool touched;      // outer is not all zero
+  const Model& model() const { return session->model; }
 };
 
 enum class TractionKind { contact, solved, given };
-TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c);
+// `unknown`: of the end's node in the direction at hand, as unknowns_at tells.
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, const Unknown& unknown);
 
 void add_outer(Adjoint& a, int32_t column, double factor);
 // factor times a displacement component, in the length unit.
-void add_displacement(Adjoint& a, int32_t node, int c, double factor);
+void add_displacement(Adjoint& a, int32_t node, int c, const Unknown& unknown, double factor);
 // factor times a traction component at an end, in 2 G of the body (a contact one in its own measure).
-void add_traction(Adjoint& a, int32_t element, int l, int c, double factor);
+void add_traction(Adjoint& a, int32_t element, int l, int c, TractionKind kind, double factor);
 
 // Tractions of case k times displacements, or reactions times prescribed displacements of case k.
 void add_boundary(Adjoint& a, int32_t k, bool reactions);

@@ -49,13 +49,18 @@ namespace {
         t[l][c] += weight * value[l] * traction[c];
       }
   }
-  for (int l = 0; l < nf; ++l)
+  for (int l = 0; l < nf; ++l) {
+    const int32_t node = functional_node(m, a.b, element, l);
+    Unknown unknown[2];
+    unknowns_at(m, a.b, node, unknown);
     for (int c = 0; c < 2; ++c) {
-      const bool contact = traction_kind(m, a.b, element, l, c) == TractionKind::contact;
+      const TractionKind kind = traction_kind(m, a.b, element, l, unknown[c]);
+      const bool contact = kind == TractionKind::contact;
       const double ratio = contact ? traction_ratio(m, a.b, element, l) : 1.0;
-      add_traction(a, element, l, c, ratio * u[l][c] * 2.0 * shear_modulus(m, a.b) / (stress * unit * unit));
-      add_displacement(a, functional_node(m, a.b, element, l), c, -t[l][c] / (stress * unit));
+      add_traction(a, element, l, c, kind, ratio * u[l][c] * 2.0 * shear_modulus(m, a.b) / (stress * unit * unit));
+      add_displacement(a, node, c, unknown[c], -t[l][c] / (stress * unit));
     }
+  }
 }
 
 } // namespace

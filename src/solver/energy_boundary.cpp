@@ -10,9 +10,8 @@ void add_outer(Adjoint& a, int32_t column, double factor) {
   a.touched = true;
 }
 
-void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
+void add_displacement(Adjoint& a, int32_t node, int c, const Unknown& unknown, double factor) {
   const Model& m = a.model();
-  const Unknown unknown = unknown_at(m, a.b, node, c);
   if (unknown.kind == UnknownKind::contact) {
     const PairSide at = pair_of_node(m, a.b, node);
     const Pair& pair = m.pair[at.pair];
@@ -26,20 +25,18 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
   }
 }
 
-TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c) {
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, const Unknown& unknown) {
   const int32_t end = element * m.head->function_nodes + l;
-  const Unknown unknown = unknown_at(m, b, functional_node(m, b, element, l), c);
   if (is_in_contact(unknown) && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
   if (unknown.kind == UnknownKind::traction && unknown.end[0] == end) return TractionKind::solved;
   if (unknown.kind == UnknownKind::shared_traction) return TractionKind::solved; // (at both ends of its node)
   return TractionKind::given;
 }
 
-void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
+void add_traction(Adjoint& a, int32_t element, int l, int c, TractionKind kind, double factor) {
   const Model& m = a.model();
   const double modulus = 2.0 * shear_modulus(m, a.b);
   const int32_t end = element * m.head->function_nodes + l;
-  const TractionKind kind = traction_kind(m, a.b, element, l, c);
   if (kind == TractionKind::contact) {
     const PairSide at = pair_of_end(m, a.b, element, l);
     const Pair& pair = m.pair[at.pair];
@@ -49,7 +46,8 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   } else if (kind == TractionKind::solved) {
     add_outer(a, outer_column(m, a.b, functional_node(m, a.b, element, l), c), factor);
   } else {
-    for (int32_t k = 0; k < m.head->load_cases; ++k) a.lambda[k] += factor * given_traction(m, a.b, end, c, k) / modulus;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) // most cases load other ends
+      if (const double value = given_traction(m, a.b, end, c, k); value != 0.0) a.lambda[k] += factor * value / modulus;
   }
 }
 
@@ -66,14 +64,15 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
                                  ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
                                  : given_traction(m, a.b, element * m.head->function_nodes + l, c, k) / m.head->stress_unit;
         if (value == 0.0) continue;
-        const TractionKind kind = traction_kind(m, a.b, element, l, c);
+        const Unknown unknown = unknown_at(m, a.b, node, c);
+        const TractionKind kind = traction_kind(m, a.b, element, l, unknown);
         if (kind != (reactions ? TractionKind::solved : TractionKind::given)) continue;
         if (!known) end_resultants(m, a.b, element, Measure::own_length, weight);
         known = true;
         if (reactions)
-          add_traction(a, element, l, c, weight[l].w * value * 2.0 * shear_modulus(m, a.b) / m.head->stress_unit);
+          add_traction(a, element, l, c, kind, weight[l].w * value * 2.0 * shear_modulus(m, a.b) / m.head->stress_unit);
         else
-          add_displacement(a, node, c, weight[l].w * value);
+          add_displacement(a, node, c, unknown, weight[l].w * value);
       }
   }
 }

@@ -1,8 +1,14 @@
 // What multiplies tau, w' and lambda in the work and reaction of every load case (solver/energy.hpp).
+//
+// Phases, for some functionals at once, so that what is read from the tapes serves all of them:
+// 1. The loads of each case, body by body, in terms of all unknowns of the body.
+// 2. Its outer unknowns out of them, by one pass over its factors (transposed_functionals).
+// 3. Displacements of the contact out of them, by the bodies' compliances; at last the motions of the bodies.
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/orthonormal.hpp"
+#include "linalg/dots.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "solver/energy_adjoint.hpp"
@@ -22,55 +28,57 @@ void add_overlaps(const Model& m, Real* tau) {
     tau[m.pair[i].dof] += static_cast<Real>(m.pair[i].weight * m.pair[i].overlap / m.head->length_unit);
 }
 
-// ---- one functional -------------------------------------------------------------------------------------------------
+// ---- functionals, some at once --------------------------------------------------------------------------------------
 
-// Outer unknowns out of the functional: they follow from -u_c, t_c = +-tau and lambda.
-c2d_status remove_outer(Adjoint& a) {
-  const Model& m = a.model();
-  const PathArea& area = a.session.area;
-  c2d_solver* s = a.session.solver;
-  const EliminationPlan& plan = plan_of(s, a.b);
+struct Functionals {
+  Adjoint* a;
+  int32_t count;
+  Adjoint* begin() const { return a; }
+  Adjoint* end() const { return a + count; }
+};
+
+// Outer unknowns of a body out of the functionals: they follow from -u_c, t_c = +-tau and lambda.
+c2d_status solve_outer(const Functionals& all, Session& session, int b) {
+  Real *f[kFunctionalsAtOnce], *w[kFunctionalsAtOnce];
+  int32_t count = 0;
+  for (Adjoint& a : all) {
+    if (!a.touched) continue;
+    f[count] = a.outer;
+    w[count++] = a.coefficient;
+  }
+  if (count == 0) return C2D_OK;
+  c2d_solver* s = session.solver;
+  const EliminationPlan& plan = plan_of(s, b);
   take_back_work(s);
-  const c2d_status status = is_compressed(plan)
-                                ? kCompressedPart.compression_functional(a.session, a.b, a.outer, area.coefficient)
-                                : transposed_functional(plan, s->tapes, a.outer, area.coefficient, area.work);
-  if (status != C2D_OK) return status;
-  const Real* w = area.coefficient;
+  if (!is_compressed(plan)) return transposed_functionals(plan, s->tapes, count, f, w, session.area.work);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < count && status == C2D_OK; ++i)
+    status = kCompressedPart.compression_functional(session, b, f[i], w[i]);
+  return status;
+}
+
+void add_solved(Adjoint& a) {
+  const Model& m = a.model();
+  const Real* w = a.coefficient;
   const int32_t own = is_on_demand(m) ? 0 : m.body[a.b].contact; // (what tractions bring there comes with their columns)
   for (int32_t j = 0; j < own; ++j) a.u[j] -= w[j];
   for_ranges(m, a.b, [&](const UnknownRange& range) {
     for (int32_t i = 0; i < range.count && own > 0; ++i) a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
   });
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * own + i]);
-  return C2D_OK;
 }
 
-// tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
-c2d_status add_compliance(Adjoint& a) {
-  const Model& m = a.model();
-  Real* column = a.session.area.column;
-  c2d_status status = C2D_OK;
-  for_ranges(m, a.b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
-      status = read_column(a.session.tape, a.b, BodyMatrix::flexibility, range.own + i, column);
-      if (status == C2D_OK)
-        a.tau[range.all + i] += static_cast<Real>(signed_on(range.side, product(column, a.u, m.body[a.b].contact)));
-    }
-  });
-  return status;
-}
-
-// Coefficients of displacements on the sides of the pairs are put together from all bodies, in area.u.
+// Coefficients of displacements on the sides of the pairs are put together from all bodies.
 void add_to_sides(Adjoint& a) {
   for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count; ++i) a.session.area.u[range.side][range.all + i] += a.u[range.own + i];
+    for (int32_t i = 0; i < range.count; ++i) a.side[range.side][range.all + i] += a.u[range.own + i];
   });
 }
 
 // Displacements of a body that keeps its equations out of the functional: those of what it meets, and w'.
 void remove_kept(Adjoint& a) {
   for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
-    Real *own = a.session.area.u[range.side] + range.all, *other = a.session.area.u[1 - range.side] + range.all;
+    Real *own = a.side[range.side] + range.all, *other = a.side[1 - range.side] + range.all;
     for (int32_t i = 0; i < range.count; ++i) {
       other[i] += own[i];
       a.jump[range.all + i] += signed_on(range.side, own[i]);
@@ -78,16 +86,34 @@ void remove_kept(Adjoint& a) {
   });
 }
 
-// The coefficients of a body's displacements; false: all are zero.
-bool gather_displacements(Adjoint& a) {
-  bool any = false;
+// The coefficients of a body's displacements; touched: not all are zero.
+void gather_displacements(Adjoint& a) {
+  a.touched = false;
   for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
     for (int32_t i = 0; i < range.count; ++i) {
-      a.u[range.own + i] = a.session.area.u[range.side][range.all + i];
-      any = any || a.u[range.own + i] != Real(0);
+      a.u[range.own + i] = a.side[range.side][range.all + i];
+      a.touched = a.touched || a.u[range.own + i] != Real(0);
     }
   });
-  return any;
+}
+
+// tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
+c2d_status add_compliance(const Functionals& all, Session& session, int b) {
+  const Model& m = session.model;
+  Real* column = session.area.column;
+  const Real* u[kFunctionalsAtOnce];
+  double sum[kFunctionalsAtOnce];
+  for (int32_t k = 0; k < all.count; ++k) u[k] = all.a[k].u;
+  c2d_status status = C2D_OK;
+  for_ranges(m, b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+      status = read_column(session.tape, b, BodyMatrix::flexibility, range.own + i, column);
+      if (status != C2D_OK) return;
+      dots(m.body[b].contact, column, all.count, u, sum);
+      for (int32_t k = 0; k < all.count; ++k) all.a[k].tau[range.all + i] += static_cast<Real>(signed_on(range.side, sum[k]));
+    }
+  });
+  return status;
 }
 
 // Of a functional of motions: what the overlaps make of it that a load case closes.
@@ -106,32 +132,48 @@ void add_motion_row(Adjoint& a, Real part, const Real* row) {
 }
 
 // Where displacements are unknowns X w' stands in the place of F t.
-c2d_status add_unknowns(Adjoint& a) {
-  Real* column = a.session.area.column;
-  c2d_status status = C2D_OK;
-  for (int32_t i = 0; i < a.model().body[a.b].contact && status == C2D_OK; ++i) {
-    if (a.u[i] == Real(0)) continue;
-    status = read_column(a.session.tape, a.b, BodyMatrix::flexibility, i, column);
-    if (status == C2D_OK) add_motion_row(a, a.u[i], column);
+c2d_status add_unknowns(const Functionals& all, Session& session, int b) {
+  Real* column = session.area.column;
+  for (int32_t i = 0; i < session.model.body[b].contact; ++i) {
+    bool needed = false;
+    for (const Adjoint& a : all) needed = needed || (a.touched && a.u[i] != Real(0));
+    if (!needed) continue;
+    const c2d_status status = read_column(session.tape, b, BodyMatrix::flexibility, i, column);
+    if (status != C2D_OK) return status;
+    for (Adjoint& a : all)
+      if (a.touched && a.u[i] != Real(0)) add_motion_row(a, a.u[i], column);
   }
-  return status;
+  return C2D_OK;
 }
 
 // Those of another body: u = F t + sum lambda_k v_k + R x.
-c2d_status remove_displacements(Adjoint& a) {
-  const Model& m = a.model();
-  const Body& body = m.body[a.b];
-  if (!gather_displacements(a)) return C2D_OK;
-  const ContactTape& tape = a.session.tape;
-  Real* column = a.session.area.column;
-  c2d_status status = is_rigid(m, a.b) ? c2d_status{C2D_OK} : has_displacements(m, a.b) ? add_unknowns(a) : add_compliance(a);
+c2d_status remove_displacements(const Functionals& all, Session& session, int b) {
+  const Model& m = session.model;
+  const Body& body = m.body[b];
+  bool any = false;
+  for (Adjoint& a : all) {
+    a.b = b;
+    gather_displacements(a);
+    any = any || a.touched;
+  }
+  if (!any) return C2D_OK;
+  Real* column = session.area.column;
+  c2d_status status = is_rigid(m, b)            ? c2d_status{C2D_OK}
+                      : has_displacements(m, b) ? add_unknowns(all, session, b)
+                                                : add_compliance(all, session, b);
+  const Real* u[kFunctionalsAtOnce];
+  double sum[kFunctionalsAtOnce];
+  for (int32_t i = 0; i < all.count; ++i) u[i] = all.a[i].u;
   for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
-    status = read_column(tape, a.b, BodyMatrix::response, k, column);
-    if (status == C2D_OK) a.lambda[k] += product(column, a.u, body.contact);
+    status = read_column(session.tape, b, BodyMatrix::response, k, column);
+    if (status == C2D_OK) dots(body.contact, column, all.count, u, sum);
+    for (int32_t i = 0; i < all.count && status == C2D_OK; ++i) all.a[i].lambda[k] += sum[i]; // (untouched ones: 0)
   }
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) {
-    status = read_column(tape, a.b, BodyMatrix::motions, j, column);
-    if (status == C2D_OK) a.motion[body.first_border + j] += static_cast<Real>(product(column, a.u, body.contact));
+    status = read_column(session.tape, b, BodyMatrix::motions, j, column);
+    for (Adjoint& a : all)
+      if (a.touched && status == C2D_OK)
+        a.motion[body.first_border + j] += static_cast<Real>(product(column, a.u, body.contact));
   }
   return status;
 }
@@ -141,7 +183,7 @@ c2d_status add_given(Adjoint& a, int32_t k) {
   const Body& body = a.model().body[a.b];
   Real g[kMostMotions];
   if (body.free_motions == 0) return C2D_OK;
-  const c2d_status status = read_column(a.session.tape, a.b, BodyMatrix::given, k, g);
+  const c2d_status status = read_column(a.session->tape, a.b, BodyMatrix::given, k, g);
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) a.motion[body.first_border + j] += g[j];
   return status;
 }
@@ -158,8 +200,12 @@ void add_loads(Adjoint& a, int32_t k, bool reactions) {
   if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
 }
 
-c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
+// What functional `number` of the books has of the body: U of case 0, R of case 0, U of case 1, ...
+c2d_status add_body(Adjoint& a, int32_t number) {
   const Model& m = a.model();
+  const int32_t k = number / 2;
+  const bool reactions = number % 2 == 1;
+  a.touched = false;
   if (is_rigid(m, a.b)) {
     if (reactions)
       kRigidPart.add_rigid_motion(m, a.b, k, a.tau);
@@ -168,53 +214,121 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
     return C2D_OK;
   }
   add_loads(a, k, reactions);
-  c2d_status status = C2D_OK;
-  if (is_on_demand(m) && a.touched) status = kCompressedPart.functional_of_motions(a.session, a.b, a.outer, a.motion);
-  if (a.touched && status == C2D_OK) status = remove_outer(a);
-  add_to_sides(a);
-  return status;
+  return is_on_demand(m) && a.touched ? kCompressedPart.functional_of_motions(*a.session, a.b, a.outer, a.motion)
+                                      : c2d_status{C2D_OK};
 }
 
-// Motions of the bodies out of the functional: x = X (w' - overlaps closed) + sum lambda_k x_k.
-c2d_status remove_motions(Adjoint& a) {
-  const ModelHeader& head = *a.model().head;
-  if (is_on_demand(a.model())) return kCompressedPart.hold_functional(a.session, a.motion, a.jump, a.lambda);
-  Real* column = a.session.area.column;
-  bool any = false;
-  for (int32_t j = 0; j < head.border; ++j) {
-    const Real part = a.motion[j];
-    if (part == Real(0)) continue;
-    any = true;
-    const c2d_status status = read_column(a.session.tape, ContactMatrix::motion, j, column);
+c2d_status add_bodies(const Functionals& all, Session& session, int32_t first) {
+  for (int b = 0; b < session.model.head->bodies; ++b) {
+    c2d_status status = C2D_OK;
+    for (int32_t i = 0; i < all.count && status == C2D_OK; ++i) {
+      all.a[i].b = b;
+      status = add_body(all.a[i], first + i);
+    }
+    if (status == C2D_OK) status = solve_outer(all, session, b);
     if (status != C2D_OK) return status;
-    add_motion_row(a, part, column);
-  }
-  for (int32_t k = 0; k < head.load_cases && any; ++k) {
-    const c2d_status status = read_column(a.session.tape, ContactMatrix::motion_load, k, column);
-    if (status != C2D_OK) return status;
-    a.lambda[k] += product(column, a.motion, head.border);
+    for (Adjoint& a : all) {
+      if (is_rigid(session.model, b)) continue;
+      if (a.touched) add_solved(a);
+      add_to_sides(a);
+    }
   }
   return C2D_OK;
 }
 
-c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* contact, double* loads) {
-  const PathArea& area = session.area;
+// Motions of the bodies out of the functionals: x = X (w' - overlaps closed) + sum lambda_k x_k.
+c2d_status remove_motions(const Functionals& all, Session& session) {
   const ModelHeader& head = *session.model.head;
-  const int32_t m = head.contact;
-  for (int32_t i = 0; i < 2 * m; ++i) contact[i] = 0;
-  for (int32_t i = 0; i < head.load_cases; ++i) loads[i] = 0.0;
-  for (int32_t i = 0; i < (is_on_demand(session.model) ? head.motions : head.border); ++i) area.motion[i] = 0;
-  for (Real* u : area.u)
-    for (int32_t i = 0; i < m; ++i) u[i] = 0;
-  Adjoint a{session, 0, contact, contact + m, loads, area.motion, area.own, area.outer, false};
-  if (reactions && k + 1 == head.interference) add_overlaps(session.model, a.tau);
-  c2d_status status = C2D_OK;
-  for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
-  for (a.b = 0; a.b < head.bodies; ++a.b)
-    if (keeps_equations(session.model, a.b)) remove_kept(a);
-  for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b)
-    if (session.model.body[a.b].contact > 0 && !keeps_equations(session.model, a.b)) status = remove_displacements(a);
-  return status == C2D_OK ? remove_motions(a) : status;
+  if (is_on_demand(session.model)) // (one at once)
+    return kCompressedPart.hold_functional(session, all.a[0].motion, all.a[0].jump, all.a[0].lambda);
+  Real* column = session.area.column;
+  for (Adjoint& a : all) a.touched = false;
+  bool any = false;
+  for (int32_t j = 0; j < head.border; ++j) {
+    bool needed = false;
+    for (const Adjoint& a : all) needed = needed || a.motion[j] != Real(0);
+    if (!needed) continue;
+    any = true;
+    const c2d_status status = read_column(session.tape, ContactMatrix::motion, j, column);
+    if (status != C2D_OK) return status;
+    for (Adjoint& a : all) {
+      if (a.motion[j] == Real(0)) continue;
+      a.touched = true;
+      add_motion_row(a, a.motion[j], column);
+    }
+  }
+  for (int32_t k = 0; k < head.load_cases && any; ++k) {
+    const c2d_status status = read_column(session.tape, ContactMatrix::motion_load, k, column);
+    if (status != C2D_OK) return status;
+    for (Adjoint& a : all)
+      if (a.touched) a.lambda[k] += product(column, a.motion, head.border);
+  }
+  return C2D_OK;
+}
+
+// The arrays that a functional is put together in: the first has those of the path area, others take theirs from the room of
+// the tableau, which is made later. False: there is no room left.
+bool place_arrays(Session& session, int32_t number, Adjoint& a) {
+  const PathArea& area = session.area;
+  a.session = &session;
+  if (number == 0) {
+    a.motion = area.motion;
+    a.u = area.own;
+    a.outer = area.outer;
+    a.coefficient = area.coefficient;
+    for (int side = 0; side < 2; ++side) a.side[side] = area.u[side];
+    return true;
+  }
+  if (kSmallCode || is_on_demand(session.model)) return false;
+  const PhaseSizes sizes = model_sizes(session.model);
+  int64_t outer = 0;
+  for (int b = 0; b < sizes.bodies; ++b)
+    if (sizes.of(b).outer > outer) outer = sizes.of(b).outer;
+  const int64_t each = 4 * sizes.widest + 2 * sizes.m + outer + sizes.cases;
+  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
+  if (number * each > room) return false;
+  a.motion = area.tableau + (number - 1) * each;
+  a.u = a.motion + sizes.widest;
+  a.outer = a.u + sizes.widest;
+  a.coefficient = a.outer + outer;
+  a.side[0] = a.coefficient + 2 * sizes.widest + sizes.cases;
+  a.side[1] = a.side[0] + sizes.m;
+  return true;
+}
+
+// Functionals `first` ... of the books, as many as fit; how many.
+int32_t open_functionals(Session& session, const EnergyBook& book, int32_t first, Adjoint* a) {
+  const ModelHeader& head = *session.model.head;
+  int32_t count = 0;
+  while (count < kFunctionalsAtOnce && first + count < 2 * book.cases && place_arrays(session, count, a[count])) {
+    Adjoint& one = a[count];
+    const int64_t number = first + count++;
+    one.tau = book.of_contact + 2 * number * book.m;
+    one.jump = one.tau + book.m;
+    one.lambda = book.of_loads + number * book.cases;
+    for (int32_t i = 0; i < 2 * head.contact; ++i) one.tau[i] = 0;
+    for (int32_t i = 0; i < head.load_cases; ++i) one.lambda[i] = 0.0;
+    for (int32_t i = 0; i < (is_on_demand(session.model) ? head.motions : head.border); ++i) one.motion[i] = 0;
+    for (Real* u : one.side)
+      for (int32_t i = 0; i < head.contact; ++i) u[i] = 0;
+    if (number % 2 == 1 && number / 2 + 1 == head.interference) add_overlaps(session.model, one.tau);
+  }
+  return count;
+}
+
+c2d_status build_functionals(const Functionals& all, Session& session, int32_t first) {
+  const ModelHeader& head = *session.model.head;
+  c2d_status status = add_bodies(all, session, first);
+  for (int b = 0; b < head.bodies && status == C2D_OK; ++b) {
+    if (!keeps_equations(session.model, b)) continue;
+    for (Adjoint& a : all) {
+      a.b = b;
+      remove_kept(a);
+    }
+  }
+  for (int b = 0; b < head.bodies && status == C2D_OK; ++b)
+    if (session.model.body[b].contact > 0 && !keeps_equations(session.model, b)) status = remove_displacements(all, session, b);
+  return status == C2D_OK ? remove_motions(all, session) : status;
 }
 
 } // namespace
@@ -225,7 +339,7 @@ void add_demanded(Session& session, int b, const DemandedColumns& columns) {
   const PathArea& area = session.area;
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     // What the loads do without the solution has been counted: that goes where it is of no use.
-    Adjoint a{session, b, area.u[0], area.u[1], book.r, area.motion, area.own, area.outer, false};
+    Adjoint a{&session, b, area.u[0], area.u[1], book.r, area.motion, area.own, area.outer, area.coefficient, {}, false};
     add_loads(a, k / 2, k % 2 == 1);
     Real* const of_tau = book.of_contact + 2 * static_cast<int64_t>(k) * book.m;
     const int32_t unknowns = outer_columns(session.model, b);
@@ -252,13 +366,14 @@ c2d_status build_energy(c2d_solver* s) {
   Session session;
   open_session(s, session);
   const EnergyBook book = energy_book(s);
-  for (int32_t k = 0; k < 2 * book.cases; ++k) {
-    tell_progress(s, C2D_PHASE_REDUCE, 0, k, 2 * static_cast<int64_t>(book.cases));
+  for (int32_t first = 0; first < 2 * book.cases;) {
+    tell_progress(s, C2D_PHASE_REDUCE, 0, first, 2 * static_cast<int64_t>(book.cases));
     if ((kSmallCode || s->state == C2D_STATE_MODEL) && asked_to_stop(s)) return C2D_ERR_CANCELLED; // (allow_friction)
-    const c2d_status status =
-        build_functional(session, k / 2, k % 2 == 1, book.of_contact + 2 * static_cast<int64_t>(k) * book.m,
-                         book.of_loads + static_cast<int64_t>(k) * book.cases);
+    Adjoint a[kFunctionalsAtOnce];
+    const Functionals all = {a, open_functionals(session, book, first, a)};
+    const c2d_status status = build_functionals(all, session, first);
     if (status != C2D_OK) return status;
+    first += all.count;
   }
   return C2D_OK;
 }

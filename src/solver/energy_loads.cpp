@@ -26,15 +26,17 @@ namespace {
   const bool own = measure == Measure::own_length;
   Blocks blocks;
   integrate(integrator, at[0], at[1], -1, own, true, blocks);
-  for (int l = 0; l < m.head->function_nodes; ++l)
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t node = functional_node(m, a.b, element, l);
+    Unknown unknown[2];
+    unknowns_at(m, a.b, node, unknown);
     for (int c = 0; c < 2; ++c) {
-      if (own)
-        add_displacement(a, functional_node(m, a.b, element, l), c,
-                         -factor[0] * blocks.h[l][0][c] - factor[1] * blocks.h[l][1][c]);
-      const bool contact =
-          traction_kind(m, a.b, element, l, c) == TractionKind::contact && pair_of_end(m, a.b, element, l).side == 1;
-      if (contact == !own) add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
+      if (own) add_displacement(a, node, c, unknown[c], -factor[0] * blocks.h[l][0][c] - factor[1] * blocks.h[l][1][c]);
+      const TractionKind kind = traction_kind(m, a.b, element, l, unknown[c]);
+      const bool contact = kind == TractionKind::contact && pair_of_end(m, a.b, element, l).side == 1;
+      if (contact == !own) add_traction(a, element, l, c, kind, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
+  }
   if (own && has_body_force(m, a.b)) kBodyForcePart.take_particular(a, element, blocks, factor);
 }
 
