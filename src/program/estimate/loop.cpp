@@ -46,6 +46,7 @@ constexpr int kPatience = 3;
 constexpr int kEarlyRounds = 3;     // bisections of the contacts before an early end of the history is accepted
 constexpr double kOfElements = 2.6; // exponent of the solution time over the number of elements
 constexpr double kOfPlaces = 0.75;  // tightening factor if only numbers at one place are inaccurate
+constexpr double kOfBodies = 2;     // times d S: the error of a number that the bodies determine
 constexpr double kOfEnergy = 8;     // allowed energy difference over the tolerance
 constexpr double kLags = 2;         // times its tolerance: the error of a number that converges slower than the tractions
 
@@ -400,13 +401,14 @@ bool Loop::is_near(const Distance& d) const {
 // be those of the bodies.
 void Loop::tighten(const Distance& d, bool first) {
   double contact = 1, rest = 1;
-  bool inside = false; // is a number inside a body inaccurate?
+  bool inside = false; // is a number inside a body, or one that the bodies determine, inaccurate?
   for (const app::Stated& s : out_.loop.stated) {
     if (s.endless || std::isnan(s.tolerance)) continue;
     const bool within = is_near_enough(s);
     if (within && (s.confirmed || stage_ > least_)) continue; // a met number still needs confirmation on a finer mesh
-    inside = inside || (is_inside(s) && !within);
-    double& worst = app::row_of(s.what).by_tractions && !std::isnan(s.error) ? contact : rest;
+    const bool of_bodies = !is_place(s) && s.error > kOfBodies * s.hidden; // far above what the tractions may hide
+    inside = inside || ((is_inside(s) || of_bodies) && !within);
+    double& worst = app::row_of(s.what).by_tractions && !of_bodies && !std::isnan(s.error) ? contact : rest;
     const double part = stage_ / least_ * s.tolerance * s.scale / s.error;
     worst = std::min(worst, within || is_place(s) ? kOfPlaces : std::isnan(part) ? kOfUndecided : part);
   }
