@@ -380,8 +380,4 @@ TEST_CASE("axisymmetric bodies: what is refused, and in which words" * doctest::
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
   m.move(1, 3);
   refuses(m, "a platen in a model of bodies of revolution");
-  Machine machine(one(cylinder(1, 0, 1, {2, 2, 2})));
-  REQUIRE(machine.run().status == C2D_OK);
-  double at[2] = {0.5, 0.5}, out[C2D_POINT_FIELDS];
-  CHECK(c2d_interior(machine.solver, 1, 1, at, 2, out, C2D_POINT_FIELDS) == C2D_ERR_STATE);
 }

@@ -1,12 +1,14 @@
 // Ring kernels and their integrals over elements (METHOD 21) against Kelvin's kernels in space, integrated round the axis.
 #include "bie/integrals/integrals_detail.hpp"
 #include "bie/rings/ring_kernels.hpp"
+#include "bie/rings/ring_stress.hpp"
 #include "effort.hpp"
 #include "gauss_points.hpp"
 #include "model/shape.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <random>
@@ -99,6 +101,59 @@ TEST_CASE("ring kernels: Kelvin's kernels integrated round the axis") {
     for (double m : {0.399, 0.401}) worst = std::max(worst, kernel_error({1.0, 0.0, std::sqrt(4 / m - 4)}, n, 0.3));
   }
   CHECK(worst < 1e-13);
+}
+
+namespace {
+
+// Displacement at the source of a ring that carries the traction t and the displacement u.
+struct Carried {
+  double n[2], t[2], u[2], nu;
+
+  void at(Long big, Long a, Long z, Long out[2]) const {
+    const Kernels k = round_the_axis(big, a, z, n[0], n[1], nu);
+    for (int i = 0; i < 2; ++i) out[i] = k.u[i][0] * t[0] + k.u[i][1] * t[1] - k.t[i][0] * u[0] - k.t[i][1] * u[1];
+  }
+};
+
+// Strains there by central differences of the fourth order, and the stress by Hooke's law.
+RingStress differenced(const Carried& ring, const RingPlace& at) {
+  const Long h = 2e-4L * hypotl(at.a, at.z);
+  const auto moved = [&](int i, Long side, Long out[2]) {
+    ring.at(at.radius + (i == 0 ? side : 0), at.a - (i == 0 ? side : 0), at.z - (i == 1 ? side : 0), out);
+  };
+  Long slope[2][2], here[2];
+  ring.at(at.radius, at.a, at.z, here);
+  for (int i = 0; i < 2; ++i) {
+    Long far[2][2], near[2][2];
+    moved(i, 2 * h, far[0]), moved(i, -2 * h, far[1]), moved(i, h, near[0]), moved(i, -h, near[1]);
+    for (int c = 0; c < 2; ++c) slope[c][i] = (8 * (near[0][c] - near[1][c]) - (far[0][c] - far[1][c])) / (12 * h);
+  }
+  const Long hoop = here[0] / at.radius, nu = ring.nu, mean = nu / (1 - 2 * nu) * (slope[0][0] + slope[1][1] + hoop);
+  return {static_cast<double>(slope[0][0] + mean), static_cast<double>(slope[1][1] + mean),
+          static_cast<double>((slope[0][1] + slope[1][0]) / 2), static_cast<double>(hoop + mean)};
+}
+
+} // namespace
+
+TEST_CASE("ring kernels: stress is Hooke's law for the differences of Kelvin's solution integrated round the axis") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  double worst = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 6.28 * unit(random), radius = 0.1 + 2 * unit(random);
+    const Carried ring = {{std::cos(angle), std::sin(angle)},
+                          {unit(random) - 0.5, unit(random) - 0.5},
+                          {unit(random) - 0.5, unit(random) - 0.5},
+                          0.49 * unit(random)};
+    RingPlace at = {radius, (2 * unit(random) - 1) * radius, 3 * (unit(random) - 0.5)};
+    if (k % 3 == 0) at.a *= 1e-2, at.z *= 1e-2; // near the source
+    if (k % 5 == 0) at.a = -radius;             // on the axis
+    const RingStress expected = differenced(ring, at), got = ring_stress(at, ring_moments(at), ring.nu, ring.n, ring.t, ring.u);
+    const double size = std::fabs(expected.rr) + std::fabs(expected.zz) + std::fabs(expected.rz) + std::fabs(expected.round);
+    worst = std::max({worst, std::fabs(got.rr - expected.rr) / size, std::fabs(got.zz - expected.zz) / size,
+                      std::fabs(got.rz - expected.rz) / size, std::fabs(got.round - expected.round) / size});
+  }
+  CHECK(worst < 1e-10);
 }
 
 TEST_CASE("ring kernels: the trace of the stress is (1 + nu)/(1 - 2 nu) times the divergence of the displacement") {

@@ -39,8 +39,8 @@ Facing facing_element(const Model& m, int b, int32_t element) {
 
 void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Measure measure, Integrator& out) {
   prepare(out, scaled_element(m, b, element), m.head->function_nodes, strain_poisson_ratio(m, b), quadrature);
-  if (is_axisymmetric(m)) set_axis(out, m.head->length_unit);
-  if (measure == Measure::own_length) return;
+  if (is_axisymmetric(m) && measure != Measure::section) set_axis(out, m.head->length_unit);
+  if (measure != Measure::contact) return;
   const Facing facing = facing_element(m, b, element);
   if (facing.element >= 0) set_arc(out, scaled_element(m, facing.body, facing.element), facing.reversed);
 }

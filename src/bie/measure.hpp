@@ -7,8 +7,9 @@ namespace c2d {
 
 constexpr double kTurn = 6.28318530717958647692; // 2 pi
 
-// On a contact element of side 1 tau is per length of side 0, any other traction on its own length.
-enum class Measure { own_length, contact };
+// On a contact element of side 1 tau is per length of side 0, any other traction on its own length. `section`: as in the plane,
+// of bodies of revolution too.
+enum class Measure { own_length, contact, section };
 // An element of a body with its length unit applied, for tractions in this measure.
 void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure, Integrator& out);
 

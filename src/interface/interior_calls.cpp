@@ -27,8 +27,6 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
                                    int64_t out_stride) {
   const InsideStep inside(s);
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
-  if (status == C2D_OK && kRings && s->model.plane == C2D_AXISYMMETRIC)
-    return refuse(s, C2D_ERR_STATE, "points inside bodies of revolution have no results, expected a plane problem");
   if (status == C2D_OK) status = check_points(s, body, count, xy, xy_stride, out, out_stride);
   if (status != C2D_OK || count == 0) return status;
   if (asked_to_stop(s)) return fail(s, C2D_ERR_CANCELLED, status_text(C2D_ERR_CANCELLED));

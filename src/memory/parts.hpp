@@ -90,11 +90,15 @@ struct HolePart { // bie/holes.cpp
   Function<void, const Model&, int, int32_t, double*> hole_normal = Nothing();
 };
 
+struct Complex;
+struct PointField;
+
 struct RingPart { // bie/rings: bodies of revolution
   bool linked = false;
   Function<void, const Integrator&, double, double, int, bool, bool, Blocks&> integrate_rings = Nothing();
   Function<void, const Integrator&, double, double, int, double (*)[2]> ring_sum = Nothing();
   Function<void, const Integrator&, double, double, double (*)[2], double (*)[2]> add_ring_trace = Nothing();
+  Function<void, const FieldElement&, const Complex&, double, double, PointField&> add_ring_field = Nothing();
 };
 
 struct Follower;

@@ -81,16 +81,13 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
       return error = "more than " + std::to_string(kMostPoints) + " points under *POINTS", false;
     take_set(set);
   }
-  if (status != C2D_OK)
-    error = c2d_message(status);
-  else if (summary.plane == C2D_AXISYMMETRIC && any())
-    error = "points inside bodies of revolution have no results, expected none";
+  if (status != C2D_OK) error = c2d_message(status);
   return error.empty();
 }
 
-// A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own.
+// A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own. Of bodies of
+// revolution the half section is looked at.
 c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
-  if (s.plane == C2D_AXISYMMETRIC) return C2D_OK; // no results inside
   for (int32_t body = 1; body <= s.bodies; ++body) {
     if (s.is_platen(body)) continue;
     c2d_points set = C2D_INIT(c2d_points);
@@ -105,7 +102,7 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
       if (status != C2D_OK) return status;
       const auto ends = std::minmax_element(at.begin(), at.end());
       const double line = s.symmetry_at[c];
-      const bool mirrored = (s.symmetry >> c & 1) != 0, meets = *ends.first <= line && line <= *ends.second;
+      const bool mirrored = (mirror_lines(s) >> c & 1) != 0, meets = *ends.first <= line && line <= *ends.second;
       set.from[c] = mirrored && meets ? std::min(*ends.first, 2.0 * line - *ends.second) : *ends.first;
       set.to[c] = mirrored && meets ? std::max(*ends.second, 2.0 * line - *ends.first) : *ends.second;
       if (mirrored && !meets) apart |= 1 << c;

@@ -14,10 +14,14 @@
 #include "bie/integrals/kernels.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
+#include "memory/parts.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 namespace c2d {
+
+C2D_USES(RingPart);
+
 namespace {
 
 // Quantities of a source-field pair that both kernels use.
@@ -52,12 +56,6 @@ void add_displacement(const Ray& ray, Complex n, Complex u, double kappa, PointF
   const Complex twice = over * ray.inverse;
   sum.trace += 2.0 * twice.re;
   add(sum.deviator, 2.0 * (along * (ray.inverse * ray.inverse) + twice * ray.phase));
-}
-
-void add_scaled(PointField& sum, double factor, const PointField& part) {
-  add(sum.u, factor * part.u);
-  sum.trace += factor * part.trace;
-  add(sum.deviator, factor * part.deviator);
 }
 
 // One panel: the densities are polynomials in eta, so only the kernels differ from point to point.
@@ -101,6 +99,13 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
 
 } // namespace
 
+void add_scaled(PointField& sum, double factor, const PointField& part) {
+  add(sum.u, factor * part.u);
+  sum.trace += factor * part.trace;
+  add(sum.deviator, factor * part.deviator);
+  add_round(sum, factor * part.round);
+}
+
 void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElement& out) {
   const Integrator& in = out.in;
   out.displaced = u != nullptr;
@@ -122,6 +127,7 @@ void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElemen
 void add_field(const FieldElement& e, Complex reference, double x, double y, PointField& sum) {
   if (e.in.degenerate) return;
   if (!e.displaced) reference = Complex{0.0, 0.0};
+  if (is_ring(e.in)) return kRingPart.add_ring_field(e, reference, x, y, sum);
   if (kClosedForms && e.closed_form) return add_field_straight(e, reference, x, y, sum);
   PointField part = {};
   add_field_curved(e, reference, x, y, part);

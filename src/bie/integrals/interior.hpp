@@ -14,7 +14,13 @@
 
 namespace c2d {
 
-struct PointField {
+// Stress round the axis of bodies of revolution. A build without rings has no room for it.
+template <bool rings> struct RoundStress { double round; };
+template <> struct RoundStress<false> { static constexpr double round = 0.0; };
+inline void add_round(RoundStress<true>& sum, double stress) { sum.round += stress; }
+inline void add_round(RoundStress<false>&, double) {}
+
+struct PointField : RoundStress<kRings> {
   Complex u;
   double trace;     // sxx + syy, in the plane
   Complex deviator; // sxx - syy - 2i sxy
@@ -36,8 +42,10 @@ void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElemen
 // Adds the element's share at (x, y), with `reference` subtracted from its displacements: over a closed boundary a translation
 // has no stress and displaces the inside by itself. With the displacement of the nearest boundary point as reference nothing
 // large cancels near the boundary. Error below 1e-10 of the largest term, at distances from 1e-9 of the element length on; the
-// rounding of the coordinates is additional.
+// rounding of the coordinates is additional. Of bodies of revolution `reference` stands for a motion
+// (bie/rings/ring_field.hpp).
 void add_field(const FieldElement& element, Complex reference, double x, double y, PointField& sum);
+void add_scaled(PointField& sum, double factor, const PointField& part);
 
 // The field of a force (in 2G times the length unit) at (fx, fy); zero at its own point.
 void add_force_field(Complex force, double nu, double fx, double fy, double x, double y, PointField& sum);

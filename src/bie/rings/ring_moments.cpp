@@ -58,10 +58,12 @@ constexpr double kRise[kHalf + 1] = {
     0.0, 0.03407417371093170, 0.13397459621556135, 0.29289321881345248, 0.5, 0.74118095489747926, 1.0, 1.25881904510252074,
     1.5, 1.70710678118654752, 1.86602540378443865, 1.96592582628906830, 2.0};
 
+double weight_of_point(int i) { return i == 0 || i == kHalf ? kPi / kHalf : 2.0 * kPi / kHalf; }
+
 RingMoments by_points(const Distances& d) {
   RingMoments out = {};
   for (int i = 0; i <= kHalf; ++i) {
-    const double u = kRise[i], q = 1.0 / (d.b + d.c * u), weight = i == 0 || i == kHalf ? kPi / kHalf : 2.0 * kPi / kHalf;
+    const double u = kRise[i], q = 1.0 / (d.b + d.c * u), weight = weight_of_point(i);
     const double n1 = weight * sqrt(q), n3 = n1 * q, n5 = n3 * q;
     out.n1[0] += n1, out.n1[1] += n1 * u;
     out.n3[0] += n3, out.n3[1] += n3 * u, out.n3[2] += n3 * u * u;
@@ -70,13 +72,30 @@ RingMoments by_points(const Distances& d) {
   return out;
 }
 
+bool is_by_points(const Distances& d) { return 2.0 * d.c < kFewPoints * d.s2; }
+
 } // namespace
 
 RingMoments ring_moments(const RingPlace& at) {
   const Distances d = distances(at);
-  if (2.0 * d.c < kFewPoints * d.s2) return by_points(d);
+  if (is_by_points(d)) return by_points(d);
   const Elliptic whole = elliptic(d.b / d.s2);
   return combine(d, whole.k, whole.k * (1.0 - whole.gap));
+}
+
+void ring_moments_7(const RingPlace& at, const RingMoments& k, double n7[5]) {
+  const Distances d = distances(at);
+  if (is_by_points(d)) {
+    for (int j = 0; j < 5; ++j) n7[j] = 0.0;
+    for (int i = 0; i <= kHalf; ++i) {
+      const double u = kRise[i], q = 1.0 / (d.b + d.c * u);
+      double term = weight_of_point(i) * q * q * q * sqrt(q);
+      for (int j = 0; j < 5; ++j, term *= u) n7[j] += term;
+    }
+    return;
+  }
+  n7[0] = (8.0 * (d.b + d.c) * k.n5[0] - 3.0 * k.n3[0]) / (5.0 * d.b * d.s2);
+  for (int i = 0; i < 4; ++i) n7[i + 1] = (k.n5[i] - d.b * n7[i]) / d.c;
 }
 
 RingMoments ring_logarithms(const RingPlace& at) {

@@ -19,6 +19,9 @@ struct RingMoments {
 // R >= 0, r >= 0, not both points the same.
 RingMoments ring_moments(const RingPlace& at);
 
+// K(7,k) besides, from the others.
+void ring_moments_7(const RingPlace& at, const RingMoments& k, double n7[5]);
+
 // Factor L of the logarithm near the source: K(n,k) = L(n,k) ln(1/(a^2 + Z^2)) + an analytic function of a and Z. For r > 0,
 // R > 0.
 RingMoments ring_logarithms(const RingPlace& at);

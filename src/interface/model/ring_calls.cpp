@@ -1,5 +1,6 @@
 // c2d_link_axisymmetric.
 #include "bie/rings/ring_elements.hpp"
+#include "bie/rings/ring_field.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {
@@ -9,6 +10,7 @@ C2D_BRINGS(c2d_set_symmetry);
 } // namespace c2d
 
 // (Without names of functions where a build has no rings: nothing else is linked then.)
-const c2d::RingPart c2d::kRingPart = kRings ? RingPart{true, integrate_rings, ring_sum, add_ring_trace} : RingPart{};
+const c2d::RingPart c2d::kRingPart =
+    kRings ? RingPart{true, integrate_rings, ring_sum, add_ring_trace, add_ring_field} : RingPart{};
 
 extern "C" void c2d_link_axisymmetric(void) {}

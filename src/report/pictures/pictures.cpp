@@ -126,7 +126,7 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out) {
   if (scene.solved) {
     draw_deformed(scene, out);
     status = draw_boundary_stress(scene, out);
-    if (status == C2D_OK && scene.summary.plane != C2D_AXISYMMETRIC) status = draw_stress(scene, out);
+    if (status == C2D_OK) status = draw_stress(scene, out);
   }
   draw_path(scene, out);
   draw_energy(scene, out);

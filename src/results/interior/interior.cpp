@@ -105,6 +105,12 @@ PointField known_field(const Session& session, int b, double x, double y) {
   return sum;
 }
 
+// Stress round the axis from the others, trace and deviator, and the radial displacement, in units of 2G: Hooke's law.
+double round_stress(const Session& session, int b, double r, double ur, const double stress[3]) {
+  const double nu = strain_poisson_ratio(session.model, b);
+  return r > 0.0 ? nu * stress[0] + (1.0 + nu) * ur / r : 0.5 * (stress[0] + stress[1]);
+}
+
 // Adds to the integrals of a point: point loads and their images, body forces, the subtracted reference displacement, and the
 // rigid-body terms rho + omega e_z x (x - x0), which absorb the collocation error and cause no stress.
 [[gnu::noinline]] void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
@@ -112,7 +118,7 @@ PointField known_field(const Session& session, int b, double x, double y) {
   const double unit = session.model.head->length_unit;
   const double* rigid = results_of(session.solver, b).multiplier;
   const double* centre = session.model.body[b].centre;
-  const int32_t lines = points.lines(b);
+  const int32_t lines = points.images(b);
   for (int image = 0; image <= lines; ++image) {
     if (!is_image(lines, image)) continue;
     const PointField known = known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y));
@@ -121,7 +127,17 @@ PointField known_field(const Session& session, int b, double x, double y) {
   }
   if (has_body_force(session.model, b)) {
     const double at[2] = {x * unit, y * unit};
-    kBodyForcePart.add_particular_at(session, b, at, p.u, p.stress);
+    double u[2] = {0.0, 0.0}, stress[3] = {0.0, 0.0, 0.0};
+    kBodyForcePart.add_particular_at(session, b, at, u, stress);
+    for (int c = 0; c < 2; ++c) p.u[c] += u[c];
+    for (int c = 0; c < 3; ++c) p.stress[c] += stress[c];
+    if (is_axisymmetric(session.model)) p.round += round_stress(session, b, x, u[0], stress);
+  }
+  if (is_axisymmetric(session.model) && x > 0.0) { // the stress of the motion that was subtracted, in units of 2G
+    const double stretch = p.reference[0] / x;
+    p.stress[0] -= stretch;
+    p.stress[1] += 3.0 * stretch;
+    p.round += stretch;
   }
   p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
   p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
@@ -129,8 +145,8 @@ PointField known_field(const Session& session, int b, double x, double y) {
 
 // ---- results ------------------------------------------------------------------------------------------------------
 
-void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
-  const double szz = stress_across(session, b, s), shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
+void write_point(const double u[2], const PlaneStress& s, double szz, int32_t flag, double* out) {
+  const double shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
   out[C2D_POINT_UX] = u[0];
   out[C2D_POINT_UY] = u[1];
   out[C2D_POINT_SXX] = s.xx;
@@ -152,6 +168,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   int32_t flag = static_cast<int32_t>(points.place(i) - place_of(b, 0));
   double u[2];
   PlaneStress stress = {0.0, 0.0, 0.0};
+  double across = 0.0; // strain
   if (flag == C2D_POINT_BOUNDARY) {
     const PointSearch& p = points.search(i);
     const int32_t element = static_cast<int32_t>(p.element);
@@ -159,6 +176,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
     for (int c = 0; c < 2; ++c) u[c] = s.u[c];
     stress = joint_stress(session, b, element, p.eta);
     stress.xy *= fx * fy;
+    across = s.across;
   } else if (is_rigid(m, b)) {
     kRigidPart.rigid_displacement_now(session, b, points.x(i) * points.unit, points.y(i) * points.unit, u);
     flag = C2D_POINT_INSIDE;
@@ -172,7 +190,11 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   }
   u[0] *= fx;
   u[1] *= fy;
-  write_point(session, b, u, stress, flag, points.out + i * points.out_stride);
+  double szz = stress_across(session, b, stress);
+  if (is_axisymmetric(m))
+    szz = flag != C2D_POINT_BOUNDARY ? 2.0 * shear_modulus(m, b) * points.sums(i).round
+                                     : szz + body_of(m, b).youngs_modulus * across;
+  write_point(u, stress, szz, flag, points.out + i * points.out_stride);
 }
 
 enum class Pass { afar, placing, integrals, displacements };
@@ -316,6 +338,7 @@ constexpr double kInside = 1e-7;
   out.x = (p.x - depth * p.nx) / unit;
   out.y = (p.y - depth * p.ny) / unit;
   for (int c = 0; c < 2; ++c) out.reference[c] = (u[c] - known[c]) / unit;
+  reference_motion(m, b, at.element, at.eta, out.x, out.y, out.reference);
   out.place = place_of(b, C2D_POINT_INSIDE);
 }
 

@@ -28,7 +28,7 @@ namespace {
 template <bool smooths> void add_element_at(Acting& acting, const Points& points, int32_t i) {
   PointSums& p = points.sums(i);
   if (!is_inside(p.place, acting.b)) return;
-  const int32_t lines = points.lines(acting.b);
+  const int32_t lines = points.images(acting.b);
   for (int image = 0; image <= lines; ++image) {
     if (!is_image(lines, image)) continue;
     const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};

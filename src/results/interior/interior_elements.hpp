@@ -11,6 +11,7 @@ inline void add_stress(int image, const PointField& sum, PointSums& p) {
   p.stress[0] += sum.trace;
   p.stress[1] += sum.deviator.re;
   p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
+  if (kRings) p.round += sum.round;
 }
 inline void add_displacement(int image, const PointField& sum, PointSums& p) {
   p.u[0] += image_sign(image, 0) * sum.u.re;

@@ -43,15 +43,19 @@ struct Joint {
   bool corner;
   PlaneStress stress;
   double rotation;
+  double across() const { return 0.5 * (side[0].across + side[1].across); } // strain round the axis
   Complex apart[2]; // real steps: tractions of the sides minus those of the uniform state
 };
 
 Complex traction_of(const PlaneStress& s, const double n[2]) { return {s.xx * n[0] + s.xy * n[1], s.xy * n[0] + s.yy * n[1]}; }
 
-// du/ds along the boundary in a uniform stress state without rotation, by Hooke's law: (sigma s - nu tr(sigma) s)/(2G).
-Complex stretch(const Session& session, int b, const PlaneStress& s, const double n[2]) {
+// du/ds along the boundary in a uniform stress state without rotation, by Hooke's law: (sigma s - nu tr(sigma) s)/(2G), less nu
+// times the strain across the plane.
+Complex stretch(const Session& session, int b, const PlaneStress& s, double across, const double n[2]) {
   const double along[2] = {-n[1], n[0]}, g = shear_modulus(session.model, b);
-  const double mean = strain_poisson_ratio(session.model, b) * (s.xx + s.yy);
+  const double nu = strain_poisson_ratio(session.model, b), mean = nu * (s.xx + s.yy);
+  if (is_axisymmetric(session.model))
+    return (0.5 / g) * (traction_of(s, along) - (mean + 2.0 * g * nu * across) * complex_of(along));
   return (0.5 / g) * (traction_of(s, along) - mean * complex_of(along));
 }
 
@@ -75,7 +79,7 @@ bool tractions_step(const Joint& j) {
   j.rotation = 0.0;
   // A rotation omega adds omega times the tangent turned by 90 degrees, which is minus the normal. Mean of both sides.
   for (const BoundaryState& s : j.side)
-    j.rotation -= 0.5 * dot(complex_of(s.du_ds) - stretch(session, b, j.stress, s.n), complex_of(s.n));
+    j.rotation -= 0.5 * dot(complex_of(s.du_ds) - stretch(session, b, j.stress, j.across(), s.n), complex_of(s.n));
   for (int k = 0; k < 2; ++k) j.apart[k] = complex_of(j.side[k].t) - traction_of(j.stress, j.side[k].n);
   const Complex half = 0.5 * (j.apart[0] - j.apart[1]);
   if (!tractions_step(j))
@@ -109,7 +113,8 @@ Complex particular_at(const Session& session, int b, const double at[2], const d
   for (int k = 0; k < 2; ++k) { // at a straight boundary a step of pressure causes a stretch, a step of shear a rotation
     const double* n = j.side[k].n;
     const double share = j.corner ? 0.0 : (1.0 - 2.0 * nu) / g2;
-    slope[k] = stretch(session, b, j.stress, n) - j.rotation * complex_of(n) + share * Complex{-j.apart[k].im, j.apart[k].re};
+    slope[k] = stretch(session, b, j.stress, j.across(), n) - j.rotation * complex_of(n) +
+               share * Complex{-j.apart[k].im, j.apart[k].re};
   }
   const BoundaryState& here = j.side[1 - end];
   const Complex traction = traction_of(j.stress, here.n) + j.apart[1 - end] - complex_of(here.t);
@@ -190,6 +195,7 @@ void smooth_at_nodes(const Session& session, int b, int32_t element, const Field
     const double part = square / range2, weight = (1.0 - part) * (1.0 - part);
     sum.trace += weight * added.trace;
     add(sum.deviator, weight * added.deviator);
+    add_round(sum, weight * added.round);
   }
 }
 

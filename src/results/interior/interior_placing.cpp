@@ -120,6 +120,7 @@ void place_inside(const Session& session, int b, const PointSearch& p, PointSums
   out.x = p.x;
   out.y = p.y;
   for (int c = 0; c < 2; ++c) out.reference[c] = (s.u[c] - known[c]) / m.head->length_unit;
+  reference_motion(m, b, element, p.eta, p.x, p.y, out.reference);
   out.place = place_of(b, is_near_node(m, b, p) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE);
 }
 
@@ -160,8 +161,16 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
 
 void place_by_element(const Session& session, int b, int32_t element, const Points& points) {
   Integrator in;
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::section, in);
   look_at_element(in, b, element, points);
+}
+
+void reference_motion(const Model& m, int b, int32_t element, double eta, double x, double y, double u[2]) {
+  if (!is_axisymmetric(m)) return;
+  const Point q = element_point(element_of(m, b, element), eta);
+  const double stretch = q.x > 0.0 ? u[0] / (q.x / m.head->length_unit) : 0.0;
+  u[0] = stretch * x;
+  u[1] -= 2.0 * stretch * (y - q.y / m.head->length_unit);
 }
 
 double chord_winding(const Chain& chain, bool by_angle, Complex at) {

@@ -25,8 +25,8 @@ struct PointSearch {
 struct PointSums {
   double x, y;
   double u[2], stress[3]; // stress: trace, deviator
-  double reference[2];    // displacement of the nearest boundary point
-  double unused;
+  double reference[2];    // displacement of the nearest boundary point, or reference_motion()
+  double round;           // stress round the axis of bodies of revolution
   double place;
 };
 static_assert(sizeof(PointSearch) == C2D_POINT_FIELDS * sizeof(double) && sizeof(PointSums) == sizeof(PointSearch) &&
@@ -63,6 +63,7 @@ struct Points {
   double x(int32_t i) const { return folded(i, 0) / unit; }
   double y(int32_t i) const { return folded(i, 1) / unit; }
   int32_t lines(int b) const { return model->body[b].lines; }
+  int32_t images(int b) const { return image_lines(*model, b); } // the lines with images of the elements
   // A coordinate in the length unit, reflected as for the elements of an image.
   double seen(int image, int c, double scaled) const {
     return (image >> c & 1) != 0 ? 2.0 * (model->head->line_at[c] / unit) - scaled : scaled;
@@ -83,6 +84,9 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
 void end_placing(const Session& session, int b, const Points& points);
 // look_at_element for an element given by its number.
 void place_by_element(const Session& session, int b, int32_t element, const Points& points);
+// The motion that is subtracted: u, the displacement of a boundary point in the length unit, becomes that at the point (x, y).
+// In the plane a translation; of bodies of revolution that of METHOD (21.5) with the radial strain of the boundary point.
+void reference_motion(const Model& m, int b, int32_t element, double eta, double x, double y, double u[2]);
 // Contribution of a chain of elements to the winding number of a point that is not between the chain and its chord: the angle
 // of the chord, or its crossings (over a closed boundary both have the same sum).
 double chord_winding(const Chain& chain, bool by_angle, Complex at);

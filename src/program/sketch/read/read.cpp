@@ -77,9 +77,9 @@ std::vector<std::string> Reader::words() {
 }
 
 namespace {
-// What bodies of revolution cannot have (METHOD 21.7).
+// What bodies of revolution cannot have (METHOD 21.8).
 bool is_for_plane_bodies(const std::string& keyword) {
-  const char* const words[] = {"force", "platen", "stress"};
+  const char* const words[] = {"force", "platen"};
   return std::find(std::begin(words), std::end(words), keyword) != std::end(words);
 }
 } // namespace
