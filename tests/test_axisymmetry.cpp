@@ -335,6 +335,38 @@ TEST_CASE("axisymmetric contact: a hub pressed on a shaft" * doctest::skip(kNoRi
   }
 }
 
+TEST_CASE("axisymmetric bodies: platens move along the axis and hold the radius" * doctest::skip(kNoRings)) {
+  for (int32_t functions : {2, 3, 4})
+    for (double bore : {0.0, 0.7}) {
+      CAPTURE(functions);
+      CAPTURE(bore);
+      // The lower end is glued; the upper one is moved by 0.01: prescribed, by a platen, by a platen with the force found.
+      Model m = revolved(functions);
+      m.add(bore == 0 ? cylinder(2, 0, 3, {4, 5, 4}) : rectangle(bore, 0, 2, 3, {4, 5, 4, 5}));
+      m.set(1, 1, end_of(kHeld));
+      Model prescribed = m;
+      prescribed.set(1, 3, end_of(kHeld, 0, 0, 0, 0.01));
+      const Result exact = solved(prescribed);
+      Platen& moved = m.move(1, 3);
+      moved.is_free[0] = moved.is_free[1] = moved.is_free[2] = 0, moved.motion[1] = 0.01;
+      const Result r = solved(m);
+      REQUIRE(r.boundary[0].size() == exact.boundary[0].size());
+      double worst = 0;
+      for (size_t i = 0; i < r.boundary[0].size(); ++i) {
+        const EndResult &a = r.boundary[0][i], &b = exact.boundary[0][i];
+        worst = std::max(worst, std::hypot(a.ux - b.ux, a.uy - b.uy));
+      }
+      CHECK(worst < 1e-10);
+      CHECK(relative(r.last().elastic, exact.last().elastic) < 1e-8);
+      const double force = r.bodies[1].applied[1];
+      CHECK(relative(force, 2 * exact.last().elastic / 0.01) < 1e-8); // of the whole circumference
+      m.platens[0].is_free[1] = 1, m.platens[0].load[1] = force, m.platens[0].motion[1] = 0;
+      const Result pulled = solved(m);
+      CHECK(relative(pulled.states[1].motion[1], 0.01) < 1e-9);
+      CHECK(relative(pulled.last().work, exact.last().elastic) < 1e-8);
+    }
+}
+
 namespace {
 
 std::string refusal(const Model& m) {
@@ -379,5 +411,5 @@ TEST_CASE("axisymmetric bodies: what is refused, and in which words" * doctest::
   refuses(m, "a line of symmetry x = value in a model of bodies of revolution");
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
   m.move(1, 3);
-  refuses(m, "a platen in a model of bodies of revolution");
+  refuses(m, "may move freely across the axis, expected motions along it");
 }

@@ -226,7 +226,7 @@ void find_lines_met(const Model& m, Reporter& reporter) {
   for (int b = 0; b < m.head->bodies; ++b) {
     int32_t lines = axis_of_all;
     for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) lines |= lines_at_point(m, b, i);
-    if (is_platen(m, b)) lines = lines_of_platen(m, b); // (not with an axis, validate_axis)
+    if (is_platen(m, b)) lines = axis_of_all | lines_of_platen(m, b);
     m.body[b].lines = static_cast<int8_t>(lines);
     met |= lines;
   }

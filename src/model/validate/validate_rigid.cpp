@@ -83,13 +83,14 @@ void check_rigid(const Model& m, int b, Reporter& reporter) {
   const int32_t lines = body_of(m, b).lines, prevented = lines | (lines != 0 ? 4 : 0);
   if ((body_of(m, b).free_rigidly & prevented) != 0)
     report(reporter, at_rigid(m, b), "the rigid body ", body_named(m, b),
-           " may move freely across a line of symmetry, expected motions along it");
+           is_axisymmetric(m) ? " may move freely across the axis" : " may move freely across a line of symmetry",
+           ", expected motions along it");
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
     const RigidMotion& motion = m.rigid_motion[b][k];
     const bool across = ((lines & 1) != 0 && motion.ux != 0) || ((lines & 2) != 0 && motion.uy != 0);
     if (!across && (lines == 0 || motion.rotation == 0)) continue;
     report(reporter, at_rigid(m, b), "the motion of the rigid body ", body_named(m, b), " in load case ", k + 1,
-           " leaves the line of symmetry, expected one along it");
+           is_axisymmetric(m) ? " leaves the axis" : " leaves the line of symmetry", ", expected one along it");
   }
 }
 

@@ -35,8 +35,6 @@ void validate_axis(const Model& m, Reporter& reporter) {
     report(reporter, Where{p.line, p.body + 1, 0, 0, 0, 0}, "point load ", i + 1,
            " on a body of revolution, expected tractions on elements");
   }
-  for (int b = 0; b < m.head->bodies; ++b)
-    if (is_platen(m, b)) report(reporter, in_body(b), "a platen in a model of bodies of revolution, expected none");
   m.head->symmetry |= 1;
   m.head->line_at[0] = 0.0;
 }

@@ -79,7 +79,7 @@ std::vector<std::string> Reader::words() {
 namespace {
 // What bodies of revolution cannot have (METHOD 21.8).
 bool is_for_plane_bodies(const std::string& keyword) {
-  const char* const words[] = {"force", "platen"};
+  const char* const words[] = {"force"};
   return std::find(std::begin(words), std::end(words), keyword) != std::end(words);
 }
 } // namespace

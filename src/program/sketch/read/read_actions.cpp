@@ -212,7 +212,7 @@ void Reader::spin(Statement& s) {
   if (s_.axisymmetric && f.centre.x != 0) s.fail("a body of revolution turns about x = 0, expected an axis there");
 }
 
-// For each of x, y and turn, the motion is given, or it is free with a load (default: 0).
+// For each of x, y and turn, the motion is given, or it is free with a load (default: 0). Round an axis only y is possible.
 void Reader::drive_of(Statement& s, Drive d) {
   const char* const words[3] = {"x", "y", "turn"};
   d.at = s.at(), d.load_case = case_;
@@ -241,6 +241,11 @@ void Reader::drive_of(Statement& s, Drive d) {
     if (kind == 3 || kind == 4) set(d.load[0], "the force along x");
     if (kind == 3 || kind == 5) set(d.load[1], "the force along y");
     if (kind == 6) set(d.load[2], "the moment");
+  }
+  for (size_t i = 0; i < 3 && s_.axisymmetric; i += 2) {
+    if (d.load[i] || d.motion[i].value_or(0) != 0)
+      s.fail("a rigid part of a body of revolution moves along y only, expected y or fy");
+    d.motion[i] = 0;
   }
   for (size_t i = 0; i < 3; ++i) {
     if (d.motion[i] && d.load[i]) s.fail("both a motion and its load are given, expected one of them");
