@@ -401,8 +401,8 @@ TEST_CASE("axisymmetric bodies: what is refused, and in which words" * doctest::
   m.set(1, 1, end_of(kHeld, 0, 0, 0.1));
   refuses(m, "lies on the axis x = 0 and has a prescribed ux that is not 0");
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
-  m.point_loads.push_back({1, 0.3, 0.5, 0, 1});
-  refuses(m, "point load 1 on a body of revolution");
+  m.point_loads.push_back({1, 0, 0.5, 1, 0});
+  refuses(m, "point load 1 at (0, 0.5) on a symmetry line acts across it, expected a force along the line");
   m = one(cylinder(1, 0, 1, {2, 2, 2}));
   m.body(1).force[0] = -1;
   refuses(m, "the body force of body 1 in load case 1 acts across the axis x = 0, expected one along it");

@@ -94,8 +94,7 @@ TEST_CASE("sketch: bodies of revolution and their axis") {
   tells("symmetry x 0\naxisymmetric\n", "a line of symmetry x is given, bodies of revolution have the axis x = 0");
   tells("axisymmetric\nsymmetry x 1\n", "the line of symmetry x is given twice");
   const std::string revolved = "axisymmetric\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\n";
-  tells(revolved + "force b at 1 0.5 y 1\n",
-        "' is not possible with 'axisymmetric', expected a statement such as traction, pressure or move");
+  CHECK(read(revolved + "fix b.s y\nforce b at 0.5 0.5 fy -1\n").faults.empty());
   for (const char* motion : {"x 1", "turn 0.1", "moment 1", "fx 2"})
     tells(revolved + "platen b.n " + motion + "\n",
           "a rigid part of a body of revolution moves along y only, expected y or fy");

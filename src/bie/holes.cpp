@@ -275,12 +275,16 @@ void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, boo
 // A point load acts on the filling like a traction: it goes to the side of G t, hence the sign.
 double hole_load(const Model& m, int b, const Hole& hole, const PointLoad& load) {
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
-  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
+  const double scale = balance_scale(m) / (2.0 * shear_modulus(m, b) * unit);
   PointField field = {};
   at_points(m, b, hole, [&](double x, double y) {
-    add_force_field(Complex{load.fx * scale, load.fy * scale}, nu, load.x / unit, load.y / unit, x, y, field);
+    const double force[2] = {load.fx * scale, load.fy * scale}, from[2] = {load.x / unit, load.y / unit}, at[2] = {fabs(x), y};
+    if (is_axisymmetric(m))
+      kRingPart.add_ring_force(force, nu, from, at, field);
+    else
+      add_force_field(Complex{force[0], force[1]}, nu, from[0], from[1], x, y, field);
   });
-  return -hole.length * field.trace / hole.points;
+  return -hole.length * (field.trace + field.round) / hole.points;
 }
 
 void hole_normal(const Model& m, int b, int32_t node, double n[2]) {

@@ -151,7 +151,7 @@ void mix_row(Real* row, int32_t count, const double mix[kMostMotions][kMostMotio
 }
 
 namespace {
-// With quadratic functions a node on the axis of revolution has no share in forces: int N r ds = 0 (METHOD 21.8).
+// With quadratic functions a node on the axis of revolution has no share in forces: int N r ds = 0 (METHOD 21.9).
 bool has_no_share(const Model& m, const Pair& pair) {
   if (!is_axisymmetric(m) || m.head->function_nodes != 3 || pair.tangential != 0) return false;
   double x, y;

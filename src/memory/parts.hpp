@@ -99,6 +99,8 @@ struct RingPart { // bie/rings: bodies of revolution
   Function<void, const Integrator&, double, double, int, double (*)[2]> ring_sum = Nothing();
   Function<void, const Integrator&, double, double, double (*)[2], double (*)[2]> add_ring_trace = Nothing();
   Function<void, const FieldElement&, const Complex&, double, double, PointField&> add_ring_field = Nothing();
+  Function<void, double, const double*, const double*, double (*)[2]> ring_force = Nothing();
+  Function<void, const double*, double, const double*, const double*, PointField&> add_ring_force = Nothing();
 };
 
 struct Follower;

@@ -14,6 +14,7 @@ namespace c2d {
 
 C2D_USES(FreeZonePart);
 C2D_USES(BodyForcePart);
+C2D_USES(RingPart);
 
 namespace {
 
@@ -53,11 +54,16 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
     if (other.body != a.b) continue;
     const double rx = other.x / unit - at[0], ry = other.y / unit - at[1], r2 = rx * rx + ry * ry;
     const bool own = r2 <= 1e-18 * size * size;
-    const double scale = 1.0 / (2.0 * shear_modulus(m, a.b) * unit * 4.0 * kPi * (1.0 - nu));
-    double u[2][2];
-    store(own ? displacement_kernel(0.0, 0.0, 0.0, size * size, 3.0 - 4.0 * nu)
-              : displacement_kernel(rx, ry, r2, 3.0 - 4.0 * nu),
-          scale, u);
+    double scale = 1.0 / (2.0 * shear_modulus(m, a.b) * unit * 4.0 * kPi * (1.0 - nu)), u[2][2];
+    if (is_axisymmetric(m)) {
+      scale = balance_scale(m) / (2.0 * shear_modulus(m, a.b) * unit);
+      const double from[2] = {other.x / unit, other.y / unit}, seen[2] = {at[0], own ? from[1] + size : at[1]};
+      kRingPart.ring_force(nu, from, seen, u);
+      for (int k = 0; k < 4; ++k) u[k / 2][k % 2] *= scale;
+    } else
+      store(own ? displacement_kernel(0.0, 0.0, 0.0, size * size, 3.0 - 4.0 * nu)
+                : displacement_kernel(rx, ry, r2, 3.0 - 4.0 * nu),
+            scale, u);
     for (int c = 0; c < 2; ++c) a.lambda[other.load_case] += factor[c] * (u[c][0] * other.fx + u[c][1] * other.fy);
   }
 }
@@ -89,8 +95,9 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   const double unit = m.head->length_unit;
   const double at[2] = {load.x / unit, load.y / unit};
   const double factor[2] = {load.fx / (m.head->stress_unit * unit), load.fy / (m.head->stress_unit * unit)};
-  for (int image = 0; image <= body.lines; ++image)
-    if (is_image(body.lines, image)) add_image_at(a, image, at, factor);
+  const int32_t lines = image_lines(m, a.b);
+  for (int image = 0; image <= lines; ++image)
+    if (is_image(lines, image)) add_image_at(a, image, at, factor);
   const double dx = at[0] - body.centre[0] / unit, dy = at[1] - body.centre[1] / unit;
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);

@@ -46,6 +46,25 @@ struct RingPoint {
 
 } // namespace
 
+void ring_force(double nu, const double from[2], const double at[2], double u[2][2]) {
+  const RingPlace place = {at[0], from[0] - at[0], from[1] - at[1]};
+  ring_displacement(place, ring_moments(place), {3.0 - 4.0 * nu, 1.0 - 2.0 * nu}, u);
+  for (int i = 0; i < 4; ++i) u[i / 2][i % 2] /= 4.0 * kPi * (1.0 - nu);
+}
+
+void add_ring_force(const double force[2], double nu, const double from[2], const double at[2], PointField& sum) {
+  const RingPlace place = {at[0], from[0] - at[0], from[1] - at[1]};
+  if (!(place.a * place.a + place.z * place.z > 1e-30)) return;
+  const double k = 1.0 / (4.0 * kPi * (1.0 - nu)), none[2] = {0.0, 0.0};
+  double u[2][2];
+  ring_force(nu, from, at, u);
+  const RingStress stress = ring_stress(place, ring_moments(place), nu, none, force, none);
+  c2d::add(sum.u, {u[0][0] * force[0] + u[0][1] * force[1], u[1][0] * force[0] + u[1][1] * force[1]});
+  sum.trace += k * (stress.rr + stress.zz);
+  c2d::add(sum.deviator, {k * (stress.rr - stress.zz), -2.0 * k * stress.rz});
+  add_round(sum, k * stress.round);
+}
+
 void add_ring_field(const FieldElement& e, const Complex& reference, double x, double y, PointField& sum) {
   Sums none;
   PointField part = {};

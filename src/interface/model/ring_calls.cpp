@@ -11,6 +11,6 @@ C2D_BRINGS(c2d_set_symmetry);
 
 // (Without names of functions where a build has no rings: nothing else is linked then.)
 const c2d::RingPart c2d::kRingPart =
-    kRings ? RingPart{true, integrate_rings, ring_sum, add_ring_trace, add_ring_field} : RingPart{};
+    kRings ? RingPart{true, integrate_rings, ring_sum, add_ring_trace, add_ring_field, ring_force, add_ring_force} : RingPart{};
 
 extern "C" void c2d_link_axisymmetric(void) {}

@@ -30,11 +30,6 @@ void validate_axis(const Model& m, Reporter& reporter) {
     report(reporter, Where(),
            "symmetry by images of elements in a model of bodies of revolution, expected no elements on the "
            "axis and C2D_SYMMETRY_DECK");
-  for (int32_t i = 0; i < m.head->point_loads; ++i) {
-    const PointLoad& p = m.point_load[i];
-    report(reporter, Where{p.line, p.body + 1, 0, 0, 0, 0}, "point load ", i + 1,
-           " on a body of revolution, expected tractions on elements");
-  }
   m.head->symmetry |= 1;
   m.head->line_at[0] = 0.0;
 }

@@ -45,6 +45,7 @@ namespace c2d {
 C2D_USES(FreeZonePart);
 C2D_USES(BodyForcePart);
 C2D_USES(RigidPart);
+C2D_USES(RingPart);
 C2D_USES(CompressedPart);
 
 namespace {
@@ -91,7 +92,7 @@ namespace {
   return C2D_OK;
 }
 
-// Field of the point loads of the body at a point: Kelvin's solution, in closed form.
+// Field of the point loads of the body at a point: Kelvin's solution, in closed form, or round the axis.
 PointField known_field(const Session& session, int b, double x, double y) {
   const Model& m = session.model;
   const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
@@ -99,8 +100,12 @@ PointField known_field(const Session& session, int b, double x, double y) {
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& load = m.point_load[i];
     if (load.body != b) continue;
-    const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
-    add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, x, y, sum);
+    const double scale = balance_scale(m) * session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
+    const double force[2] = {scale * load.fx, scale * load.fy}, from[2] = {load.x / unit, load.y / unit}, at[2] = {x, y};
+    if (is_axisymmetric(m))
+      kRingPart.add_ring_force(force, nu, from, at, sum);
+    else
+      add_force_field({force[0], force[1]}, nu, from[0], from[1], x, y, sum);
   }
   return sum;
 }

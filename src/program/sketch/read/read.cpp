@@ -76,21 +76,9 @@ std::vector<std::string> Reader::words() {
   return out;
 }
 
-namespace {
-// What bodies of revolution cannot have (METHOD 21.8).
-bool is_for_plane_bodies(const std::string& keyword) {
-  const char* const words[] = {"force"};
-  return std::find(std::begin(words), std::end(words), keyword) != std::end(words);
-}
-} // namespace
-
 void Reader::statement(Statement& s) {
   for (const Keyword& keyword : kKeywords)
     if (s.keyword().text == keyword.name && !s.keyword().quoted) {
-      if (s_.axisymmetric && is_for_plane_bodies(keyword.name))
-        throw Fault{s.at(), in_quotes(keyword.name) +
-                                " is not possible with 'axisymmetric', expected a statement such as traction, "
-                                "pressure or move"};
       (this->*keyword.read)(s);
       return s.end();
     }
