@@ -286,6 +286,22 @@ TEST_CASE("family sketches: stress intensity of cracks, by the handbook") {
   CHECK(std::fabs(edge.solution.cracks[0].K1 / std::sqrt(kPi) / exact.edge - 1) < 0.01);
 }
 
+// Solved meshes, two a round. A support begins on the smooth flank, where shares fall only with the length; the dissipated
+// energy depends on the bodies far more than on tractions.
+TEST_CASE("family sketches: few rounds where corners and bodies, not contacts, decide") {
+  const auto meshes = [](double tolerance) {
+    const sketch::Reading drawn = sketch_test::read_example("families/mindlin", {{"tolerance", tolerance}});
+    for (const sketch::Fault& fault : drawn.faults) FAIL(fault.text);
+    estimate::Demand demand;
+    estimate::ask(drawn.sketch, demand);
+    const estimate::Adapted found = estimate::adapt(drawn.sketch, demand, [](const app::MeshRound&) {});
+    CHECK(found.loop.stopped.empty());
+    return found.loop.rounds.size();
+  };
+  CHECK(meshes(0.01) <= 6);   // ten with equal parts
+  CHECK(meshes(0.001) <= 10); // sixteen when the contact is refined for that energy
+}
+
 TEST_CASE("family sketches: every one is short, told on the page, and the program takes it") {
   const std::string page = test::read_file(paths::root() + "/examples/README.md");
   int sketches = 0;
