@@ -235,7 +235,7 @@ c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, 
    displacements of contact nodes and those fixed by symmetry are then refused as well. */
 c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
                           const double values[4]);
-/* Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, the share of the modelled part. */
+/* Force (fx, fy) at (x, y) inside the body; axisymmetric: of the circle. On a line of symmetry: along it, the part's share. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
 /* Body force per area, of bodies of revolution per volume: `force` (weight) plus rho_omega2 (x - axis[0], y - axis[1]), density
    times angular velocity squared; axis may be null where rho_omega2 is 0. One per body and load case, a second call replaces

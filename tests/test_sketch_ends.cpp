@@ -366,14 +366,14 @@ TEST_CASE("sketch: meshes of two sides whose ends hardly meet, and places of bod
     for (const auto& outlines : m.bodies) {
       size_t count = 0;
       for (const MeshedOutline& o : outlines) count += o.elements();
-      out.emplace_back(count, 0);
+      out.emplace_back(count);
     }
     return out;
   };
   Levels levels = levels_of(mesh);
   size_t first = 0;
   for (const MeshedCurve& c : mesh.bodies[0][0].curves) {
-    if (c.curve->name == "n") levels[0][first] = levels[0][first + 1] = 1;
+    if (c.curve->name == "n") levels[0][first].level = levels[0][first + 1].level = 1;
     first += c.elements();
   }
   const Mesh finer = refined(s, mesh, levels);

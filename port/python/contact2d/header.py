@@ -782,7 +782,7 @@ Prescribed values of an end in a load case: values[4] as above; the codes stay. 
         ("fy", c_double, False, None),
     ], """c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
 
-Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, the share of the modelled part."""),
+Force (fx, fy) at (x, y) inside the body; axisymmetric: of the circle. On a line of symmetry: along it, the part's share."""),
     "c2d_set_body_force": (c_int32, [
         ("solver", c_void_p, False, None),
         ("body", c_int32, False, None),
