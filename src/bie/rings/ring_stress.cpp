@@ -9,33 +9,33 @@ namespace c2d {
 namespace {
 
 // c[0] + c[1] u + ... + c[n - 1] u^(n - 1)
-template <int n> struct Series { double c[n]; };
+template <int n> struct CosineSeries { double c[n]; };
 
-template <int n, int m> Series<n + m - 1> operator*(const Series<n>& a, const Series<m>& b) {
-  Series<n + m - 1> out = {};
+template <int n, int m> CosineSeries<n + m - 1> operator*(const CosineSeries<n>& a, const CosineSeries<m>& b) {
+  CosineSeries<n + m - 1> out = {};
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) out.c[i + j] += a.c[i] * b.c[j];
   return out;
 }
-template <int n> Series<n> operator+(Series<n> a, const Series<n>& b) {
+template <int n> CosineSeries<n> operator+(CosineSeries<n> a, const CosineSeries<n>& b) {
   for (int i = 0; i < n; ++i) a.c[i] += b.c[i];
   return a;
 }
-template <int n> Series<n> operator*(double factor, Series<n> a) {
+template <int n> CosineSeries<n> operator*(double factor, CosineSeries<n> a) {
   for (double& c : a.c) c *= factor;
   return a;
 }
 // Its integral over rho^n, with the moments K(n,k).
-template <int n> double integral(const Series<n>& a, const double* moment) {
+template <int n> double integral(const CosineSeries<n>& a, const double* moment) {
   double sum = 0.0;
   for (int i = 0; i < n; ++i) sum += a.c[i] * moment[i];
   return sum;
 }
 
-using Line = Series<2>;
-using Square = Series<3>;
+using Line = CosineSeries<2>;
+using Square = CosineSeries<3>;
 
-enum Part { kRR, kZZ, kRZ, kRound, kParts };
+enum Part { kRR, kZZ, kRZ, kRound, kStressParts };
 
 struct Ring {
   double a, z, big, r;
@@ -80,8 +80,8 @@ RingStress ring_stress(const RingPlace& at, const RingMoments& k, double nu, con
   const double t1 = 1.0 - 2.0 * nu, same = n[0] * u[0] + n[1] * u[1];
   const Line dn = ring.along(n), dt = ring.along(t), du = ring.along(u);
   const Square product = dn * du;
-  double out[kParts];
-  for (int part = 0; part < kParts; ++part) {
+  double out[kStressParts];
+  for (int part = 0; part < kStressParts; ++part) {
     const double on_diagonal = part == kRZ ? 0.0 : 1.0; // delta_ij
     const Square d = ring.distances(part), with_t = ring.with(t, part);
     double sum = t1 * (integral(with_t, k.n3) - on_diagonal * integral(dt, k.n3)) + 3.0 * integral(dt * d, k.n5);
