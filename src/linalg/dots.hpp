@@ -7,10 +7,10 @@ namespace c2d {
 
 // sum[k] = a . b[k], n numbers each.
 template <class Sum> void dots(int32_t n, const Real* a, int32_t count, const Real* const* b, Sum* sum) {
-  constexpr int32_t kAtOnce = kSmallCode ? 1 : 4; // an addition waits for the last one of its own sum only
+  constexpr int32_t kAtOnce = 4; // an addition waits for the last one of its own sum only
   int32_t done = 0;
   for (; !kSmallCode && done + kAtOnce <= count; done += kAtOnce) {
-    Sum s[4] = {};
+    Sum s[kAtOnce] = {};
     const Real *const b0 = b[done], *const b1 = b[done + 1], *const b2 = b[done + 2], *const b3 = b[done + 3];
     for (int32_t i = 0; i < n; ++i) {
       const Sum factor = a[i];

@@ -29,7 +29,6 @@
 namespace c2d {
 
 C2D_USES(RigidPart);
-C2D_USES(CompressedPart);
 
 namespace {
 
@@ -138,13 +137,12 @@ void end_component(Session& session, int b, int c, const Work& work) {
 }
 
 c2d_status solve_outer(Session& session, int b, const Work* work, int32_t count) {
-  c2d_solver* s = session.solver;
-  take_back_work(s);
-  const EliminationPlan& plan = plan_of(s, b);
-  if (is_compressed(plan)) return kCompressedPart.compression_functional(session, b, work->outer, work->coefficient);
   Real *f[2], *w[2];
-  for (int32_t i = 0; i < count; ++i) f[i] = work[i].outer, w[i] = work[i].coefficient;
-  return transposed_functionals(plan, session.solver->tapes, count, f, w, session.area.work);
+  for (int32_t i = 0; i < count; ++i) {
+    f[i] = work[i].outer;
+    w[i] = work[i].coefficient;
+  }
+  return solve_transposed(session, b, count, f, w);
 }
 
 // Across a line of symmetry the image moves in the opposite direction, so the mean of the complete body is zero.
@@ -153,7 +151,7 @@ bool is_mirrored(const Model& m, int b, int c) { return (m.body[b].lines >> c & 
 // Both components need one pass over the factors if there are arrays for two: where results of all bodies go that are not
 // there.
 bool has_room_for_two(const Session& session, int b) {
-  if (kSmallCode || session.solver->back_substituted != 0 || is_compressed(plan_of(session.solver, b))) return false;
+  if (kSmallCode || session.solver->back_substituted != 0) return false;
   const Model& m = session.model;
   const PhaseSizes sizes = model_sizes(m);
   return outer_columns(m, b) <= 2 * sizes.nodes && 3 * m.body[b].contact + m.head->load_cases <= 2 * sizes.ends;

@@ -10,7 +10,7 @@
 //   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along side 0
 //   elastic                  half of all tractions times displacements
 // U_k and R_k are linear in tau, w' = (u1 - u0) and lambda, which are linear between two events: the trapezoidal rule
-// is exact. Their coefficients are found once, by one adjoint pass over the tape each.
+// is exact. Their coefficients are found once, by adjoint passes over the tape, each for several of them.
 // A point load's displacement is infinite where it acts: its own field counts at the distance of the body's size, in
 // work and elastic energy alike.
 #include "contact/basis.hpp"

@@ -21,7 +21,7 @@ struct Adjoint {
 };
 
 enum class TractionKind { contact, solved, given };
-// `unknown`: of the end's node in the direction at hand, as unknowns_at tells.
+// `unknown`: of the end's node in the direction at hand, from unknowns_at.
 TractionKind traction_kind(const Model& m, int b, int32_t element, int l, const Unknown& unknown);
 
 void add_outer(Adjoint& a, int32_t column, double factor);
@@ -37,6 +37,9 @@ void add_point_load(Adjoint& a, const PointLoad& load);
 // Of a point load's displacement: what the tractions do to it that free zones hand over to the body (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
+// Moves what functionals f[i] have of the body's outer unknowns to its trailing columns, w[i], by its transposed factors.
+// Errors: the block store's.
+c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w);
 // ---- optional, for bodies with body forces (memory/parts.hpp, energy_body_force.cpp) ----
 // The body force of case k times the displacements it moves through.
 void add_body_force(Adjoint& a, int32_t k);

@@ -1,9 +1,23 @@
 // Displacements and tractions in the energy's functionals, and the work of what the conditions prescribe.
 #include "bie/columns.hpp"
+#include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/energy_adjoint.hpp"
 
 namespace c2d {
+
+C2D_USES(CompressedPart);
+
+c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w) {
+  c2d_solver* s = session.solver;
+  const EliminationPlan& plan = plan_of(s, b);
+  take_back_work(s);
+  if (!is_compressed(plan)) return transposed_functionals(plan, s->tapes, count, f, w, session.area.work);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < count && status == C2D_OK; ++i)
+    status = kCompressedPart.compression_functional(session, b, f[i], w[i]);
+  return status;
+}
 
 void add_outer(Adjoint& a, int32_t column, double factor) {
   a.outer[column] += static_cast<Real>(factor);

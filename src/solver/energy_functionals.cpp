@@ -46,15 +46,7 @@ c2d_status solve_outer(const Functionals& all, Session& session, int b) {
     f[count] = a.outer;
     w[count++] = a.coefficient;
   }
-  if (count == 0) return C2D_OK;
-  c2d_solver* s = session.solver;
-  const EliminationPlan& plan = plan_of(s, b);
-  take_back_work(s);
-  if (!is_compressed(plan)) return transposed_functionals(plan, s->tapes, count, f, w, session.area.work);
-  c2d_status status = C2D_OK;
-  for (int32_t i = 0; i < count && status == C2D_OK; ++i)
-    status = kCompressedPart.compression_functional(session, b, f[i], w[i]);
-  return status;
+  return count == 0 ? c2d_status{C2D_OK} : solve_transposed(session, b, count, f, w);
 }
 
 void add_solved(Adjoint& a) {

@@ -63,9 +63,9 @@ sketch::Levels marks(const sketch::Mesh& mesh, const Distance& distance, double 
   for (size_t b = 0; b < excess.size(); ++b) {
     out.push_back({});
     for (size_t i = 0; i < excess[b].size(); ++i) {
-      const double e = excess[b][i];
-      const int more = e > 1 ? static_cast<int>(std::log(e) / std::log(distance.shares[b][i].edge ? kEdge : kSmoothShare)) : 0;
       const Share& s = distance.shares[b][i];
+      const double e = excess[b][i];
+      const int more = e > 1 ? static_cast<int>(std::log(e) / std::log(s.edge ? kEdge : kSmoothShare)) : 0;
       const bool alone = s.pressure > kAlone && s.touch != 0;
       out.back().push_back({e > least ? std::min(1 + more, alone ? kMostAlone : kMostLevels) : 0, alone ? s.touch : 0});
     }
