@@ -145,7 +145,7 @@ void lose_power(const Place& place, const Job& job, uint64_t step, Tally& tally)
 void refuse_memory(const Place& place, const Job& job, uint64_t step, Tally& tally) {
   Judge judge(place, tally);
   Sieve sieve(step);
-  for (uint64_t n = 1; n <= job.ended.allocations; ++n)
+  for (const uint64_t n : job.ended.places)
     for (const bool ever : {false, true})
       if (sieve.takes()) judge.strike(job, {FAULT_MEMORY, n, ever, ""});
 }

@@ -1,4 +1,5 @@
-// Every operation, every kill, every loss of power and every allocation of a job, or every `step`-th.
+// Every operation, every kill, every loss of power and every place that asks for memory (its first and its last allocation) of
+// a job, or every `step`-th.
 #pragma once
 
 #include "judge.hpp"

@@ -43,9 +43,10 @@ void read_journal(const Place& place, Ended& out) {
     r.path = below(place.work(), next(raw.path_bytes));
     r.path2 = raw.path2_bytes > 0 ? below(place.work(), next(raw.path2_bytes)) : std::string();
     r.data = next(raw.data_bytes);
-    out.operations = raw.number;
+    if (raw.op != OP_MEMORY) out.operations = raw.number;
     if (raw.op == OP_END) out.allocations = raw.offset;
-    if (raw.op != OP_END) out.journal.push_back(std::move(r));
+    if (raw.op == OP_MEMORY) out.places.insert({raw.number, raw.offset});
+    if (raw.op < OP_MEMORY) out.journal.push_back(std::move(r));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "preload/control.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Ended {
   std::string out, err;
   std::vector<Record> journal;
   uint64_t operations = 0, allocations = 0;
+  std::set<uint64_t> places;    // of a run with its data: the first and the last allocation at each place that asks for memory
   const Record* struck() const; // the first operation that was, or null
 };
 

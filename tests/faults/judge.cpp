@@ -7,8 +7,8 @@ namespace {
 
 const char* const kKinds[FAULT_KINDS] = {"none",    "fails", "short",   "interrupted", "full",      "torn", "killed",
                                          "stopped", "half",  "flipped", "lost",        "no memory", "late"};
-const char* const kOps[OP_KINDS] = {"open",  "read", "write",    "sync",    "close", "rename", "unlink", "mkdir",
-                                    "rmdir", "lock", "truncate", "reserve", "link",  "mode",   "look",   "end"};
+const char* const kOps[OP_KINDS] = {"open", "read",     "write",   "sync", "close", "rename", "unlink", "mkdir", "rmdir",
+                                    "lock", "truncate", "reserve", "link", "mode",  "look",   "memory", "end"};
 
 const char kFirst[] = "the run";
 

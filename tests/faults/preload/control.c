@@ -70,9 +70,14 @@ static void put_record(const struct operation* o) {
   if (o->record.data_bytes) put(o->data, o->record.data_bytes);
 }
 
-__attribute__((destructor)) static void end(void) {
-  struct operation o = {.record = {.op = OP_END, .number = operations, .offset = allocations()}};
+void log_record(struct fault_record record) {
+  const struct operation o = {.record = record};
   put_record(&o);
+}
+
+__attribute__((destructor)) static void end(void) {
+  log_places();
+  log_record((struct fault_record){.op = OP_END, .number = operations, .offset = allocations()});
 }
 
 static bool is_ours(const char* path) {

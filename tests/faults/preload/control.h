@@ -16,7 +16,7 @@ extern "C" {
 #define C2D_FAULT_EVER "C2D_FAULT_EVER"       /* 1: and all that follow                                                    */
 #define C2D_FAULT_WHERE "C2D_FAULT_WHERE"     /* only operations on paths that contain this                                */
 #define C2D_FAULT_LOG "C2D_FAULT_LOG"         /* file of the log                                                           */
-#define C2D_FAULT_DATA "C2D_FAULT_DATA"       /* 1: what is written goes into the log, too                                 */
+#define C2D_FAULT_DATA "C2D_FAULT_DATA"       /* 1: what is written goes into the log, and the places that ask for memory  */
 #define C2D_FAULT_THREADS "C2D_FAULT_THREADS" /* 1: threads may be started                                                 */
 #define C2D_FAULT_FREE "C2D_FAULT_FREE"       /* bytes of memory that are free, the program is told                        */
 
@@ -53,6 +53,7 @@ enum fault_op {
   OP_LINK,
   OP_MODE,
   OP_LOOK, /* stat, access, names of folders and links */
+  OP_MEMORY, /* a place that asks for memory: `number` and `offset` are the first and the last allocation there */
   OP_END,  /* of the process: `offset` tells the number of allocations */
   OP_KINDS
 };

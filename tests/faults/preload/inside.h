@@ -28,7 +28,9 @@ void keep_path(int file, const char* path);
 const char* absolute_path(int folder, const char* name, char room[MOST_PATH]);
 
 void* next_symbol(const char* name);
+void log_record(struct fault_record record);
 void count_allocations(void);
+void log_places(void); /* where memory was asked for */
 uint64_t allocations(void);
 uint64_t told_free_memory(void);
 bool threads_may_start(void);
