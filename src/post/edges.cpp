@@ -49,14 +49,16 @@ double root_of(const std::vector<EdgeSample>& v, size_t first, size_t last) {
 
 // Where the inverse power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
 // one that the mesh disturbs most, and is left out. A root through pairs k to k + 2 is off by about the square of the inverse
-// of their distance: from two of them follows a better one.
+// of their distance: from two of them follows a better one. On uneven meshes the two may lie so close that their difference would
+// be multiplied many times.
+constexpr double kMostWeight = 1.5;
 double best_root(const std::vector<EdgeSample>& v) {
   if (v.size() < 2) return NAN;
   if (v.size() == 2) return root_of(v, 0, 1);
   if (v.size() < 5) return root_of(v, 1, 2);
   const double near = root_of(v, 1, 3), far = root_of(v, 2, 4);
   const double ratio = std::pow((v[3].x - near) / (v[4].x - near), 2);
-  return (far - ratio * near) / (1 - ratio);
+  return far + std::min(ratio / (1 - ratio), kMostWeight) * (far - near);
 }
 
 // How far before the last pair of a state its end may lie: on a mesh a pair may keep a status that it should have left.
