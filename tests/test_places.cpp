@@ -139,6 +139,38 @@ TEST_CASE("places: meshes of two searches agree within the stated errors; wanted
   CHECK(stated(two, Measure::kContactWidth).value == doctest::Approx(width).epsilon(0.03));
 }
 
+namespace {
+
+// A pad pressed on a block; its sides lean by `lean` over its height of 2. Its flat has round ends of radius `round`, which the
+// contact leaves out.
+std::string pad(double lean, const std::string& round = "") {
+  const auto x = [](double value) { return std::to_string(value); };
+  return "body block E 1000 nu 0.3\n" + kBlock + "body pad E 1000 nu 0.3\nfrom " + x(-1 - lean) + " 2\nline left to -1 0\n" +
+         round + "line foot to 1 0\n" + round + "line right to " + x(1 + lean) +
+         " 2\nline lid close\ncontact pad.foot block.top\nfix block.base\ntraction pad.lid x 0 y -4\nfix pad.left x\n";
+}
+
+} // namespace
+
+TEST_CASE("places: a highest pressure at a sharp corner is unbounded, at a slender one it is not") {
+  for (const std::string& round : {"", "fillet edge radius 0.2\n"}) {
+    const estimate::Adapted by_default = found(pad(0, round) + "tolerance 5 %\n"),
+                            wanted = found(pad(0, round) + "want pressure 5 %\n");
+    CHECK(by_default.loop.stopped.empty());
+    CHECK(wanted.loop.stopped.find("unbounded where contact ends at a corner") != std::string::npos);
+    for (const estimate::Adapted* a : {&by_default, &wanted}) {
+      const app::Stated peak = stated(*a, Measure::kPeakPressure);
+      CHECK((peak.is_unbounded() && std::isnan(peak.error)));
+      CHECK(std::fabs(peak.at[0]) == doctest::Approx(round.empty() ? 1 : 0.8).epsilon(0.05));
+    }
+    CHECK(std::isnan(stated(by_default, Measure::kPeakPressure).tolerance));
+    CHECK(stated(by_default, Measure::kForceY).error < 0.05 * 8);
+  }
+  const app::Stated peak =
+      stated(found(pad(-0.9) + "tolerance 5 %\n"), Measure::kPeakPressure); // sharper than 70 degrees inside
+  CHECK((!peak.is_unbounded() && peak.error > 0));
+}
+
 TEST_CASE("places: of half a model the whole width counts") {
   const std::string whole =
       "symmetry x 0\nbody block E 1000 nu 0.3\nfrom 0 -4\nline base to 4 -4\nline right to 4 0\nline top to 0 0\n"

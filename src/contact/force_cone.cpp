@@ -297,6 +297,11 @@ bool best_ray(const ForceCone& a, Chosen* out) {
 
 } // namespace
 
+// Rest of the loads that counts as none: the motions that the equations know differ from rigid ones by the error of the
+// integrals, 1e-7 where functions are of lower order than the geometry, so that a load above the only pair that touches seems
+// to turn the body.
+constexpr double kBalanced = 1e-6;
+
 bool is_unbalanced(ForceCone& a, Friction law) {
   a.law = law;
   a.count = a.based = 0;
@@ -304,7 +309,7 @@ bool is_unbalanced(ForceCone& a, Friction law) {
   for (int32_t step = 0; !C2D_NEVER(step == steps); ++step) { // (less is left after each)
     Chosen ray;
     find_rest(a);
-    if (length(a.rest, a.motions) <= 1e-9 * length(a.load, a.motions)) return false;
+    if (length(a.rest, a.motions) <= kBalanced * length(a.load, a.motions)) return false;
     if (!best_ray(a, &ray)) return true;
     if (C2D_NEVER(a.count == a.motions)) return false; // so many rays span all there is: nothing would be left
     a.chosen[a.count] = ray;
@@ -321,7 +326,7 @@ c2d_outcome kind_of_motion(ForceCone& a) {
   is_unbalanced(a, Friction::none);
   double taken = 0.0;
   for (int32_t j = 0; j < a.motions; ++j) taken += (a.rest[j] - a.handed[j]) * (a.rest[j] - a.handed[j]);
-  return sqrt(taken) > 1e-9 * length(a.load, a.motions) ? C2D_TIPPING : C2D_FREE_MOTION;
+  return sqrt(taken) > kBalanced * length(a.load, a.motions) ? C2D_TIPPING : C2D_FREE_MOTION;
 }
 
 int32_t body_in_motion(const ForceCone& a) {

@@ -158,8 +158,19 @@ void add_place(const ZoneLine& line, double s, Quantity& q) {
 
 void take_peak(const ZoneStep& z, Quantities& out) {
   if (!z.contact) return;
+  const ZoneLine& line = z.state.line;
   const Peak peak = find_peak(z.state, z.state.tn);
-  add_place(z.state.line, peak.s, out.add(Measure::kPeakPressure, peak.value));
+  Quantity& q = out.add(Measure::kPeakPressure, peak.value);
+  add_place(line, peak.s, q);
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line.s[i] != peak.s) continue;
+    q.at_corner = line.corner[i] != 0;
+    for (const size_t end : {size_t{0}, size_t{1}})
+      if (i == (end == 0 ? 0 : line.size() - 1) && !line.round && !line.end[end].mirror) {
+        q.at_corner = q.at_corner || line.end[end].corner;
+        q.unbounded = line.end[end].cut && !q.at_corner; // as at the edge of a flat punch
+      }
+  }
 }
 
 // The area that touches, of bodies of revolution.

@@ -23,7 +23,7 @@ struct Stated {
   double at[2] = {NAN, NAN};
   double along = NAN;    // Quantity::along of that place
   int32_t images = 1;    // Quantity::images
-  bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded
+  bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded; without an error it is
   bool confirmed = true; // confirmed by another round or another error estimate
   // What the error was made of, the terms of METHOD (16.7), for the next round and for fits of the weights: the difference of
   // the two meshes, that of the round before reduced, the distance of the tractions times the scale, the spacing of pairs, the
@@ -33,6 +33,7 @@ struct Stated {
   std::string name() const { return name_of(what) + of; }
   bool has_value() const { return what != Measure::kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
+  bool is_unbounded() const { return endless && std::isnan(error); }
   bool is_within() const { return std::isnan(tolerance) || error <= tolerance * scale; }
   bool is_met() const { return is_within() && (confirmed || std::isnan(tolerance)); }
 };

@@ -109,6 +109,7 @@ private:
   bool faces_corner(const c2d_zone& zone, size_t pair) const;
   bool is_mirror(const c2d_side& side, int32_t element, bool at_end) const;
   bool is_guided(int32_t body, int32_t element) const;
+  bool is_cut(const c2d_side& side, int32_t element, bool at_end) const;
 
   c2d_solver* solver_;
   const Summary& s_;
@@ -236,6 +237,18 @@ bool PlaceFinder::is_mirror(const c2d_side& side, int32_t element, bool at_end) 
   return beyond != 0 && s_.body[side.body - 1].unknowns > 0 && is_guided(side.body, beyond);
 }
 
+// Does the surface go on beyond an end of a side with elements that belong to no zone?
+bool PlaceFinder::is_cut(const c2d_side& side, int32_t element, bool at_end) const {
+  const int32_t beyond = curve(side.body).next(element, at_end);
+  const auto holds = [&](const c2d_side& other) {
+    if (other.body != side.body) return false;
+    const Walk w = walk(other);
+    return std::find(w.elements.begin(), w.elements.end(), beyond) != w.elements.end();
+  };
+  return beyond != 0 && std::none_of(s_.zone.begin(), s_.zone.end(),
+                                     [&](const c2d_zone& zone) { return holds(zone.side1) || holds(zone.side2); });
+}
+
 // Distance of the end of an element of side 1 beyond that of one of side 2, along it and over its length; NaN: not on its line.
 double distance_beyond(const ElementCurve& one, bool at_end1, const ElementCurve& two, bool at_end2) {
   double a[2], b[2], t[2];
@@ -267,6 +280,7 @@ void PlaceFinder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk&
         if (beyond > kOpposite) line.end[k].s = beyond * two.element(own).length();
       }
       if (beyond > kOpposite) continue;
+      line.end[k].cut = line.end[k].cut && is_cut(zone.side1, e, at_end);
       const bool mirror = is_mirror(zone.side1, e, at_end);
       line.end[k].mirror = rigid[1] ? mirror : line.end[k].mirror && (mirror || rigid[0]);
     }
@@ -278,6 +292,7 @@ void PlaceFinder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w)
     const int32_t last = k == 0 ? w.elements.front() : w.elements.back();
     line.end[k].mirror = is_mirror(zone.side2, last, at_end);
     line.end[k].corner = curve(zone.side2.body).is_corner(last, at_end);
+    line.end[k].cut = is_cut(zone.side2, last, at_end);
   }
   if (curve(zone.side1.body).elements() > 0) compare_ends(line, zone, w, walk(zone.side1));
 }

@@ -20,6 +20,7 @@ struct ZoneEnd {
   double s = 0;        // as below; a corner of side 1 may lie beyond the elements of a free zone
   bool mirror = false; // on a line of symmetry: the contact goes on in the image
   bool corner = false; // a body has a corner there: contact may end there, and then has no smooth edge
+  bool cut = false;    // the surfaces go on, but belong to no zone: they cannot touch there, as if a corner were in the way
 };
 
 // The pairs of a zone in order along side 2, and the length along the surface from the first to each.

@@ -38,6 +38,7 @@ void append_stated(std::string& out, const Stated& s) {
     o.number("tolerance", s.tolerance);
     o.key("met") += s.is_met() ? "true" : "false";
   }
+  if (s.is_unbounded()) o.key("unbounded") += "true";
   if (std::isfinite(s.at[0])) {
     o.number("x", s.at[0]);
     o.number("y", s.at[1]);

@@ -321,6 +321,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
       state(s, {step, 0, distance_of(between.pressure, q.zone) * s.scale, q.spacing, doubt}, then,
             app::row_of(q.what).rule[moved ? 1 : 0]);
     }
+    if (q.unbounded) s.endless = true, s.error = s.error_by_before = NAN;
     out.push_back(s);
   }
   for (app::Stated& s : out) { // needs the errors of the edges
@@ -347,7 +348,9 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
 }
 
 void drop_unknown(std::vector<app::Stated>& stated) {
-  const auto unknown = [](const app::Stated& s) { return std::isnan(s.error) && std::isnan(s.tolerance); };
+  const auto unknown = [](const app::Stated& s) {
+    return std::isnan(s.error) && std::isnan(s.tolerance) && !s.is_unbounded();
+  };
   stated.erase(std::remove_if(stated.begin(), stated.end(), unknown), stated.end());
 }
 

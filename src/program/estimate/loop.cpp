@@ -252,6 +252,7 @@ double Loop::tolerance(const sketch::WantRow& row) const {
 
 double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
   if (s.zone > 0 && trial.tied[static_cast<size_t>(s.zone) - 1] != 0) return NAN;
+  if (s.is_unbounded() && s_.wants.empty()) return NAN; // nobody asked for this one by name
   for (const sketch::WantRow& row : sketch::wants())
     if (std::count(row.quantities.begin(), row.quantities.end(), s.what) > 0)
       return row.of_whole && s.zone > 0 ? NAN : tolerance(row);
@@ -325,7 +326,7 @@ void Loop::watch() {
   std::map<std::tuple<app::Measure, int32_t, int32_t, int32_t>, int> seen;
   for (app::Stated& s : out_.loop.stated) {
     const int which = seen[{s.what, s.zone, s.item, s.body}]++;
-    if (is_near_enough(s) || !is_place(s) || is_inside(s)) continue;
+    if (s.endless || is_near_enough(s) || !is_place(s) || is_inside(s)) continue;
     Watched& w = watched_[{s.what, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
@@ -417,9 +418,11 @@ void Loop::tighten(const Distance& d, bool first) {
 }
 
 void Loop::tell_endless() {
-  const std::vector<app::Stated>& all = out_.loop.stated;
-  if (std::any_of(all.begin(), all.end(), [&](const app::Stated& s) { return !s.is_met(); }))
-    out_.loop.stopped = "it does not converge when the mesh there is refined: it may be unbounded";
+  bool known = false, seen = false; // to be unbounded; to be so as the mesh was refined
+  for (const app::Stated& s : out_.loop.stated)
+    if (!s.is_met()) (s.is_unbounded() ? known : seen) = true;
+  if (known) out_.loop.stopped = "it is unbounded where contact ends at a corner or with its zone";
+  if (seen) out_.loop.stopped = "it does not converge when the mesh there is refined: it may be unbounded";
 }
 
 void Loop::take(const Level& level) {

@@ -3,6 +3,7 @@
 // them.
 #include "program/estimate/trial.hpp"
 
+#include "post/corners.hpp"
 #include "program/commands/drawn_words.hpp"
 #include "program/files/deck_file.hpp"
 #include "program/interrupt.hpp"
@@ -126,6 +127,7 @@ private:
   c2d_status note(bool turn);
   c2d_status note_touching();
   c2d_status note_contact(State& state);
+  c2d_status find_unbounded(const std::vector<double>& table, State& state);
 
   c2d_solver* solver_;
   const Demand& demand_;
@@ -134,6 +136,8 @@ private:
   std::vector<app::ZoneLine> lines_;
   std::vector<double> loads_;        // load factors reached
   std::vector<double> slip_at_turn_; // of the pairs
+  std::vector<app::Corner> corners_; // found when a highest pressure lies at one
+  bool knows_corners_ = false;
 };
 
 c2d_status History::measure(int32_t body) {
@@ -231,6 +235,21 @@ c2d_status History::begin() {
   return c2d_begin(solver_, mu.data(), static_cast<int32_t>(mu.size()));
 }
 
+// Where stress at a corner is singular the highest pressure there grows without bound as the mesh is refined.
+c2d_status History::find_unbounded(const std::vector<double>& table, State& state) {
+  for (app::Quantity& q : state.quantities) {
+    if (q.what != app::Measure::kPeakPressure || !q.at_corner) continue;
+    if (!knows_corners_)
+      if (const c2d_status status = app::find_corners(solver_, summary_, corners_); status != C2D_OK) return status;
+    knows_corners_ = true;
+    for (const app::Corner& c : corners_)
+      if (c.kind == app::CornerKind::kContact && c.zone == q.zone &&
+          std::hypot(c.at[0] - q.at[0], c.at[1] - q.at[1]) < c.element)
+        q.unbounded = !app::corner_state(c, table.data(), C2D_PAIR_FIELDS).exponents.empty();
+  }
+  return C2D_OK;
+}
+
 c2d_status History::note_contact(State& state) {
   if (summary_.pairs == 0) return C2D_OK;
   std::vector<double> table(static_cast<size_t>(summary_.pairs) * C2D_PAIR_FIELDS);
@@ -248,6 +267,7 @@ c2d_status History::note_contact(State& state) {
     state.quantities =
         app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_, bodies);
   drop_places_without_pressure(state, out_.states, summary_.zones);
+  if (status == C2D_OK && state.turn) status = find_unbounded(table, state);
   if (status == C2D_OK && state.turn) {
     slip_at_turn_.clear();
     for (size_t k = C2D_SLIP_SUM; k < table.size(); k += C2D_PAIR_FIELDS) slip_at_turn_.push_back(table[k]);

@@ -55,6 +55,7 @@ void append_row(std::string& out, const Stated& s, size_t width) {
   append_percent(out, s.relative_error(), 11);
   append_percent(out, s.tolerance, 14);
   out += std::isnan(s.tolerance) ? "" : s.is_met() ? "   met" : "   not met";
+  if (s.is_unbounded()) out += "   unbounded";
   if (s.body > 0 && std::isfinite(s.at[0])) {
     append_general(out += "   at (", s.at[0], 0);
     append_general(out += ", ", s.at[1], 0);
