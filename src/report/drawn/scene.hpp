@@ -117,6 +117,8 @@ struct Scene {
   std::string length_unit, stress_unit, force_unit, work_unit; // escaped; empty if the user named none
   // Forces and energies are those of the whole circumference, not per thickness.
   bool is_revolved() const { return summary.plane == C2D_AXISYMMETRIC; }
+  // What pictures are mirrored at.
+  const char* mirror_name() const { return is_revolved() && summary.symmetry == 1 ? "axis" : "line of symmetry"; }
 };
 
 // Loads of all cases and the lines of symmetry (scene_loads.cpp); pairs and zones (scene_zones.cpp).

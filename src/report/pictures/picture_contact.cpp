@@ -300,7 +300,7 @@ std::string caption_of(const Contact& c, const Deformation& deformation) {
   out += deformation.factor() == 1.0 ? ", to scale."
                                      : ", displacements (relative to the mean motion of the contact) and gaps &#215; " +
                                            figure(deformation.factor(), 9) + ".";
-  if (c.zone.has_images) out += " The part beyond the line of symmetry is the image.";
+  if (c.zone.has_images) out += std::string(" The part beyond the ") + scene.mirror_name() + " is the image.";
   return out;
 }
 

@@ -259,9 +259,8 @@ std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& pre
     if (is_of_contact(scene, pair)) kinds[scene.zones[static_cast<size_t>(pair.zone) - 1].tied ? 1 : 0] = true;
   if (kinds[0]) out.push_back({"contact zone", Stroke{colour::kGreen, 2.6, ""}, Mark::kSquare, true, ""});
   if (kinds[1]) out.push_back({"tie", Stroke{colour::kTie, 2.6, ""}, Mark::kDiamond, true, ""});
-  const bool axis = scene.summary.plane == C2D_AXISYMMETRIC;
   if (scene.summary.symmetry != 0)
-    out.push_back({axis ? "axis" : "line of symmetry", Stroke{colour::kFaint, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
+    out.push_back({scene.mirror_name(), Stroke{colour::kFaint, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
   for (const LegendEntry& entry : symbol_legend(scene, present)) out.push_back(entry);
   return out;
 }
@@ -299,7 +298,7 @@ std::string model_caption(const Scene& scene) {
     if (scene.zones[z].free)
       out += " Z" + zone_label(scene, z).substr(1) + " joins nodes of " + body_label(scene, scene.zones[z].body[1]) +
              " to points of " + body_label(scene, scene.zones[z].body[0]) + ": the meshes need not match.";
-  if (mirror_lines(s) != 0) out += " One side of a line of symmetry was given, the other is its image.";
+  if (mirror_lines(s) != 0) out += std::string(" One side of the ") + scene.mirror_name() + " was given, the other is its image.";
   if (mirror_lines(s) != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
   if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
   if (scene.interference > 0)

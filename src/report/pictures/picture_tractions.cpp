@@ -139,7 +139,7 @@ std::string measure_text(const Layers& l) {
   std::string out = ". Stresses are forces on " + body_label(l.scene, l.zone.body[1]) + " per undeformed length of " +
                     body_label(l.scene, l.zone.body[l.zone.free ? 1 : 0]) +
                     ", n points into it and t is n turned by -90 degrees.";
-  if (l.zone.has_images) out += " The part beyond the line of symmetry is the image.";
+  if (l.zone.has_images) out += std::string(" The part beyond the ") + l.scene.mirror_name() + " is the image.";
   return out;
 }
 

@@ -101,7 +101,7 @@ std::string position_name(const Scene& scene, const ZoneScene& zone) {
   std::string line;
   if (s.symmetry == 3) // which of the two
     line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0]) : " y = " + figure(s.symmetry_at[1]);
-  return "s from the line of symmetry" + line + along;
+  return std::string("s from the ") + scene.mirror_name() + line + along;
 }
 
 Axis position_axis(const Scene& scene, const ZoneScene& zone) {
