@@ -52,9 +52,9 @@ enum fault_op {
   OP_RESERVE, /* room for later writes */
   OP_LINK,
   OP_MODE,
-  OP_LOOK, /* stat, access, names of folders and links */
+  OP_LOOK,   /* stat, access, names of folders and links */
   OP_MEMORY, /* a place that asks for memory: `number` and `offset` are the first and the last allocation there */
-  OP_END,  /* of the process: `offset` tells the number of allocations */
+  OP_END,    /* of the process: `offset` tells the number of allocations */
   OP_KINDS
 };
 

@@ -1,5 +1,6 @@
-// The n-th allocation fails. Those before main are not counted: nobody could tell of them. A run that logs data also logs the places
-// that ask for memory: the calls that lead there (hash of their return addresses), the first and the last allocation at each.
+// The n-th allocation fails. Those before main are not counted: nobody could tell of them. A run that logs data also logs the
+// places that ask for memory: the calls that lead there (hash of their return addresses), the first and the last allocation at
+// each.
 #define _GNU_SOURCE
 #include "inside.h"
 
@@ -20,9 +21,7 @@ static uint64_t first, last;
 static bool counts, finds_places;
 
 enum { MOST_PLACES = 1 << 16, MOST_CALLS = 64 };
-static struct {
-  uint64_t hash, first, last;
-} places[MOST_PLACES]; // hash 0: free
+static struct { uint64_t hash, first, last; } places[MOST_PLACES]; // hash 0: free
 static pthread_mutex_t places_mutex = PTHREAD_MUTEX_INITIALIZER;
 static _Thread_local bool within; // backtrace asks for memory itself, which is not the program's
 
@@ -48,7 +47,8 @@ static void add_place(uint64_t number) {
 
 void log_places(void) {
   for (size_t i = 0; finds_places && i < MOST_PLACES; ++i)
-    if (places[i].hash != 0) log_record((struct fault_record){.op = OP_MEMORY, .number = places[i].first, .offset = places[i].last});
+    if (places[i].hash != 0)
+      log_record((struct fault_record){.op = OP_MEMORY, .number = places[i].first, .offset = places[i].last});
 }
 
 void count_allocations(void) {
