@@ -49,8 +49,8 @@ double root_of(const std::vector<EdgeSample>& v, size_t first, size_t last) {
 
 // Where the inverse power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
 // one that the mesh disturbs most, and is left out. A root through pairs k to k + 2 is off by about the square of the inverse
-// of their distance: from two of them follows a better one. On uneven meshes the two may lie so close that their difference would
-// be multiplied many times.
+// of their distance: from two of them follows a better one. On uneven meshes the two may lie so close that their difference
+// would be multiplied many times.
 constexpr double kMostWeight = 1.5;
 double best_root(const std::vector<EdgeSample>& v) {
   if (v.size() < 2) return NAN;

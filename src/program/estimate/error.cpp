@@ -348,9 +348,7 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
 }
 
 void drop_unknown(std::vector<app::Stated>& stated) {
-  const auto unknown = [](const app::Stated& s) {
-    return std::isnan(s.error) && std::isnan(s.tolerance) && !s.is_unbounded();
-  };
+  const auto unknown = [](const app::Stated& s) { return std::isnan(s.error) && std::isnan(s.tolerance) && !s.is_unbounded(); };
   stated.erase(std::remove_if(stated.begin(), stated.end(), unknown), stated.end());
 }
 

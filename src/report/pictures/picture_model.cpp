@@ -298,7 +298,8 @@ std::string model_caption(const Scene& scene) {
     if (scene.zones[z].free)
       out += " Z" + zone_label(scene, z).substr(1) + " joins nodes of " + body_label(scene, scene.zones[z].body[1]) +
              " to points of " + body_label(scene, scene.zones[z].body[0]) + ": the meshes need not match.";
-  if (mirror_lines(s) != 0) out += std::string(" One side of the ") + scene.mirror_name() + " was given, the other is its image.";
+  if (mirror_lines(s) != 0)
+    out += std::string(" One side of the ") + scene.mirror_name() + " was given, the other is its image.";
   if (mirror_lines(s) != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
   if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
   if (scene.interference > 0)
