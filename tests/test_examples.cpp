@@ -21,11 +21,9 @@ const std::map<std::string, std::vector<std::string>> kOfDissertation = {
     {"hertz_fine.dat", {"the normals of the two surfaces differ", "has closed", "strains reach"}},
     {"hertz_frictionless.dat", {"strains reach"}}};
 const std::map<std::string, std::vector<std::string>> kOnPurpose = {
-    {"roller.dat", {"coarse contact: the slip zone"}},
-    {"roller_fine.dat", {"coarse contact: the slip zone"}},
-    {"families/bimaterial.c2s", {"joins unlike materials"}},
-    {"families/dovetail.c2s", {"at a corner of the contact"}},
-    {"families/lap_joint.c2s", {"the surfaces stay far apart"}}};
+    {"roller.dat", {"coarse contact: the slip zone"}},           {"roller_fine.dat", {"coarse contact: the slip zone"}},
+    {"families/bimaterial.c2s", {"joins unlike materials"}},     {"families/dovetail.c2s", {"at a corner of the contact"}},
+    {"families/lap_joint.c2s", {"the surfaces stay far apart"}}, {"tutorial/t13_o_ring.c2s", {"strains reach 0.07"}}};
 // Files that are not to be solved as they are, with their exit status.
 const std::map<std::string, int> kWrong = {{"tutorial/t3_mistakes.c2s", 2}, {"tutorial/t12_sliding.c2s", 1}};
 

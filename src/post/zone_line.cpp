@@ -279,8 +279,8 @@ void PlaceFinder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk&
         line.end[k].corner = true;
         if (beyond > kOpposite) line.end[k].s = beyond * two.element(own).length();
       }
-      if (beyond > kOpposite) continue;
       line.end[k].cut = line.end[k].cut && is_cut(zone.side1, e, at_end);
+      if (beyond > kOpposite) continue;
       const bool mirror = is_mirror(zone.side1, e, at_end);
       line.end[k].mirror = rigid[1] ? mirror : line.end[k].mirror && (mirror || rigid[0]);
     }
