@@ -365,6 +365,7 @@ TEST_CASE("facing: a surface that is averted hands its traction over as it is") 
   Zone& z = pair.data.zones[0];
   z.pairs = 2, z.first_node[1] = 5, z.node_step[1] = -1;
   pair.data.pairs.resize(2);
+  for (size_t i = 0; i < 2; ++i) pair.data.pairs[i].element = 8 - static_cast<int32_t>(i), pair.data.pairs[i].eta = 0;
   const Model m = pair.data.view();
   for (int32_t element = 5; element <= 8; ++element)
     for (int l = 0; l < 2; ++l) {

@@ -299,6 +299,18 @@ TEST_CASE("program: a listing by default, and a dash for standard output") {
   CHECK(JsonReader::read(json.out)["outcome"].text == "reached");
 }
 
+TEST_CASE("program: standard output that is a file is added to, under whatever name") {
+  const Folder folder;
+  const std::string run = "'" + paths::program() + "' run " + quoted(kHertz) + " --csv ",
+                    csv = contact2d("run " + quoted(kHertz) + " --csv -").out;
+  for (const std::string& name : {std::string("-"), std::string("/dev/stdout"), folder / "all"}) {
+    const std::string all = quoted(folder / "all"), to = name == folder / "all" ? all : name;
+    REQUIRE(run_shell("echo before > " + all + "; " + run + to + " >> " + all + " && echo after >> " + all).status == 0);
+    CHECK(read_file(folder / "all") == "before\n" + csv + "after\n");
+    CHECK(folder.names() == std::vector<std::string>{"all"});
+  }
+}
+
 TEST_CASE("program: a deck may come from a pipe, with CRLF and without a last line end") {
   const std::string expected = contact2d("run " + quoted(kHertz) + " --csv -").out;
   REQUIRE(!expected.empty());

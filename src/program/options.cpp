@@ -11,10 +11,19 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <sys/stat.h>
 #include <vector>
 
 namespace app {
 namespace {
+
+// A file that is standard output, as /dev/stdout, is "-": others may have written into it, and it is not to be replaced.
+std::string output_name(const std::string& name) {
+  struct stat file = {}, standard = {};
+  const bool regular = ::stat(name.c_str(), &file) == 0 && S_ISREG(file.st_mode) && file.st_ino != 0;
+  const bool same = regular && ::fstat(1, &standard) == 0 && standard.st_dev == file.st_dev && standard.st_ino == file.st_ino;
+  return same ? "-" : name;
+}
 
 // "events or deck"
 std::string listed(const std::vector<std::string>& words) {
@@ -36,10 +45,11 @@ void set_name(Options& o, const std::string& name, const std::string& value) {
                                                               {"--resume", &Options::resume}};
   for (const auto& [option, member] : names)
     if (name == option) o.*member = value;
+  for (const auto member : {&Options::output, &Options::results, &Options::row}) o.*member = output_name(o.*member);
   for (const auto& [option, member] : switches)
     if (name == option) o.*member = true;
   for (size_t i = 0; i < kOutputs; ++i)
-    if (name == kOutputTable[i].option) o.files[i] = value;
+    if (name == kOutputTable[i].option) o.files[i] = output_name(value);
   if (name == "--set") o.settings.push_back(value);
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;

@@ -20,6 +20,12 @@ constexpr Measure kStresses[3] = {Measure::kStressXX, Measure::kStressYY, Measur
                   kCycles[3] = {Measure::kCycleXX, Measure::kCycleYY, Measure::kCycleXY},
                   kDisplacements[2] = {Measure::kDisplacementX, Measure::kDisplacementY};
 
+// On an axis the round-off of a coordinate becomes 0.
+template <class At> void put_place(const At& at, app::Stated& s) {
+  const double size = std::hypot(at.x, at.y);
+  s.at[0] = app::told_place(at.x, size), s.at[1] = app::told_place(at.y, size);
+}
+
 app::Stated number(Measure what, size_t body, double value, double scale, double tolerance) {
   app::Stated s;
   s.what = what;
@@ -66,7 +72,7 @@ void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& wa
   for (const Range& r : range) largest = std::max(largest, r.largest());
   const auto add = [&](Measure what, double value) {
     out.push_back(number(what, static_cast<size_t>(want.body), value, largest, tolerance));
-    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
+    put_place(want.where, out.back());
   };
   for (size_t c = 0; c < 3 && first < trial.states.size(); ++c) {
     if (!want.cycle) add(kStresses[c], trial.states.back().inside[place][c + 2]);
@@ -82,7 +88,7 @@ void add_displacements(std::vector<app::Stated>& out, const Trial& trial, size_t
     largest = std::max(largest, std::hypot(state.inside[place][0], state.inside[place][1]));
   for (size_t c = 0; c < 2 && !trial.states.empty(); ++c) {
     out.push_back(number(kDisplacements[c], body, trial.states.back().inside[place][c], largest, tolerance));
-    out.back().at[0] = at.x, out.back().at[1] = at.y;
+    put_place(at, out.back());
   }
 }
 
@@ -100,7 +106,7 @@ void add_pair(std::vector<app::Stated>& out, const Trial& trial, const Want& wan
                                              {Measure::kShiftOf, -sketch::dot(u, t)}};
   for (const auto& [what, value] : both) {
     out.push_back(number(what, static_cast<size_t>(want.body), value, largest, tolerance));
-    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
+    put_place(want.where, out.back());
   }
 }
 
@@ -114,7 +120,8 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
         {std::fabs(hoop.high.value), std::fabs(hoop.low.value), least_stress(trial, static_cast<size_t>(want.side->body))});
     out.push_back(number(what, static_cast<size_t>(want.side->body), a.value, scale, tolerance));
     out.back().of = want.side->names[0];
-    out.back().at[0] = a.at.x, out.back().at[1] = a.at.y, out.back().doubt = a.doubt, out.back().way = a.way;
+    put_place(a.at, out.back());
+    out.back().doubt = a.doubt, out.back().way = a.way;
   };
   if (want.cycle) return add(Measure::kCycleAlong, hoop.widest);
   add(Measure::kLargestAlong, hoop.high), add(Measure::kSmallestAlong, hoop.low), add(Measure::kRangeAlong, hoop.widest);
@@ -138,7 +145,7 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
   const double scale = std::max(pressure.largest, least_stress(trial, body));
   out.push_back(number(Measure::kPressureOn, body, pressure.value, scale, tolerance));
   out.back().of = want.side->names[0];
-  out.back().at[0] = pressure.at.x, out.back().at[1] = pressure.at.y;
+  put_place(pressure.at, out.back());
 }
 
 // Energy dissipated by friction in the last cycle.
@@ -170,7 +177,7 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
       for (size_t c = 2; c < 5; ++c) largest = std::max(largest, std::fabs(state.inside[place][c]));
     for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
       out.push_back(number(kStresses[c], body, trial.states.back().inside[place][c + 2], largest, NAN));
-      out.back().at[0] = p.at.x, out.back().at[1] = p.at.y;
+      put_place(p.at, out.back());
     }
     ++place;
   }
