@@ -163,7 +163,7 @@ void take_peak(const ZoneStep& z, Quantities& out) {
   Quantity& q = out.add(Measure::kPeakPressure, peak.value);
   add_place(line, peak.s, q);
   for (size_t i = 0; i < line.size(); ++i) {
-    if (line.s[i] != peak.s) continue;
+    if (line.s[i] != peak.s || !(peak.value > 0)) continue;
     q.at_corner = line.corner[i] != 0;
     for (const size_t end : {size_t{0}, size_t{1}})
       if (i == (end == 0 ? 0 : line.size() - 1) && !line.round && !line.end[end].mirror) {

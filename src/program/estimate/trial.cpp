@@ -221,6 +221,8 @@ void drop_places_without_pressure(State& state, const std::vector<State>& before
       return q.zone == z && (row.scale == app::Scale::kPlace || row.by_places.edges + row.by_places.borders > 0);
     };
     std::vector<app::Quantity>& all = state.quantities;
+    for (app::Quantity& q : all)
+      if (q.zone == z) q.at_corner = q.unbounded = false; // nor is what is left of the pressure anywhere
     all.erase(std::remove_if(all.begin(), all.end(), is_place), all.end());
   }
 }
