@@ -102,6 +102,10 @@ TEST_CASE("random decks: a body that may tilt either way on one pair has two sol
   CHECK(v.not_unique);
 }
 
+TEST_CASE("random decks: a load straight above the only pair that touches does not turn the body to one side") {
+  for (const uint64_t seed : {50u, 629u}) is_solved(Kind::any, seed);
+}
+
 TEST_CASE("random decks: with much friction there are more states than can be counted, and the warning says so") {
   Model model = generate(385);
   model.problem.friction = {8};

@@ -1,5 +1,5 @@
 // Body forces of bodies of revolution (METHOD 21.6): hanging bars, turning cylinders, rings and spheres against closed forms.
-#include "memory/config.hpp"
+#include "ring_states.hpp"
 #include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
@@ -8,17 +8,10 @@
 #include <cmath>
 
 using namespace many;
+using namespace ring_states;
 using solved_bodies::solved;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr auto kNoRings = !c2d::kRings;
-
-struct State {
-  double ur, uz, srr, szz, srz, hoop;
-};
-using Field = test::Callable<State(double r, double z)>;
 
 // A half section from z = 0 to z = 3 of radii `bore` and 2: sides 1 lower, 2 outer, 3 upper, 4 inner.
 Model half_section(int32_t functions, double bore, double nu) {

@@ -1,6 +1,6 @@
 // Points inside bodies of revolution (METHOD 21.7): displacements and stresses, round the axis too, against closed forms; on
 // the axis, near it, near the surface and its nodes.
-#include "memory/config.hpp"
+#include "ring_states.hpp"
 #include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
@@ -9,17 +9,10 @@
 #include <cmath>
 
 using namespace many;
+using namespace ring_states;
 using solved_bodies::solved;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr auto kNoRings = !c2d::kRings;
-
-struct State {
-  double ur, uz, srr, szz, srz, hoop;
-};
-using Field = test::Callable<State(double r, double z)>;
 
 Model revolved(int32_t functions) {
   Model m;

@@ -1,5 +1,5 @@
 // Point loads on the axis of bodies of revolution and round it (METHOD 21.8): Kelvin's solution, statics, Betti's theorem.
-#include "memory/config.hpp"
+#include "ring_states.hpp"
 #include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
@@ -8,12 +8,10 @@
 #include <cmath>
 
 using namespace many;
+using namespace ring_states;
 using solved_bodies::solved;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr auto kNoRings = !c2d::kRings;
 
 // A cylinder of radius 1 and length 6, or a tube.
 Model rod(int32_t functions, double bore, int32_t n = 6) {

@@ -26,7 +26,7 @@ struct Quantity {
   double error = NAN;     // stated, absolute; NaN: none
   int32_t images = 1;     // of a width: how many images of an edge it counts
   bool at_corner = false; // an edge: contact ends at a body's corner; a peak: it lies at one
-  bool unbounded = false; // a peak: contact ends there with its zone, on smooth surfaces: it grows as the mesh is refined
+  bool unbounded = false; // a peak: it grows as the mesh is refined; at a corner only a solver can tell (estimate/trial)
   double doubt = 0;       // difference from another method on the same mesh
   // Is it one of a rigid body or platen?
   bool is_of_body() const { return zone == 0 && item > 0; }
