@@ -81,7 +81,7 @@ TEST_CASE("faults: a sample of all: operations, lies, kills, power, memory") {
                         {"lies", lie, 797, 10},
                         {"kills", kill_at_operations, 797, 10},
                         {"power", lose_power, 397, 30},
-                        {"memory", refuse_memory, 8999, 20}};
+                        {"memory", refuse_memory, 797, 20}};
   for (const Part& part : parts) {
     Tally tally;
     for (const Job& job : w.jobs) part.go(w.place, job, part.step, tally);

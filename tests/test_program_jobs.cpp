@@ -142,7 +142,7 @@ TEST_CASE("drawn decks: settings and files that are wrong, told in a word") {
 }
 
 TEST_CASE("drawn decks: meshes are told as they are solved, and numbers without errors") {
-  const Drawn drawn(std::string(kPressed) + "want pressure 50 %\n");
+  const Drawn drawn(std::string(kPressed) + "want forces 50 %\n");
   const std::string program = "cd '" + drawn.folder.path() + "' && '" + paths::program() + "' ";
   const Result shown = run_shell(program + "run s.c2s --progress --csv c");
   CHECK_MESSAGE(shown.status == 0, shown.err);

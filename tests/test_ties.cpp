@@ -491,6 +491,38 @@ TEST_CASE("ties: surfaces that do not coincide are refused") {
     }
 }
 
+// Contact, tie and contact on one face under uniform pressure, which does not jump where they meet.
+TEST_CASE("ties: zones that meet share the node there, in any order") {
+  const FieldAt field = [](double x, double y) { return uniform_field(0.3, -1, 0, x, y); };
+  const int end[4] = {0, 3, 5, 8}; // elements of the zones, from the left
+  for (const int functions : {2, 3, 4})
+    for (const int32_t kind : kKinds) // of the tie
+      for (const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}) {
+        CAPTURE(functions);
+        CAPTURE(kind);
+        CAPTURE(order[0]);
+        Model m;
+        m.function_nodes = functions;
+        m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}, kE, kNu));
+        m.add(rectangle(0, 1, 4, 2, {8, 2, 8, 2}, kE, kNu));
+        for (int32_t b = 1; b <= 2; ++b)
+          for (const int32_t side : {2, 4}) m.set(b, side, end_of(kPulled, side == 2 ? 0.3 : -0.3, 0));
+        m.set(1, 1, [&](double x, double y) { return end_of(kHeld, 0, 0, field(x, y).ux, field(x, y).uy); });
+        m.set(2, 3, end_of(kPulled, 0, -1));
+        const Range top = m.side(1, 3), foot = m.side(2, 1);
+        for (const int z : order)
+          m.zones.push_back(
+              {z == 1 ? tied(kind) : C2D_ZONE_FREE,
+               {{1, top.last - end[z], top.last - end[z + 1] + 1}, {2, foot.first + end[z], foot.first + end[z + 1] - 1}}});
+        const Result r = solved(m);
+        CHECK(imbalance(m, r) < 1e-12);
+        CHECK(breach(m, r) == "");
+        CHECK(off_field(r, field, 1, 3 / kPlaneE) < 1e-10);
+        CHECK(r.last().rows.size() == static_cast<size_t>(8 * (functions - 1) + 1));
+        for (const Row& row : r.last().rows) CHECK(std::fabs(row[C2D_TN] - 1) < 1e-10);
+      }
+}
+
 TEST_CASE("ties: a tie and a contact on one node are refused") {
   Model m;
   m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}));

@@ -13,7 +13,8 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   ZonePlace place;
   out = Surface{{0, 0}, 0, 0, -1, 0};
   ends_at_node(m, z.body[1], p.node[1], ends);
-  const int own = pair_of_end(m, z.body[1], ends[0] / f, ends[0] % f).pair != pair ? 1 : 0; // the first that is
+  const bool first = find_contact_element(m, z.body[1], ends[0] / f, &place) && place.zone == p.zone && place.side == 1;
+  const int own = first ? 0 : 1;
   FacePoint at2{ends[own] / f, 0, node_eta(f, ends[own] % f)}, at;
   const bool in_zone = find_contact_element(m, z.body[1], at2.element, &place);
   if (C2D_NEVER(!in_zone)) return false; // a pair's element is

@@ -135,6 +135,12 @@ double position_of_pair(const Model& m, const Zone& z, int32_t k) {
   return C2D_NEVER(!in_zone) ? 0.0 : position(z, FacePoint{pair.element, faced.place, pair.eta}); // what a pair's node faces is
 }
 
+// 1: the first node of side 1 is a pair of the zone beside it.
+int32_t nodes_before_pairs(const Model& m, const Zone& z) {
+  const int local = z.element_step[1] > 0 ? 0 : m.head->function_nodes - 1;
+  return functional_node(m, z.body[1], z.first_element[1], local) == z.first_node[1] ? 0 : 1;
+}
+
 // The element of side 1 that a point of side 0 faces, by bisection over the pairs: their positions along side 0 increase along
 // the zone. It replaces a search over all elements when the pairs are known. On a ring positions are counted from the first
 // pair.
@@ -148,7 +154,7 @@ int32_t place_between_pairs(const Model& m, const Zone& z, const FacePoint& at) 
     const int32_t middle = low + (high - low) / 2;
     (ahead(position_of_pair(m, z, middle)) <= sought ? low : high) = middle;
   }
-  const int32_t place = low / (m.head->function_nodes - 1);
+  const int32_t place = (low + nodes_before_pairs(m, z)) / (m.head->function_nodes - 1);
   return place < z.elements ? place : z.elements - 1;
 }
 

@@ -301,7 +301,10 @@ inline int32_t dof_on(const Model& m, const Pair& pair, int side) { return pair.
 bool find_contact_element(const Model& m, int b, int32_t element, ZonePlace* out);
 // Pair -1: none, as everywhere on side 0 of a free zone.
 PairSide pair_of_node(const Model& m, int b, int32_t node);
-// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1).
+// Are both zones between the same bodies, on the same sides?
+bool have_common_bodies(const Zone& y, const Zone& z);
+// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1). Where two zones
+// between the same bodies meet, their common node is in a pair of one of them, whose traction both elements carry.
 PairSide pair_of_end(const Model& m, int b, int32_t element, int l);
 
 // ---- unknowns ---------------------------------------------------------------------------------------------------

@@ -11,8 +11,8 @@ MUTANTS_MOST := 1000000
 MUTANTS_HERE := $(wildcard tests/mutants/*.hpp) tests/mutants/mutants.mk
 mutant_object = $(MUTANTS)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
 MUTANT_OBJECTS := $(foreach s,$(CORE_SOURCES),$(call mutant_object,$(s)))
-MUTANT_TESTS := $(filter-out %/main.o %/paths.o,$(sort $(TEST_OBJECTS) $(PROOF_OBJECTS))) $(STUDY_OBJECT) \
-  $(filter-out $(LIBRARY),$(FUZZ_PROGRAM))
+MUTANT_TESTS := $(filter-out %/main.o %/paths.o,$(sort $(TEST_OBJECTS) $(PROOF_OBJECTS) \
+  $(filter-out $(LIBRARY),$(FUZZ_PROGRAM))))
 MUTANT_LIBRARY := $(MUTANTS)/libcontact2d.a
 quoted = '"$(abspath $(1))"'
 MUTANT_PATHS = $(subst $(call quoted,$(LIBRARY)),$(call quoted,$(MUTANT_LIBRARY)),$(TEST_PATHS))

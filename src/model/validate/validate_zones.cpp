@@ -233,6 +233,29 @@ void number_pairs(const Model& m) {
   m.head->pairs = pairs;
 }
 
+// Is the node in a pair of another zone between the same bodies, which keeps it? Matching zones keep theirs, then ties, because
+// their end may be the tip of a crack, then the first zone.
+bool is_kept_by_another(const Model& m, int32_t zone, int32_t node) {
+  const Zone& z = m.zone[zone];
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    const Zone& other = m.zone[i];
+    const bool keeps = other.is_free == 0 || (other.is_tied != z.is_tied ? other.is_tied != 0 : i < zone);
+    if (i == zone || !keeps || !have_common_bodies(other, z)) continue;
+    if (zone_node(m, other, 1, 0) == node || zone_node(m, other, 1, other.pairs - 1) == node) return true;
+  }
+  return false;
+}
+
+// A free zone gives up the end node that it has in common with another zone (pair_of_end).
+void share_end_nodes(const Model& m, int32_t zone) {
+  Zone& z = m.zone[zone];
+  if (z.is_free == 0 || m.head->function_nodes == 1) return;
+  if (z.pairs > 1 && is_kept_by_another(m, zone, zone_node(m, z, 1, z.pairs - 1))) --z.pairs;
+  if (z.pairs < 2 || !is_kept_by_another(m, zone, z.first_node[1])) return;
+  z.first_node[1] = zone_node(m, z, 1, 1);
+  --z.pairs;
+}
+
 // Fits free zones to the facing parts and numbers the pairs of all zones again.
 bool fit_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
@@ -244,6 +267,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
       kFreeZonePart.fit_free_zone(m, i, reporter);
     }
   }
+  for (int32_t i = 0; i < m.head->zones; ++i) share_end_nodes(m, i);
   number_pairs(m);
   return reporter.faults == before;
 }

@@ -191,7 +191,8 @@ bool Pairing::coincides(const Pair& pair) const {
 }
 
 // Two zones that adjoin on their second side share a node, which may belong to one pair only. If both are matching, `yields`
-// gives up its end node; otherwise its end element, which is then free of traction.
+// gives up its end node. A free zone gives up its own when the deck is read, if both are between the same bodies; if not,
+// `yields` gives up its end element, which is then free of traction.
 void Pairing::part(Pair& stays, Pair& yields) {
   const Elements& all = body(stays.contact, 1);
   for (const bool at_end : {false, true}) {
@@ -202,6 +203,7 @@ void Pairing::part(Pair& stays, Pair& yields) {
       stays.matching = yields.matching = yields.leaves[at_end ? 1 : 0] = true;
       continue;
     }
+    if (&body(stays.contact, 0) == &body(yields.contact, 0)) continue;
     const auto shorten = [](Numbers& numbers, bool back) { numbers.erase(back ? numbers.end() - 1 : numbers.begin()); };
     shorten(yields.two, at_end);
     if (yields.matching) shorten(yields.one, !at_end), yields.leaves[at_end ? 1 : 0] = false;
