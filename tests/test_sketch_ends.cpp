@@ -256,7 +256,7 @@ TEST_CASE("sketch zones: three interfaces in a row, that coincide, or of which a
     share_nothing(zones);
     CHECK(deck_of(s, mesh).find("! matching zone") != std::string::npos);
   }
-  // On a rigid floor nothing matches: neighbours end an element before. One of a single element comes to nothing.
+  // On a rigid floor nothing matches, and neighbours share nodes: one of a single linear element comes to nothing.
   const std::string rigid =
       "body b rigid\nfrom 0 -1\nline s to 3 -1\nline r to 3 0\nline c to 2 0\nline m to 1 0\nline a to 0 0\nline l close\n";
   for (const char* order :
@@ -271,7 +271,8 @@ TEST_CASE("sketch zones: three interfaces in a row, that coincide, or of which a
         for (MeshedCurve& curve : mesh.bodies[1][0].curves)
           if (curve.curve->name == "m") curve.ends = {0, curve.measure.length()};
       const std::vector<Zone> zones = zones_of(s, mesh);
-      const bool comes_to_nothing = short_one && std::string(order).compare(0, 13, "contact b.m d") != 0;
+      const bool is_last = std::string(order).find("b.m") > std::string(order).find("b.c");
+      const bool comes_to_nothing = short_one && is_last; // it gives up both nodes
       CHECK(zones.size() == (comes_to_nothing ? 2 : 3));
       for (const Zone& zone : zones) CHECK_FALSE(zone.matching);
       share_nothing(zones);

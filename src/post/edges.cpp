@@ -109,6 +109,13 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   return edge;
 }
 
+void drop_round_off(LineState& state) {
+  double pressure = 0, friction = 0;
+  for (const double t : state.tn) pressure = std::max(pressure, std::fabs(t));
+  for (const double t : state.tt) friction = std::max(friction, std::fabs(t));
+  if (friction <= kNoFriction * pressure) std::fill(state.tt.begin(), state.tt.end(), 0.0);
+}
+
 } // namespace
 
 LineState line_state(const ZoneLine& line, const double* table, int64_t stride, const std::vector<double>& slip_at_turn) {
@@ -121,6 +128,7 @@ LineState line_state(const ZoneLine& line, const double* table, int64_t stride, 
     state.nx.push_back(row[C2D_NX]), state.ny.push_back(row[C2D_NY]);
     state.slip.push_back(row[C2D_SLIP_SUM] - (p < slip_at_turn.size() ? slip_at_turn[p] : 0.0));
   }
+  drop_round_off(state);
   return state;
 }
 

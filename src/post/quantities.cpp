@@ -201,10 +201,13 @@ void take_mean(const ZoneStep& z, Quantities& out) {
   if (length > 0) out.add(Measure::kMeanPressure, integral(z.state.line, z.state.tn) / length);
 }
 
+bool rubs(const LineState& state) {
+  return std::any_of(state.tt.begin(), state.tt.end(), [](double t) { return t != 0; }) ||
+         std::count(state.status.begin(), state.status.end(), C2D_STICK) > 0;
+}
+
 void take_friction(const ZoneStep& z, Quantities& out) {
-  const std::vector<double>& tt = z.state.tt;
-  if (z.contact && std::any_of(tt.begin(), tt.end(), [](double t) { return t != 0; }))
-    out.add(Measure::kFrictionForce, integral(z.state.line, tt));
+  if (z.contact && rubs(z.state)) out.add(Measure::kFrictionForce, integral(z.state.line, z.state.tt));
 }
 
 double spacing_at(const ZoneLine& line, double s) {
@@ -258,9 +261,7 @@ void take_half_width(const ZoneStep& z, Quantities& out) {
 // With friction; 0 where all slips.
 void take_stuck_width(const ZoneStep& z, Quantities& out) {
   const LineState& state = z.state;
-  const bool rubs = std::any_of(state.tt.begin(), state.tt.end(), [](double t) { return t != 0; }) ||
-                    std::count(state.status.begin(), state.status.end(), C2D_STICK) > 0;
-  if (!z.contact || !rubs) return;
+  if (!z.contact || !rubs(state)) return;
   int32_t images = 1;
   const double width = whole_length(state.line, stuck_stretches(state, z.edges, find_stick_borders(state)), images);
   out.add(Measure::kStuckWidth, width).images = images;
@@ -418,6 +419,16 @@ constexpr MeasureRow kRows[] = {
     zone(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, S::kGiven, nullptr, kSurface),
 };
 
+constexpr double kRoundOff = 1e-10; // of the largest force
+
+// A force that is nothing but round-off of the others becomes 0.
+void drop_round_off(const std::vector<c2d_zone_state>& states, std::vector<Quantity>& out) {
+  double largest = 0;
+  for (const c2d_zone_state& state : states) largest = std::max(largest, std::hypot(state.force[0], state.force[1]));
+  for (Quantity& q : out)
+    if (row_of(q.what).scale == Scale::kForce && std::fabs(q.value) <= kRoundOff * largest) q.value = 0;
+}
+
 constexpr bool is_in_order() {
   for (size_t i = 0; i < kMeasures; ++i)
     if (kRows[i].what != static_cast<Measure>(i)) return false;
@@ -447,6 +458,7 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
   for (size_t b = 0; b < bodies.size(); ++b)
     for (const MeasureRow& row : kRows)
       if (bodies[b].is_rigid != 0 && row.of_body != nullptr) row.of_body({bodies[b], static_cast<int32_t>(b) + 1, tied}, all);
+  drop_round_off(states, out);
   return out;
 }
 

@@ -87,7 +87,7 @@ void History::note(const c2d_step& step) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     const int status = static_cast<int>(row[C2D_STATUS]);
     if (status >= 0 && status < 3) ++now.count[status];
-    if (p == 0 || row[C2D_TN] > now.peak) now.peak = row[C2D_TN];
+    if (status != C2D_TIED) now.peak = std::max(now.peak, row[C2D_TN]);
     if (keep_status) now.status[p] = static_cast<char>(status);
   }
   if (keep_status) status_bytes_ += pairs;

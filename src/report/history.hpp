@@ -14,7 +14,7 @@ struct PathPoint {
   int32_t step = 0, kind = 0;   // C2D_STEP_...
   double load = 0.0;            // of load case 1
   double travel = 0.0;          // sum of the changes of all load factors so far
-  double peak = 0.0;            // largest tn
+  double peak = 0.0;            // largest tn outside ties
   int32_t count[3] = {0, 0, 0}; // open, stick, slip
   int32_t events = 0;           // so far, this one included
   std::string status;           // a byte per pair: C2D_OPEN ...; empty once kMostStatusBytes are in use

@@ -232,6 +232,16 @@ void append_terms(std::string& out, const Scene& scene) {
       "2, and t is n turned by -90 degrees.</dd>\n</dl>\n</section>\n";
 }
 
+std::string units_of_steps(const Scene& scene) {
+  std::string out = "<p>";
+  if (scene.cases > 1) out += "load2: the factor of load case 2. ";
+  out += "at s: the length along side 2 from the first pair.";
+  if (!scene.length_unit.empty())
+    out += " Lengths in " + scene.length_unit + ", pressures in " + scene.stress_unit + ", forces in " + scene.force_unit +
+           ", moments and work in " + scene.work_unit + ".";
+  return out + "</p>\n";
+}
+
 // Step by step, folded away.
 void append_steps(std::string& out, const Scene& scene) {
   size_t shown = 0;
@@ -243,7 +253,7 @@ void append_steps(std::string& out, const Scene& scene) {
              "</summary>\n<div class=\"wide\"><table>\n";
       append_row(out, table.heading, "th");
       for (const std::vector<std::string>& row : table.rows) append_row(out, row);
-      out += "</table></div>\n</details>\n";
+      out += "</table></div>\n" + units_of_steps(scene) + "</details>\n";
     }
 }
 
@@ -327,15 +337,17 @@ void append_page_inputs(std::string& out, const Inputs& inputs) {
   out += "</table></div>\n</section>\n";
 }
 
-// Of several contacts the one with the highest pressure; without contact the picture after the model's.
+// Of several contacts the one with the highest pressure, else a tie; without either the picture after the model's.
 size_t first_picture(const Scene& scene, const Pictures& pictures) {
   size_t out = pictures.size();
   double most = -HUGE_VAL;
+  bool tied = true;
   for (size_t i = 0; i < pictures.size(); ++i) {
     if (pictures[i].name.compare(0, 7, "contact") != 0) continue;
     const size_t z = pictures[i].name.size() > 12 ? static_cast<size_t>(std::stoi(pictures[i].name.substr(12))) - 1 : 0;
     const ZoneFacts f = find_facts(scene, scene.zones[z], scene.record->coefficients.back().table);
-    if (f.peak > most) most = f.peak, out = i;
+    if (tied && !scene.zones[z].tied) tied = false, most = -HUGE_VAL;
+    if (scene.zones[z].tied == tied && f.peak > most) most = f.peak, out = i;
   }
   for (size_t i = 0; i < pictures.size() && out == pictures.size(); ++i)
     if (pictures[i].name == "deformed" || (!scene.solved && pictures[i].name == "model")) out = i;

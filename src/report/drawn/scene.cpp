@@ -128,10 +128,18 @@ std::string place_on_path(const Scene& scene, size_t coefficient) {
          list_of(histories[coefficient].loads) + ")";
 }
 
+// Has every contact the coefficient of the run, or have some one of their own?
+static bool has_one_friction(const Scene& scene, size_t coefficient) {
+  for (size_t z = 0; z < scene.zones.size(); ++z)
+    if (!scene.zones[z].tied && friction_of(scene, coefficient, z) != scene.record->coefficients[coefficient].mu) return false;
+  return true;
+}
+
 std::string place_at_end(const Scene& scene) {
   const size_t count = scene.record->coefficients.size();
   std::string out = count > 0 ? place_on_path(scene, count - 1) : "load factor " + figure(scene.summary.load);
-  if (!scene.pairs.empty()) out += ", &#956; = " + figure(scene.summary.mu);
+  const bool tells = count != 1 || has_one_friction(scene, 0);
+  if (!scene.pairs.empty() && tells) out += ", &#956; = " + figure(scene.summary.mu);
   return out;
 }
 

@@ -1,4 +1,5 @@
 // The first picture of a page: pressure and friction drawn on the deformed bodies where they act.
+#include "post/edges.hpp"
 #include "report/drawn/axes.hpp"
 #include "report/pictures/deformation.hpp"
 #include "report/pictures/pictures.hpp"
@@ -35,6 +36,12 @@ struct Contact {
     for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) most = std::max(most, std::fabs(value(p, column)));
     return most;
   }
+  size_t peak() const { // the pair of the largest normal stress in size
+    size_t most = zone.first;
+    for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
+      if (touches(p) && std::fabs(value(p, C2D_TN)) > std::fabs(value(most, C2D_TN))) most = p;
+    return most;
+  }
   // The model and, of a zone that goes on beyond lines of symmetry, its images.
   const std::vector<Image>& images() const { return images_; }
 
@@ -45,7 +52,7 @@ private:
 // By which friction is magnified against pressure.
 double scale_of_friction(const Contact& c) {
   const double pressure = c.largest(C2D_TN), friction = c.largest(C2D_TT);
-  if (!(friction > 1e-9 * pressure) || friction >= kLittleFriction * pressure) return 1.0;
+  if (!(friction > kNoFriction * pressure) || friction >= kLittleFriction * pressure) return 1.0;
   return round_below(0.5 * pressure / friction);
 }
 
@@ -222,7 +229,7 @@ private:
 
   // `turn`: -1 in a mirror image, where t is reversed.
   void draw_run(const std::vector<Acting>& run, double turn, const std::vector<char>& arrows) {
-    const bool friction = c_.largest(C2D_TT) > 1e-9 * c_.largest(C2D_TN);
+    const bool friction = c_.largest(C2D_TT) > kNoFriction * c_.largest(C2D_TN);
     diagram(run, pressure_end, kPressure);
     if (friction) diagram(run, friction_end, kFriction);
     surface(run);
@@ -247,9 +254,7 @@ private:
   }
 
   void label_peak() {
-    size_t peak = c_.zone.first;
-    for (size_t p = c_.zone.first; p < c_.zone.first + c_.zone.pairs; ++p)
-      if (c_.touches(p) && std::fabs(c_.value(p, C2D_TN)) > std::fabs(c_.value(peak, C2D_TN))) peak = p;
+    const size_t peak = c_.peak();
     const Acting a = acting(c_.images()[0], peak);
     const Point end = pressure_end(a);
     const std::string text = figure(c_.value(peak, C2D_TN), c_.scene.stress_unit);
@@ -271,7 +276,7 @@ std::vector<LegendEntry> legend_of(const Contact& c) {
   const std::string on = " on " + body_label(c.scene, c.zone.body[1]);
   std::vector<LegendEntry> out;
   out.push_back({(c.tied ? "normal stress of the tie" : "pressure") + on, kPressure, Mark::kNone, true, "", Head::kFilled});
-  if (c.largest(C2D_TT) > 1e-9 * c.largest(C2D_TN)) {
+  if (c.largest(C2D_TT) > kNoFriction * c.largest(C2D_TN)) {
     std::string text = c.tied ? "shear stress" : "friction";
     if (c.friction_scale > 1.0) text += ", drawn &#215; " + figure(c.friction_scale);
     out.push_back({text + on, kFriction, Mark::kNone, true, "", Head::kFilled});
@@ -287,14 +292,14 @@ std::vector<LegendEntry> legend_of(const Contact& c) {
 
 std::string caption_of(const Contact& c, const Deformation& deformation) {
   const Scene& scene = c.scene;
-  const ZoneFacts f = find_facts(scene, c.zone, c.table);
+  const size_t peak = c.peak();
   const std::string two = body_label(scene, c.zone.body[1]), one = body_label(scene, c.zone.body[0]);
   std::string out = std::string("Stresses on ") + two + (c.tied ? " where it is tied to " : " where it touches ") + one +
                     ", at " + place_at_end(scene) + ": the largest " + (c.tied ? "normal stress" : "pressure") +
-                    " of a pair is " + figure(f.peak, scene.stress_unit, 6) + " at " + c.zone.position + " = " +
-                    figure(scene.pairs[f.peak_pair].s, scene.length_unit);
+                    " of a pair is " + figure(c.value(peak, C2D_TN), scene.stress_unit, 6) + " at " + c.zone.position + " = " +
+                    figure(scene.pairs[peak].s, scene.length_unit);
   const double friction = c.largest(C2D_TT);
-  if (friction > 1e-9 * c.largest(C2D_TN))
+  if (friction > kNoFriction * c.largest(C2D_TN))
     out += std::string(", the largest ") + (c.tied ? "shear stress " : "friction ") + figure(friction, scene.stress_unit, 4);
   out += ". Those on " + one + " are opposite. The bodies are drawn deformed";
   out += deformation.factor() == 1.0 ? ", to scale."
@@ -326,7 +331,7 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   Svg svg(name, kPictureWidth, view.frame.bottom + 42.0);
   draw_legend(&svg, {kLeft, 4.0}, kPictureWidth - kLeft - kRight, entries);
   ContactView(svg, c, deformation, drawn).draw();
-  const bool friction = c.largest(C2D_TT) > 1e-9 * c.largest(C2D_TN);
+  const bool friction = c.largest(C2D_TT) > kNoFriction * c.largest(C2D_TN);
   const char* title = c.tied     ? "Stresses of the tie"
                       : friction ? "Pressure and friction where they act"
                                  : "Pressure where it acts";

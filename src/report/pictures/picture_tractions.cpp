@@ -1,3 +1,4 @@
+#include "post/edges.hpp"
 #include "report/drawn/axes.hpp"
 #include "report/pictures/pictures.hpp"
 #include "report/text.hpp"
@@ -98,10 +99,11 @@ void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, co
 
 // States which values lie beyond the axis.
 void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
+  const double axis = (1 + 1e-6) * std::max(std::fabs(chart.y.low), std::fabs(chart.y.high));
   size_t beyond = 0, largest = l.zone.first;
   for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
     const auto size = [&](size_t pair) { return std::fabs(l.record.table[pair * C2D_PAIR_FIELDS + column]); };
-    if (l.shows(l.scene.pairs[p].s) && size(p) > std::max(std::fabs(chart.y.low), std::fabs(chart.y.high))) ++beyond;
+    if (l.shows(l.scene.pairs[p].s) && size(p) > axis) ++beyond;
     if (size(p) > size(largest)) largest = p;
   }
   if (beyond == 0) return;
@@ -335,7 +337,7 @@ void draw_tractions_of(const Scene& scene, size_t coefficient, size_t zone_index
       place_on_path(scene, coefficient),
       {}};
   const double most = most_of(l, C2D_TN);
-  const bool friction = (l.zone.tied || l.mu > 0.0) && most_of(l, C2D_TT) > 1e-12 * most;
+  const bool friction = (l.zone.tied || l.mu > 0.0) && most_of(l, C2D_TT) > kNoFriction * most;
   if (most == 0.0) return; // nothing touches, or without force
   const double left = 66.0, right = kPictureWidth - 18.0;
   const std::vector<LegendEntry> entries = legend(l, friction);

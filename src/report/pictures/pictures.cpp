@@ -11,9 +11,11 @@ void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Sce
                  Pictures& out) {
   size_t drawn = 0;
   for (size_t c = 0; c < coefficients; ++c)
-    for (size_t z = 0; z < scene.zones.size(); ++z)
-      if (!scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 && drawn++ < kMostCharts)
-        draw(scene, c, z, out);
+    for (const bool tied : {false, true})
+      for (size_t z = 0; z < scene.zones.size(); ++z)
+        if (scene.zones[z].tied == tied && !scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 &&
+            drawn++ < kMostCharts)
+          draw(scene, c, z, out);
 }
 
 std::string chart_title(const Scene& scene, double mu, size_t zone) {

@@ -82,6 +82,7 @@ private:
     size_t contact;
     Numbers one, two;
     bool matching = false, leaves[2] = {false, false}, whole[2] = {true, true};
+    int shares = 0; // ends at which a free zone gives up its node
   };
   const Elements& body(size_t k, size_t side) const { return elements_[static_cast<size_t>(s_.contacts[k].side[side].body)]; }
   bool is_tied(size_t k) const { return s_.interfaces[s_.contacts[k].interface].tied; }
@@ -203,7 +204,10 @@ void Pairing::part(Pair& stays, Pair& yields) {
       stays.matching = yields.matching = yields.leaves[at_end ? 1 : 0] = true;
       continue;
     }
-    if (&body(stays.contact, 0) == &body(yields.contact, 0)) continue;
+    if (&body(stays.contact, 0) == &body(yields.contact, 0)) {
+      ++(yields.matching ? stays : yields).shares;
+      continue;
+    }
     const auto shorten = [](Numbers& numbers, bool back) { numbers.erase(back ? numbers.end() - 1 : numbers.begin()); };
     shorten(yields.two, at_end);
     if (yields.matching) shorten(yields.one, !at_end), yields.leaves[at_end ? 1 : 0] = false;
@@ -219,7 +223,10 @@ void Pairing::part_neighbours() {
       const bool early = is_tied(pairs_[j].contact) && !is_tied(pairs_[i].contact);
       part(pairs_[early ? j : i], pairs_[early ? i : j]);
     }
-  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.two.empty(); }), pairs_.end());
+  const auto has_none = [&](const Pair& p) {
+    return p.two.empty() || (p.shares == 2 && static_cast<int>(p.two.size()) * s_.order < 2);
+  };
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), has_none), pairs_.end());
   std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
 
