@@ -267,11 +267,11 @@ c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
    C2D_ZONE_MATCHING: elements face each other, first with first, last with last, and the functional nodes first_node ...
    last_node, `pairs` of them, form pairs in the same order.
    C2D_ZONE_FREE: independent meshes; either side may run up or down, pairs and nodes are ignored. Every functional node of side
-   2 forms a pair with the point of side 1 whose normal passes through it (C2D_X, C2D_Y; C2D_PAIR_NODE1 is 0); elements of side
-   2 that face side 1 only in part are excluded. Where zones of the same bodies meet, the matching one, else the tie, else the
-   first has the node. Nodes of side 1 keep their conditions (both unknown: the contact's); tractions prescribed there add to
-   the contact's. The force is transferred exactly, its moment as far as paired points coincide (METHOD 9). c2d_limits: `pairs`
-   and `free_pairs` count all nodes of elements of side 2. c2d_complete refuses sides that do not face each other. */
+   2 forms a pair with the point of side 1 whose normal passes through it (C2D_X, C2D_Y; C2D_PAIR_NODE1 is 0), but not an end
+   node that a support holds or that a matching zone, else a tie, else an earlier zone has; elements of side 2 that face side 1
+   only in part are excluded. Nodes of side 1 keep their conditions (both unknown: the contact's); tractions prescribed there
+   add to the contact's. The force is transferred exactly, its moment as far as paired points coincide (METHOD 9). c2d_limits:
+   `pairs` and `free_pairs` count all nodes of elements of side 2. c2d_complete refuses sides that do not face each other. */
 enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1, C2D_ZONE_TIED = 2, C2D_ZONE_SELF = 4 };
 typedef struct c2d_side {
   int32_t body, first_element, last_element, elements;

@@ -95,6 +95,28 @@ TEST_CASE("sketch zones: a tie goes on to the tip of a crack") {
     }
 }
 
+// A foot ends at a wall that holds it in one direction, and stands on two floors: its pressure is uniform up to both places.
+TEST_CASE("sketch zones: pressure goes on up to a support, and from one floor to the next") {
+  const auto floor = [](const char* name, const char* from, const char* to) {
+    return std::string("body ") + name + " rigid\nfrom " + from + " -1\nline s to " + to + " -1\nline e to " + to +
+           " 0\nline top to " + from + " 0\nline w close\n";
+  };
+  const std::string block = "body b E 1000 nu 0.3\nfrom 0 0\nline f to 1 0\nline g to 2 0\nline r to 2 1\nline top to 0 1\n"
+                            "line l close\ntraction b.top y -1\n";
+  for (const char* order : {"linear", "quadratic"})
+    for (const std::string& text : {floor("one", "-1", "3") + block + "contact one.top b.f+g mu 0\nfix b.l x\n",
+                                    floor("one", "0", "1") + floor("two", "1", "2") + block +
+                                        "contact one.top b.f mu 0\ncontact two.top b.g mu 0\nfix b.r.end x\n"}) {
+      CAPTURE(order);
+      const sketch::Reading drawn = read_text(text + "functions " + order + "\n");
+      REQUIRE(drawn.faults.empty());
+      const Solution s = families_test::solve_deck(sketch::deck_of(drawn.sketch, sketch::first_mesh(drawn.sketch, 2)));
+      REQUIRE_MESSAGE(s.error.empty(), s.error);
+      CHECK(s.last().size() > 8);
+      for (const auto& row : s.last()) CHECK(row.tn == doctest::Approx(1).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("sketch zones: a press fit and a load behind it") {
   const std::string fit = test::read_file(paths::root() + "/examples/press_fit.c2s"), load = "pressure hub.rim 20\n";
   const auto pressure = [](const std::string& text, double overlap) {

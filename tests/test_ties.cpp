@@ -523,6 +523,45 @@ TEST_CASE("ties: zones that meet share the node there, in any order") {
       }
 }
 
+// A block on two others, whose zones meet at a node, between supports that hold its corners: no pair there, no false peak.
+TEST_CASE("ties: free zones end at supports, and beside those of other bodies") {
+  const FieldAt field = [](double x, double y) { return uniform_field(0.3, -1, 0, x, y); };
+  for (const int functions : {2, 3, 4})
+    for (const int supports : {0, 1, 2}) // none, in x, in both
+      for (const bool swapped : {false, true}) {
+        CAPTURE(functions);
+        CAPTURE(supports);
+        CAPTURE(swapped);
+        Model m;
+        m.function_nodes = functions;
+        m.add(rectangle(0, 0, 2, 1, {4, 2, 4, 2}, kE, kNu));
+        m.add(rectangle(2, 0, 4, 1, {5, 2, 5, 2}, kE, kNu));
+        m.add(rectangle(0, 1, 4, 2, {8, 2, 8, 2}, kE, kNu));
+        for (int32_t b = 1; b <= 3; ++b)
+          for (const int32_t side : {2, 4}) m.set(b, side, end_of(kPulled, side == 2 ? 0.3 : -0.3, 0));
+        const auto held = [&](double x, double y) { return end_of(kHeld, 0, 0, field(x, y).ux, field(x, y).uy); };
+        for (int32_t b = 1; b <= 2; ++b) m.set(b, 1, held);
+        m.set(3, 3, end_of(kPulled, 0, -1));
+        for (const int32_t side : {2, 4})
+          if (supports == 2)
+            m.set(3, side, held);
+          else if (supports == 1)
+            m.set(3, side, [&](double x, double y) { return end_of("1001", 0, 0, field(x, y).ux, 0); });
+        const Range foot = m.side(3, 1);
+        for (const int32_t b : {swapped ? 2 : 1, swapped ? 1 : 2}) {
+          const Range top = m.side(b, 3);
+          m.zones.push_back({C2D_ZONE_FREE, {{b, top.first, top.last}, {3, foot.first + 4 * (b - 1), foot.first + 4 * b - 1}}});
+        }
+        const Result r = solved(m);
+        CHECK(imbalance(m, r) < 1e-12);
+        CHECK(breach(m, r) == "");
+        CHECK(off_field(r, field, 1, 3 / kPlaneE) < 1e-10);
+        CHECK(std::fabs(r.last().defect) < 1e-10);
+        CHECK(r.last().rows.size() == static_cast<size_t>(8 * (functions - 1) + 1 - (supports == 0 ? 0 : 2)));
+        for (const Row& row : r.last().rows) CHECK(std::fabs(row[C2D_TN] - 1) < 1e-10);
+      }
+}
+
 TEST_CASE("ties: a tie and a contact on one node are refused") {
   Model m;
   m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}));

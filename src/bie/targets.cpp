@@ -24,7 +24,7 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
   const int32_t end = element * m.head->function_nodes + l;
   const bool has_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
                            unknown.kind == UnknownKind::shared_traction; // (both ends of its node)
-  if (contact.pair >= 0 && is_in_contact(unknown)) {
+  if (contact.pair >= 0 && is_of_contact(m, contact, functional_node(m, b, element, l), component, unknown)) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
     place_contact(m, contact, component, outer_columns(m, b) + m.body[b].contact, scale, out);
     out.contact = contact.side == 1; // on side 0 both measures are the same

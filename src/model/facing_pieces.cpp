@@ -33,7 +33,8 @@ namespace {
 bool face_own_cut(const Model& m, const Zone& z, int32_t stop, const FacePoint& at2, FacePoint& out) {
   const int32_t f = m.head->function_nodes, local = z.element_step[1] > 0 ? stop : f - 1 - stop;
   const int32_t pair = f > 1 ? pair_of_end(m, z.body[1], at2.element, local).pair : -1;
-  if (pair < 0 || &m.zone[m.pair[pair].zone] != &z) return face_point(m, z, at2, out);
+  const bool known = pair >= 0 && m.pair[pair].node[1] == functional_node(m, z.body[1], at2.element, local);
+  if (!known) return face_point(m, z, at2, out);
   ZonePlace faced;
   out.element = m.pair[pair].element;
   out.eta = m.pair[pair].eta;

@@ -301,10 +301,8 @@ inline int32_t dof_on(const Model& m, const Pair& pair, int side) { return pair.
 bool find_contact_element(const Model& m, int b, int32_t element, ZonePlace* out);
 // Pair -1: none, as everywhere on side 0 of a free zone.
 PairSide pair_of_node(const Model& m, int b, int32_t node);
-// Are both zones between the same bodies, on the same sides?
-bool have_common_bodies(const Zone& y, const Zone& z);
-// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1). Where two zones
-// between the same bodies meet, their common node is in a pair of one of them, whose traction both elements carry.
+// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1). Where a free zone
+// ends at a node that is in none of its pairs, the traction of the nearest pair of the element.
 PairSide pair_of_end(const Model& m, int b, int32_t element, int l);
 
 // ---- unknowns ---------------------------------------------------------------------------------------------------
@@ -327,6 +325,8 @@ inline bool is_in_contact(const Unknown& unknown) {
   return unknown.kind == UnknownKind::contact || (!kSmallCode && unknown.loaded);
 }
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
+// Is this component of the traction at an element end, of its pair (pair_of_end) and the unknown of its node, the contact's?
+bool is_of_contact(const Model& m, const PairSide& at, int32_t node, int component, const Unknown& unknown);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
 // Prescribed values in a load case, at factor 1.

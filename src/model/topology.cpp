@@ -261,18 +261,14 @@ PairSide pair_of_node(const Model& m, int b, int32_t node) {
   return PairSide{-1, 0};
 }
 
-bool have_common_bodies(const Zone& y, const Zone& z) { return y.body[0] == z.body[0] && y.body[1] == z.body[1]; }
-
 PairSide pair_of_end(const Model& m, int b, int32_t element, int l) {
   ZonePlace at;
   if (!find_contact_element(m, b, element, &at)) return PairSide{-1, 0};
   const Zone& z = m.zone[at.zone];
-  const int32_t node = functional_node(m, b, element, l), pair = pair_in_zone(m, z, at.side, node);
-  if (pair >= 0 || (z.is_free != 0 && at.side == 0)) return PairSide{pair, at.side};
-  const PairSide beside = pair_of_node(m, b, node);
-  if (beside.pair < 0 || beside.side != at.side) return PairSide{-1, at.side};
-  const Zone& other = zone_of(m, m.pair[beside.pair]);
-  return have_common_bodies(z, other) && z.is_free >= other.is_free ? beside : PairSide{-1, at.side};
+  const int32_t pair = pair_in_zone(m, z, at.side, functional_node(m, b, element, l));
+  if (pair >= 0 || z.is_free == 0 || at.side == 0 || m.head->function_nodes == 1) return PairSide{pair, at.side};
+  const int nearest = l == 0 ? 1 : m.head->function_nodes - 2; // the node is the first or last of the zone
+  return PairSide{pair_in_zone(m, z, at.side, functional_node(m, b, element, nearest)), at.side};
 }
 
 void pair_position(const Model& m, const Pair& pair, int side, double* x, double* y) {

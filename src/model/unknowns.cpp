@@ -101,6 +101,12 @@ Unknown find_unknown(const Model& m, int b, int32_t node, const NodeEnds& at, in
 
 } // namespace
 
+bool is_of_contact(const Model& m, const PairSide& at, int32_t node, int component, const Unknown& unknown) {
+  if (at.pair < 0) return false;
+  const Pair& pair = m.pair[at.pair];
+  return pair.node[at.side] == node ? is_in_contact(unknown) : is_contact_component(pair, component);
+}
+
 Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
   return find_unknown(m, b, node, ends_of(m, b, node), component);
 }

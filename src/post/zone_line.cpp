@@ -167,17 +167,24 @@ bool PlaceFinder::is_corner_pair(const c2d_zone& zone, size_t pair) const {
   return curve(zone.side2.body).is_corner_node(static_cast<int32_t>(node2_[pair])) || faces_corner(zone, pair);
 }
 
-// Pairs of an element of side 2 that begins at s, and the parts of its shape functions.
+// Pairs of an element of side 2 that begins at s, and the parts of its shape functions. An end of a free zone that is in no
+// pair of it carries the traction of the nearest one.
 void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const {
   const int32_t nodes = s_.function_nodes;
   const ElementCurve& element = curve(side.body).element(e);
   line.pieces.push_back({s, up, element});
+  const c2d_zone& zone = s_.zone[static_cast<size_t>(line.zone) - 1];
+  double of_end = 0; // weight of an end at the start of the line
   for (int32_t i = 0; i < nodes; ++i) {
     const int32_t k = up ? i : nodes - 1 - i;
     const int32_t node = curve(side.body).node(e, k + 1);
     const int32_t pair = pair_at_[static_cast<size_t>(line.zone) - 1][static_cast<size_t>(node)];
-    if (pair < 0) continue;
-    const double weight = element.length(-1, 1, nodes, k, line.revolved), eta = node_place(nodes, k);
+    const double own = element.length(-1, 1, nodes, k, line.revolved), weight = own + of_end, eta = node_place(nodes, k);
+    if (pair < 0) {
+      if ((zone.kind & C2D_ZONE_FREE) != 0) (line.pair.empty() ? of_end : line.weight.back()) += own;
+      continue;
+    }
+    of_end = 0;
     if (!line.pair.empty() && (line.pair.back() == pair || line.pair.front() == pair)) { // shared with a neighbour
       line.weight[line.pair.back() == pair ? line.weight.size() - 1 : 0] += weight;
       continue;
@@ -188,7 +195,7 @@ void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, b
     line.s.push_back(s + (up ? element.length(-1, eta) : element.length(eta, 1)));
     line.x.push_back(at[0]), line.y.push_back(at[1]);
     line.weight.push_back(weight);
-    line.corner.push_back(is_corner_pair(s_.zone[static_cast<size_t>(line.zone) - 1], static_cast<size_t>(pair)) ? 1 : 0);
+    line.corner.push_back(is_corner_pair(zone, static_cast<size_t>(pair)) ? 1 : 0);
   }
 }
 

@@ -120,13 +120,13 @@ void keep_traction(const Session& session, int b, int32_t end, const double t[2]
   for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
 }
 
-bool contact_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
+PairSide contact_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   const Model& m = session.model;
   const PairSide at = pair_of_end(m, b, element, l);
   out[0] = out[1] = 0.0;
-  if (at.pair < 0) return false;
+  if (at.pair < 0) return at;
   pair_force(session, at.pair, signed_on(at.side, m.head->stress_unit) * traction_ratio(m, b, element, l), out);
-  return true;
+  return at;
 }
 
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
@@ -144,7 +144,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l, do
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   double t[2];
   double contact[2];
-  const bool in_contact = contact_traction(session, b, element, l, contact);
+  const PairSide at = contact_traction(session, b, element, l, contact);
   Unknown both[2];
   unknowns_at(m, b, node, both);
   for (int c = 0; c < 2; ++c) {
@@ -152,7 +152,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l, do
     // A corner with a known displacement and two unknown tractions has one value, valid at both ends of its node.
     const bool here = unknown.end[0] == end || unknown.kind == UnknownKind::shared_traction;
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
-    if (in_contact && is_in_contact(unknown))
+    if (is_of_contact(m, at, node, c, unknown))
       t[c] = contact[c];
     else if (solved && here)
       t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);

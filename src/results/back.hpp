@@ -14,7 +14,7 @@ void get_traction(const Session& session, int b, int32_t end, double t[2]);
 void keep_displacement(const Session& session, int b, int32_t node, const double u[2]);
 void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
 // Traction of the contact at an end of an element; false, zero: the contact has none there.
-bool contact_traction(const Session& session, int b, int32_t element, int l, double out[2]);
+PairSide contact_traction(const Session& session, int b, int32_t element, int l, double out[2]);
 // Traction that free zones transfer to the body on side 0, at an end of an element; zero elsewhere.
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
 

@@ -39,7 +39,7 @@ void add_boundary_force(const Session& session, int b, int32_t element, const do
     for (int c = 0; c < 2; ++c) t[c] -= transferred[2 * l + c]; // a contact force, counted with the contact
     const EndResultant& w = own[l];
     for (int c = 0; c < 2; ++c) {
-      if (at.pair >= 0 && is_in_contact(unknown_at(m, b, node, c))) continue;
+      if (is_of_contact(m, at, node, c, unknown_at(m, b, node, c))) continue;
       add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
                 unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
     }

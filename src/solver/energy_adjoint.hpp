@@ -22,7 +22,7 @@ struct Adjoint {
 
 enum class TractionKind { contact, solved, given };
 // `unknown`: of the end's node in the direction at hand, from unknowns_at.
-TractionKind traction_kind(const Model& m, int b, int32_t element, int l, const Unknown& unknown);
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown);
 
 void add_outer(Adjoint& a, int32_t column, double factor);
 // factor times a displacement component, in the length unit.

@@ -54,7 +54,7 @@ namespace {
     Unknown unknown[2];
     unknowns_at(m, a.b, node, unknown);
     for (int c = 0; c < 2; ++c) {
-      const TractionKind kind = traction_kind(m, a.b, element, l, unknown[c]);
+      const TractionKind kind = traction_kind(m, a.b, element, l, c, unknown[c]);
       const bool contact = kind == TractionKind::contact;
       const double ratio = contact ? traction_ratio(m, a.b, element, l) : 1.0;
       add_traction(a, element, l, c, kind, ratio * u[l][c] * 2.0 * shear_modulus(m, a.b) / (stress * unit * unit));

@@ -39,11 +39,12 @@ void add_displacement(Adjoint& a, int32_t node, int c, const Unknown& unknown, d
   }
 }
 
-TractionKind traction_kind(const Model& m, int b, int32_t element, int l, const Unknown& unknown) {
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown) {
   const int32_t end = element * m.head->function_nodes + l;
-  if (is_in_contact(unknown) && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
   if (unknown.kind == UnknownKind::traction && unknown.end[0] == end) return TractionKind::solved;
   if (unknown.kind == UnknownKind::shared_traction) return TractionKind::solved; // (at both ends of its node)
+  const PairSide at = pair_of_end(m, b, element, l);
+  if (at.pair >= 0 && is_of_contact(m, at, functional_node(m, b, element, l), component, unknown)) return TractionKind::contact;
   return TractionKind::given;
 }
 
@@ -79,7 +80,7 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
                                  : given_traction(m, a.b, element * m.head->function_nodes + l, c, k) / m.head->stress_unit;
         if (value == 0.0) continue;
         const Unknown unknown = unknown_at(m, a.b, node, c);
-        const TractionKind kind = traction_kind(m, a.b, element, l, unknown);
+        const TractionKind kind = traction_kind(m, a.b, element, l, c, unknown);
         if (kind != (reactions ? TractionKind::solved : TractionKind::given)) continue;
         if (!known) end_resultants(m, a.b, element, Measure::own_length, weight);
         known = true;

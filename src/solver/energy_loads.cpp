@@ -33,7 +33,7 @@ namespace {
     unknowns_at(m, a.b, node, unknown);
     for (int c = 0; c < 2; ++c) {
       if (own) add_displacement(a, node, c, unknown[c], -factor[0] * blocks.h[l][0][c] - factor[1] * blocks.h[l][1][c]);
-      const TractionKind kind = traction_kind(m, a.b, element, l, unknown[c]);
+      const TractionKind kind = traction_kind(m, a.b, element, l, c, unknown[c]);
       const bool contact = kind == TractionKind::contact && pair_of_end(m, a.b, element, l).side == 1;
       if (contact == !own) add_traction(a, element, l, c, kind, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }

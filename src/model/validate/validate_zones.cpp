@@ -233,25 +233,43 @@ void number_pairs(const Model& m) {
   m.head->pairs = pairs;
 }
 
-// Is the node in a pair of another zone between the same bodies, which keeps it? Matching zones keep theirs, then ties, because
-// their end may be the tip of a crack, then the first zone.
+// Is the node in a pair of another zone, which keeps it? Matching zones keep theirs, then ties, because their end may be the
+// tip of a crack, then the first zone.
 bool is_kept_by_another(const Model& m, int32_t zone, int32_t node) {
   const Zone& z = m.zone[zone];
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& other = m.zone[i];
     const bool keeps = other.is_free == 0 || (other.is_tied != z.is_tied ? other.is_tied != 0 : i < zone);
-    if (i == zone || !keeps || !have_common_bodies(other, z)) continue;
+    if (i == zone || !keeps || other.body[1] != z.body[1]) continue;
     if (zone_node(m, other, 1, 0) == node || zone_node(m, other, 1, other.pairs - 1) == node) return true;
   }
   return false;
 }
 
-// A free zone gives up the end node that it has in common with another zone (pair_of_end).
-void share_end_nodes(const Model& m, int32_t zone) {
+// Does a support hold the node of side 1 at the first or last pair of a free zone? In one direction it is symmetry if it holds
+// the node that this one faces as well.
+bool is_held(const Model& m, const Zone& z, int32_t k) {
+  const int32_t f = m.head->function_nodes, node = zone_node(m, z, 1, k), place = k == 0 ? 0 : z.elements - 1;
+  const bool held[2] = {displacement_known(m, z.body[1], node, 0), displacement_known(m, z.body[1], node, 1)};
+  if (held[0] == held[1]) return held[0];
+  const double eta = (k == 0) == (z.element_step[1] > 0) ? -1.0 : 1.0;
+  FacePoint at;
+  if (!kFreeZonePart.face_point(m, z, FacePoint{zone_element(m, z, 1, place), place, eta}, at)) return true;
+  for (int l = 0; l < f; ++l)
+    if (at.eta == node_eta(f, l) &&
+        displacement_known(m, z.body[0], functional_node(m, z.body[0], at.element, l), held[0] ? 0 : 1))
+      return false;
+  return true;
+}
+
+// A free zone gives up an end node that is in another zone, or held by a support (pair_of_end). One pair is left.
+void give_up_end_nodes(const Model& m, int32_t zone) {
   Zone& z = m.zone[zone];
   if (z.is_free == 0 || m.head->function_nodes == 1) return;
-  if (z.pairs > 1 && is_kept_by_another(m, zone, zone_node(m, z, 1, z.pairs - 1))) --z.pairs;
-  if (z.pairs < 2 || !is_kept_by_another(m, zone, z.first_node[1])) return;
+  const auto gives_up = [&](int32_t k) { return is_held(m, z, k) || is_kept_by_another(m, zone, zone_node(m, z, 1, k)); };
+  const bool first = gives_up(0), last = gives_up(z.pairs - 1);
+  if (last && z.pairs > 1) --z.pairs;
+  if (!first || z.pairs < 2) return;
   z.first_node[1] = zone_node(m, z, 1, 1);
   --z.pairs;
 }
@@ -267,7 +285,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
       kFreeZonePart.fit_free_zone(m, i, reporter);
     }
   }
-  for (int32_t i = 0; i < m.head->zones; ++i) share_end_nodes(m, i);
+  for (int32_t i = 0; i < m.head->zones; ++i) give_up_end_nodes(m, i);
   number_pairs(m);
   return reporter.faults == before;
 }

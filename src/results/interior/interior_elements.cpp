@@ -107,7 +107,7 @@ template <bool smooths> void add_element(Acting& acting, const Points& points) {
     const PairSide at = pair_of_end(m, b, element, l);
     const bool shared = at.pair >= 0 && at.side == 1;
     for (int c = 0; c < 2; ++c) {
-      const bool foreign = shared && is_in_contact(unknown_at(m, b, node, c));
+      const bool foreign = shared && is_of_contact(m, at, node, c, unknown_at(m, b, node, c));
       part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
     }
     if (has_body_force(m, b)) {

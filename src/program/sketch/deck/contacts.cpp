@@ -38,7 +38,6 @@ double size_of_body(const Body& body) {
 // Displacements prescribed at a place of an outline, by statements on the curves there.
 struct Support {
   bool along[2] = {false, false};
-  Place at;
   bool any() const { return along[0] || along[1]; }
 };
 
@@ -288,16 +287,16 @@ Support Cutter::support_at(const Chain& chain, double length) const {
         if ((x == length || !outline.open) && x > from - near && x < to + near) return true;
       return false;
     };
-    const auto note = [&](const Side& side, Condition::Part part, bool x, bool y, Place at) {
+    const auto note = [&](const Side& side, Condition::Part part, bool x, bool y) {
       if (side.body != chain.body() || !side.has(outline.curves[i].name)) return;
       if (!is_at(part == Condition::kEnd ? begins[i + 1] : begins[i], part == Condition::kStart ? begins[i] : begins[i + 1]))
         return;
-      out.along[0] |= x, out.along[1] |= y, out.at = at;
+      out.along[0] |= x, out.along[1] |= y;
     };
     for (const Condition& c : s_.conditions)
-      if (c.kind == Condition::kDisplacement) note(c.side, c.part, c.value[0].has_value(), c.value[1].has_value(), c.at);
+      if (c.kind == Condition::kDisplacement) note(c.side, c.part, c.value[0].has_value(), c.value[1].has_value());
     for (const Drive& d : s_.drives)
-      if (d.side) note(*d.side, Condition::kAll, true, true, d.at);
+      if (d.side) note(*d.side, Condition::kAll, true, true);
   }
   return out;
 }
@@ -333,11 +332,7 @@ Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
     const bool as_symmetry = own.along[0] == other.along[0] && own.along[1] == other.along[1] && own.along[0] != own.along[1];
     out.is_supported[end] = own.any() && !as_symmetry;
     const bool last = (end == 1) == (pairs == 0); // of the points
-    if (out.is_supported[end])
-      out.ends[end] =
-          "line " + std::to_string(own.at.line) + " supports " + body(out.side[1].body).name + " at the end of the contact";
-    else if (!part.shared[last ? 1 : 0])
-      out.ends[end] = end_of_part(s_, part.run, last);
+    if (!part.shared[last ? 1 : 0]) out.ends[end] = end_of_part(s_, part.run, last);
   }
   return out;
 }

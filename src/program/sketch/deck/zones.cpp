@@ -1,6 +1,6 @@
 // The zones of a deck from the contacts of a sketch (Pairing::run). Phases:
 // 1. Make one or more rows of elements per contact, without the elements that the other side never comes near (add_pairs).
-// 2. Drop the end element of a row where a displacement is prescribed (leave_supports).
+// 2. Find the end nodes of rows that supports hold (find_supports); free zones give them up when the deck is read.
 // 3. Where two rows of second sides meet, assign their common node to one of them (part_neighbours). Rows whose elements
 //    coincide with the elements opposite become matching zones if divisions are given or if two of them meet.
 #include "program/sketch/deck/zones.hpp"
@@ -82,7 +82,8 @@ private:
     size_t contact;
     Numbers one, two;
     bool matching = false, leaves[2] = {false, false}, whole[2] = {true, true};
-    int shares = 0; // ends at which a free zone gives up its node
+    bool is_held = false; // at an end, by a support
+    int given_up = 0;     // end nodes of a free zone
   };
   const Elements& body(size_t k, size_t side) const { return elements_[static_cast<size_t>(s_.contacts[k].side[side].body)]; }
   bool is_tied(size_t k) const { return s_.interfaces[s_.contacts[k].interface].tied; }
@@ -93,7 +94,7 @@ private:
   void part(Pair& stays, Pair& yields);
   void part_neighbours();
   bool is_at(const Pair& pair, double length, double place) const;
-  void leave_supports(Pair& pair) const;
+  void find_supports(Pair& pair) const;
 
   const Sketch& s_;
   bool given_;
@@ -170,7 +171,7 @@ void Pairing::add_pairs(size_t k) {
 // Do the elements of two elastic bodies coincide end by end, or are equal numbers of facing elements given by statements?
 bool Pairing::coincides(const Pair& pair) const {
   const Elements &one = body(pair.contact, 0), &two = body(pair.contact, 1);
-  if (&one == &two || pair.one.size() != pair.two.size()) return false;
+  if (&one == &two || pair.is_held || pair.one.size() != pair.two.size()) return false;
   for (int which = 0; which < 2; ++which) {
     const Numbers& numbers = which == 0 ? pair.one : pair.two;
     const size_t side = static_cast<size_t>(which);
@@ -192,25 +193,16 @@ bool Pairing::coincides(const Pair& pair) const {
 }
 
 // Two zones that adjoin on their second side share a node, which may belong to one pair only. If both are matching, `yields`
-// gives up its end node. A free zone gives up its own when the deck is read, if both are between the same bodies; if not,
-// `yields` gives up its end element, which is then free of traction.
+// gives up its end node. A free zone gives up its own when the deck is read.
 void Pairing::part(Pair& stays, Pair& yields) {
   const Elements& all = body(stays.contact, 1);
   for (const bool at_end : {false, true}) {
-    if (stays.two.empty() || yields.two.empty()) return;
     const int after = all[static_cast<size_t>((at_end ? yields : stays).two.back())].after;
     if (after != (at_end ? stays : yields).two.front()) continue;
-    if ((stays.matching || coincides(stays)) && (yields.matching || coincides(yields))) {
+    if ((stays.matching || coincides(stays)) && (yields.matching || coincides(yields)))
       stays.matching = yields.matching = yields.leaves[at_end ? 1 : 0] = true;
-      continue;
-    }
-    if (&body(stays.contact, 0) == &body(yields.contact, 0)) {
-      ++(yields.matching ? stays : yields).shares;
-      continue;
-    }
-    const auto shorten = [](Numbers& numbers, bool back) { numbers.erase(back ? numbers.end() - 1 : numbers.begin()); };
-    shorten(yields.two, at_end);
-    if (yields.matching) shorten(yields.one, !at_end), yields.leaves[at_end ? 1 : 0] = false;
+    else
+      ++(yields.matching ? stays : yields).given_up;
   }
 }
 
@@ -223,9 +215,7 @@ void Pairing::part_neighbours() {
       const bool early = is_tied(pairs_[j].contact) && !is_tied(pairs_[i].contact);
       part(pairs_[early ? j : i], pairs_[early ? i : j]);
     }
-  const auto has_none = [&](const Pair& p) {
-    return p.two.empty() || (p.shares == 2 && static_cast<int>(p.two.size()) * s_.order < 2);
-  };
+  const auto has_none = [&](const Pair& p) { return p.given_up > static_cast<int>(p.two.size()) * s_.order; };
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), has_none), pairs_.end());
   std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
@@ -237,24 +227,23 @@ bool Pairing::is_at(const Pair& pair, double length, double place) const {
   return std::fabs(off) < kSame * (strip.to - strip.from);
 }
 
-// An end with a prescribed displacement has no pair: the element there is removed from the zone and is free of traction.
-void Pairing::leave_supports(Pair& pair) const {
+void Pairing::find_supports(Pair& pair) const {
   const Elements& all = body(pair.contact, 1);
   const Contact& contact = s_.contacts[pair.contact];
-  Numbers& two = pair.two;
+  const Numbers& two = pair.two;
   if (contact.ring) {
     pair.whole[0] = pair.whole[1] = two.size() == side(pair.contact, 1).size();
     return;
   }
   pair.whole[0] = is_at(pair, all[static_cast<size_t>(two.front())].begin, contact.side[1].from);
   pair.whole[1] = is_at(pair, all[static_cast<size_t>(two.back())].end, contact.side[1].to);
-  if (contact.is_supported[0] && two.size() > 1 && pair.whole[0]) two.erase(two.begin());
-  if (contact.is_supported[1] && two.size() > 1 && pair.whole[1]) two.pop_back();
+  for (const int end : {0, 1})
+    if (contact.is_supported[end] && pair.whole[end]) pair.is_held = true, ++pair.given_up;
 }
 
 std::vector<Zone> Pairing::run() {
   for (size_t k = 0; k < s_.contacts.size(); ++k) add_pairs(k);
-  for (Pair& pair : pairs_) leave_supports(pair);
+  for (Pair& pair : pairs_) find_supports(pair);
   part_neighbours();
   std::vector<Zone> out;
   for (const Pair& p : pairs_)
