@@ -225,10 +225,22 @@ int32_t check_lone(int folder) {
   return lone ? 0 : C2D_POSIX_STORE_FOREIGN;
 }
 
-// The lock file is new: write the mark, then sync the names.
+// What the lock file begins with, up to one byte more than the mark has. 0 or errno.
+int32_t read_mark(c2d_posix_store* s, char found[kMarkBytes + 1], uint64_t* bytes) {
+  *bytes = 0;
+  for (ssize_t got = 1; got != 0 && *bytes <= kMarkBytes;) { // up to the end of the file
+    got = pread(s->lock, found + *bytes, static_cast<size_t>(kMarkBytes + 1 - *bytes), static_cast<off_t>(*bytes));
+    if (got < 0 && errno != EINTR) return errno;
+    if (got > 0) *bytes += static_cast<uint64_t>(got);
+  }
+  return 0;
+}
+
+// The lock file is new: write the mark, then sync the names. It is read again: without the whole mark, files beside it would
+// seem to be another's.
 int32_t write_mark(c2d_posix_store* s) {
   for (uint64_t done = 0; done < kMarkBytes;) {
-    const ssize_t put = pwrite(s->lock, kMark + done, kMarkBytes - done, static_cast<off_t>(done));
+    const ssize_t put = pwrite(s->lock, kMark + done, static_cast<size_t>(kMarkBytes - done), static_cast<off_t>(done));
     if (put == 0) return C2D_POSIX_STORE_STUCK;
     if (put < 0 && errno != EINTR) return errno;
     if (put > 0) done += static_cast<uint64_t>(put);
@@ -236,7 +248,11 @@ int32_t write_mark(c2d_posix_store* s) {
   const int32_t codes[] = {sync_file(s->lock), sync_folder(s->folder), sync_folder(s->parent)};
   for (const int32_t code : codes)
     if (code != 0) return code;
-  return 0;
+  char found[kMarkBytes + 1];
+  uint64_t bytes = 0;
+  const int32_t code = read_mark(s, found, &bytes);
+  if (code != 0) return code;
+  return bytes == kMarkBytes && memcmp(found, kMark, kMarkBytes) == 0 ? 0 : C2D_POSIX_STORE_STUCK;
 }
 
 // Under the lock: is the mark in its file? A store that was interrupted before the mark was on disk leaves its beginning,
@@ -244,18 +260,15 @@ int32_t write_mark(c2d_posix_store* s) {
 int32_t check_mark(c2d_posix_store* s) {
   char found[kMarkBytes + 1];
   uint64_t bytes = 0;
-  for (ssize_t got = 1; got != 0 && bytes < sizeof found;) { // up to the end of the file
-    got = pread(s->lock, found + bytes, static_cast<size_t>(sizeof found - bytes), static_cast<off_t>(bytes));
-    if (got < 0 && errno != EINTR) return errno;
-    if (got > 0) bytes += static_cast<uint64_t>(got);
-  }
+  int32_t code = read_mark(s, found, &bytes);
+  if (code != 0) return code;
   if (bytes > kMarkBytes) return C2D_POSIX_STORE_FOREIGN;
   uint64_t same = 0, zeros = 0;
   while (same < bytes && found[same] == kMark[same]) ++same;
   while (same + zeros < bytes && found[same + zeros] == '\0') ++zeros;
   if (same == kMarkBytes) return 0;
   if (same + zeros < bytes) return C2D_POSIX_STORE_FOREIGN;
-  const int32_t code = check_lone(s->folder);
+  code = check_lone(s->folder);
   return code == 0 ? write_mark(s) : code;
 }
 

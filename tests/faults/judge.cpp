@@ -195,6 +195,8 @@ void Judge::strike(const Job& job, const Strike& strike) {
   const Tree tree = take_tree(place_.work());
   const Record* struck = ended.struck();
   if (struck != nullptr) what_ += std::string(", ") + kOps[struck->op] + " " + struck->path;
+  if (const size_t error = ended.err.rfind("error: "); error != std::string::npos)
+    what_ += "; " + ended.err.substr(error, ended.err.find('\n', error) - error);
   ++tally_.kinds[std::string(kKinds[strike.kind]) + (struck != nullptr ? std::string(" ") + kOps[struck->op] : "") +
                  (strike.ever ? ", ever after" : "")];
   const bool removal = struck != nullptr && (struck->op == OP_UNLINK || struck->op == OP_RMDIR);

@@ -50,6 +50,14 @@ int32_t StoreChoice::open_folder(const std::string& folder) {
   return 0;
 }
 
+// A temporary folder without tapes.
+static void remove_temporary(const std::string& folder) {
+  const std::string own = folder + "/" C2D_POSIX_STORE_FOLDER;
+  ::unlink((own + "/lock").c_str());
+  ::rmdir(own.c_str());
+  ::rmdir(folder.c_str());
+}
+
 int32_t StoreChoice::open_temporary_folder() {
   const char* base = std::getenv("TMPDIR");
   std::string pattern = base != nullptr && *base != '\0' ? base : "/tmp";
@@ -61,10 +69,7 @@ int32_t StoreChoice::open_temporary_folder() {
   const int32_t code = open_folder(name.data());
   if (code != 0) { // all that is in it was made just now
     tried_ = name.data();
-    const std::string own = tried_ + "/" C2D_POSIX_STORE_FOLDER;
-    ::unlink((own + "/lock").c_str());
-    ::rmdir(own.c_str());
-    ::rmdir(tried_.c_str());
+    remove_temporary(tried_);
   }
   made_folder_ = temporary_ = code == 0;
   return code;
@@ -165,7 +170,9 @@ int32_t StoreChoice::close(int32_t tape) const {
 int32_t StoreChoice::discard() {
   if (!has_folder_) return 0;
   has_folder_ = false;
-  return c2d_posix_store_discard(&files_, made_folder_ ? folder_.c_str() : nullptr);
+  const int32_t code = c2d_posix_store_discard(&files_, made_folder_ ? folder_.c_str() : nullptr);
+  if (code != 0 && temporary_) remove_temporary(folder_);
+  return code;
 }
 
 bool StoreChoice::remove_tapes(std::string& error) {

@@ -51,6 +51,7 @@ c2d_status RunResults::take(const c2d_step& step, StepResults& now) {
   const bool stopped = step.kind == C2D_STEP_STOPPED, ends_here = stopped || step.step == summary.steps;
   const bool sums_up = (needs & kNeedsSums) != 0 || ((needs & kNeedsLastSums) != 0 && ends_here);
   keep_history(*now.record, step, sums_up ? session.solver : nullptr, tips, lines);
+  if (c2d_get_state(session.solver) == C2D_STATE_BROKEN) return session.last_error().status; // by a fault of the store
   now.adds_row = step.kind == C2D_STEP_RECORDED || (stopped && !again);
   if (stopped) {
     c2d_summary at_stop = C2D_INIT(c2d_summary);
