@@ -102,8 +102,6 @@ private:
   std::vector<double> values_;
 };
 
-bool is_of_store(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && status <= C2D_ERR_STORE_STALE; }
-
 void Run::on_log(void* context, const c2d_error* entry) {
   Run& run = self(context);
   run.line_.clear();
@@ -115,10 +113,9 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   Run& run = self(context);
   StepResults now{*step, nullptr, false};
   if (const c2d_status status = run.results_.take(*step, now); status != C2D_OK) {
+    if (c2d_get_state(run.session_.solver) == C2D_STATE_BROKEN) return 0; // c2d_run returns what broke it
     const c2d_error last = run.session_.last_error();
     run.error_ = last.text[0] != '\0' ? last.text : c2d_message(status);
-    if (is_of_store(last.status))
-      if (const std::string why = run.store_.why_failed(last, last.status); !why.empty()) run.error_ += "\n" + why;
     return 1;
   }
   if (step->kind == C2D_STEP_RECORDED) run.line_.work.reached(step->coefficient, step->step, step->load);
@@ -186,7 +183,7 @@ int Run::library_failed(c2d_status status) {
   if (status == C2D_ERR_MEMORY && options_.elimination != C2D_ELIMINATION_COMPRESSED && compressed &&
       session_.limits.touching == 0)
     session_.messages.note("compressed elimination was chosen by size; --elimination dense takes less memory and more time");
-  if (!is_of_store(status)) return exit;
+  if (status < C2D_ERR_STORE_OPEN || status > C2D_ERR_STORE_STALE) return exit;
   if (const std::string why = store_.why_failed(last, status); !why.empty()) session_.messages.fail(why);
   return exit;
 }
