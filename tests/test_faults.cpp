@@ -126,6 +126,22 @@ TEST_CASE("faults: every place at which a job asks the system for something fail
   nothing_found(tally);
 }
 
+// A read of the store under an output, half of the store's mark on a disk that says it is whole, names that cannot be synced.
+TEST_CASE("faults: a store that fails where outputs are written, where it begins and where it ends") {
+  if (!can_preload()) return;
+  const Workplace& w = workplace();
+  const Job &outputs = w.job("store and outputs"), &store = w.job("store"), &temporary = w.job("temporary");
+  Tally tally;
+  int reads = 0;
+  for (const Record& r : outputs.ended.journal)
+    if (r.op == OP_READ && r.path.find("tape2") != std::string::npos && reads++ % 5 == 0)
+      Judge(w.place, tally).strike(outputs, {FAULT_FAIL, r.number, false, ""});
+  Judge(w.place, tally).strike(store, {FAULT_HALF, last_of(store, OP_WRITE, "/lock").number, true, "/tapes/"});
+  Judge(w.place, tally).strike(temporary, {FAULT_FAIL, last_of(temporary, OP_SYNC, "contact2d.store").number, false, ""});
+  CHECK(tally.cases > 5);
+  nothing_found(tally);
+}
+
 TEST_CASE("faults: the last of what a run does has no memory") {
   if (!can_preload()) return;
   const Workplace& w = workplace();

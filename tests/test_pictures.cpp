@@ -270,3 +270,18 @@ TEST_CASE("pictures: a platen is glued, and no contact to look at; a tie neither
   for (const auto& figure : tied.figures) CHECK_MESSAGE(figure.first.compare(0, 6, "status") != 0, figure.first);
   CHECK(contains(tied.figures["tractions"], ">tied</text>"));
 }
+
+// A crack that closes without shear, between ties of larger stresses.
+TEST_CASE("pictures: friction of round-off is none, and a contact comes before ties") {
+  Shown shown;
+  show(shown, example("crack.c2s"), "--summary " + quoted(shown.folder / "s.csv"));
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  CHECK(!contains(shown.figures["tractions_zone1"], ">Friction<"));
+  CHECK(shown.page.find("<section id=\"") == shown.page.find("<section id=\"contact_zone1\""));
+  CHECK(contains(caption_of(shown, "path"), "a largest nodal pressure of 9")); // of the crack: 96; ties have thousands
+  const std::string summary = read_file(shown.folder / "s.csv");
+  CHECK(contains(summary, ",friction force,0,0,"));
+  CHECK(contains(summary, ",force x,0,0,"));
+  CHECK(!contains(summary, "edge friction"));
+}

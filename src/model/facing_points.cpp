@@ -135,7 +135,7 @@ double position_of_pair(const Model& m, const Zone& z, int32_t k) {
   return C2D_NEVER(!in_zone) ? 0.0 : position(z, FacePoint{pair.element, faced.place, pair.eta}); // what a pair's node faces is
 }
 
-// 1: the first node of side 1 is a pair of the zone beside it.
+// 1: the first node of side 1 is in no pair of the zone (pair_of_end).
 int32_t nodes_before_pairs(const Model& m, const Zone& z) {
   const int local = z.element_step[1] > 0 ? 0 : m.head->function_nodes - 1;
   return functional_node(m, z.body[1], z.first_element[1], local) == z.first_node[1] ? 0 : 1;

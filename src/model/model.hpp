@@ -325,7 +325,8 @@ inline bool is_in_contact(const Unknown& unknown) {
   return unknown.kind == UnknownKind::contact || (!kSmallCode && unknown.loaded);
 }
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
-// Is this component of the traction at an element end, of its pair (pair_of_end) and the unknown of its node, the contact's?
+// Does the contact determine this component of the traction at an element end? `at`: its pair (pair_of_end); `node`, `unknown`:
+// the node of the end, and the unknown there.
 bool is_of_contact(const Model& m, const PairSide& at, int32_t node, int component, const Unknown& unknown);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);

@@ -109,6 +109,7 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   return edge;
 }
 
+// Friction that is round-off of the pressure becomes 0.
 void drop_round_off(LineState& state) {
   double pressure = 0, friction = 0;
   for (const double t : state.tn) pressure = std::max(pressure, std::fabs(t));

@@ -19,7 +19,7 @@ struct LineState {
   std::vector<double> slip; // on the current segment of the load path
 };
 constexpr double kNoFriction = 1e-8; // of the largest pressure: less friction is round-off
-// Without friction that is round-off. `slip_at_turn`: of all pairs at the last load reversal; empty: unknown, or 0.
+// `slip_at_turn`: of all pairs at the last load reversal; empty: unknown, or 0.
 LineState line_state(const ZoneLine& line, const double* table, int64_t stride, const std::vector<double>& slip_at_turn);
 
 struct ContactEdge {

@@ -285,7 +285,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
       kFreeZonePart.fit_free_zone(m, i, reporter);
     }
   }
-  for (int32_t i = 0; i < m.head->zones; ++i) give_up_end_nodes(m, i);
+  for (int32_t i = 0; i < m.head->zones && reporter.faults == before; ++i) give_up_end_nodes(m, i);
   number_pairs(m);
   return reporter.faults == before;
 }

@@ -138,8 +138,8 @@ static bool has_one_friction(const Scene& scene, size_t coefficient) {
 std::string place_at_end(const Scene& scene) {
   const size_t count = scene.record->coefficients.size();
   std::string out = count > 0 ? place_on_path(scene, count - 1) : "load factor " + figure(scene.summary.load);
-  const bool tells = count != 1 || has_one_friction(scene, 0);
-  if (!scene.pairs.empty() && tells) out += ", &#956; = " + figure(scene.summary.mu);
+  const bool names_friction = count != 1 || has_one_friction(scene, 0);
+  if (!scene.pairs.empty() && names_friction) out += ", &#956; = " + figure(scene.summary.mu);
   return out;
 }
 
