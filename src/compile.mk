@@ -1,13 +1,14 @@
 # How a source becomes an object: what the Makefile's rules for library, program and ports stand on. Included by the Makefile.
 #   flags      every object depends on build/flags, a file that changes when the compiler or its flags do: no object of other
 #              flags is ever linked
+#   files      of any size, on disks with 64-bit inode numbers: 32-bit programs cannot open them otherwise
 #   kernels    files named kernel_SET.cpp ask for an instruction set and for fused additions (src/linalg/kernel.hpp)
 #   batches    report, program and tests are compiled BATCH files at a time, as the headers of the C++ library take longer to
 #              compile than what follows them; so names that are private to a file are unique in its folder. BATCH=1: each by itself
 
 WARNINGS  := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
 INCLUDES  := -Isrc -Iinclude $(addprefix -Iport/,$(PORTS))
-COMMON    := $(INCLUDES) -std=c++17 $(WARNINGS)
+COMMON    := $(INCLUDES) -std=c++17 -D_FILE_OFFSET_BITS=64 $(WARNINGS)
 EXACT     := -ffp-contract=off
 CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 DEPS      := -MMD -MP

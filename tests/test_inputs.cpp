@@ -153,8 +153,15 @@ TEST_CASE("totals: of a quarter with two lines of symmetry each body is cut by t
                                      "body high E 1000 nu 0.3\n  from 0 1\n  line foot to 2 1\n  line free to 2 3\n"
                                      "  line head to 0 3\ncontact low.top high.foot\npressure high.head 4\ntolerance off\n");
   const std::string in = "cd '" + folder.path() + "' && " + program();
-  const test::Result run = test::run_shell(in + "run a.c2s --listing - --report r.html --csv c.csv --figures f");
+  const test::Result run = test::run_shell(in + "run a.c2s --listing - --report r.html --csv c.csv --figures f --json j");
   REQUIRE_MESSAGE(run.status == 0, run.err);
+  // In the JSON each body that a line cuts has its whole, too.
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  const test::Json& upper = json["force"]["bodies"].items.at(1);
+  CHECK(upper["contact"].items.at(1).number == doctest::Approx(8).epsilon(1e-6));
+  CHECK(upper["whole"]["contact"].items.at(1).number == doctest::Approx(16).epsilon(1e-6));
+  CHECK(upper["whole"]["applied"].items.at(1).number == doctest::Approx(-16).epsilon(1e-6));
+  CHECK(json["force"]["bodies"].items.at(0)["whole"]["contact"].items.at(1).number == 0);
   const std::string balance = run.out.substr(run.out.find("Balance of forces"));
   // The load of 8 on the upper body: 4 N/mm on the 2 mm that are drawn, 16 with the image; of the lower body all four cancel.
   const auto row = [&](size_t from, const std::string& name) {

@@ -338,12 +338,13 @@ TEST_CASE("page: numbers have their places along the second side, and steps thei
   show(shown, example("roller.c2s"));
   CHECK(contains(shown.page, "<th><a href=\"#term-along\">along</a>, mm</th>"));
   CHECK(contains(shown.page, "<dt id=\"term-along\">"));
-  for (const char* name : {"contact width", "stuck width", "eccentricity", "along of edges"})
+  for (const char* name : {"contact width", "stuck width", "eccentricity", "peak along"})
     CHECK_MESSAGE(contains(shown.page, "<th>" + std::string(name) + "</th>"), name);
   // Of the roller's right half: from the line of symmetry to the edge.
   const size_t edge = shown.page.find("#term-contact-edge\">contact edge</a> 1</td>");
   const std::string row = shown.page.substr(edge, shown.page.find("</tr>", edge) - edge);
   CHECK(std::stod(row.substr(row.rfind("<td>") + 4)) == doctest::Approx(0.8438).epsilon(5e-3));
+  CHECK(std::stod(row.substr(row.find("<td>") + 4)) == std::stod(row.substr(row.rfind("<td>") + 4))); // which is its value, too
 }
 
 TEST_CASE("page: forces of bodies of revolution are those of the whole circumference, not per length") {

@@ -91,6 +91,11 @@ TEST_CASE("port/posix: every call of the system fails once, in every way") {
   std::set<int64_t> above;
   for (auto call = ++names.find(2); call->second != "mkdirat"; ++call) above.insert(call->first);
   REQUIRE((names[2] == "open64" && above.size() == 3));
+  // Reads before a tape has its room are of the store's mark. One that finds nothing: it is written, and read again.
+  int64_t room_at = 0;
+  for (const auto& entry : names)
+    if (room_at == 0 && entry.second == "fallocate64") room_at = entry.first;
+  REQUIRE(room_at > 0);
   const auto fates_of = [](const std::string& name) {
     std::vector<int> fates = {EINTR, EIO};
     if (name == "fsync") fates.insert(fates.end(), {EINVAL, ENOTSUP});
@@ -117,11 +122,12 @@ TEST_CASE("port/posix: every call of the system fails once, in every way") {
       if (struck != name) continue; // the thread and its caller have changed turns
       if (fate == kHalf || (fate == EINTR && can_wait(name))) CHECK(code == 0);
       if (code > 0) CHECK(code == fate);
-      if (code < 0) CHECK((fate == 0 && code == (name == "pread64" ? C2D_POSIX_STORE_END : C2D_POSIX_STORE_STUCK)));
+      const bool of_mark = name == "pread64" && number < room_at;
+      if (code < 0) CHECK((fate == 0 && code == (name == "pread64" && !of_mark ? C2D_POSIX_STORE_END : C2D_POSIX_STORE_STUCK)));
       const bool room = name == "fallocate64" && fate != ENOSPC && fate != EDQUOT && fate != EFBIG;
       const bool folder_only = name == "fsync" && (fate == EINVAL || fate == ENOTSUP); // some cannot sync folders
       const bool helped = name == "fstatvfs64" || name == "pthread_create" || name == "malloc" || fate == ENOTEMPTY ||
-                          (name == "pread64" && fate == 0 && number < 20); // of a mark that is not there: it is written
+                          (of_mark && fate == 0);
       if (code == 0 && fate != EINTR && fate != kHalf && above.count(number) == 0) CHECK((room || folder_only || helped));
     }
 }

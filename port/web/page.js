@@ -439,8 +439,13 @@ function htmlTable(names, rows) {
     `${rows.map((row) => `<tr>${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`).join("")}</tbody></table>`;
 }
 
+// Of an edge or border its distance along the second side, the same on every mesh.
+function shownValue(each) {
+  return /^(contact edge|stick border)$/.test(each.quantity) && each.along !== undefined ? each.along : each.value;
+}
+
 function showNumbers() {
-  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(each.value, 6), each.error === undefined ? "" : `± ${short(each.error, 2)}`, each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
+  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(shownValue(each), 6), each.error === undefined ? "" : `± ${short(each.error, 2)}`, each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
   $("numbers").innerHTML = htmlTable(["quantity", "zone", "mu", "value", "stated error", "x", "y"], rows);
 }
 

@@ -100,6 +100,9 @@ const MeasureRow& row_of(Measure what);
 // "peak pressure", "contact edge": the name in listing, JSON and CSV; empty for a number that is no Measure.
 const char* name_of(Measure what);
 
+// What a reader is shown: of an edge or border, where it has one, its distance along the second side, the same on every mesh.
+double shown_value(Measure what, double value, double along);
+
 // The quantity of a contact or body with this name; null: none.
 const MeasureRow* find_measure(const char* name);
 

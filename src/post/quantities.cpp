@@ -462,6 +462,11 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
   return out;
 }
 
+double shown_value(Measure what, double value, double along) {
+  const bool is_place = what == Measure::kContactEdge || what == Measure::kStickBorder;
+  return is_place && std::isfinite(along) ? along : value;
+}
+
 const MeasureRow& row_of(Measure what) { return kRows[static_cast<size_t>(what)]; }
 
 const char* name_of(Measure what) { return static_cast<size_t>(what) < kMeasures ? row_of(what).name : ""; }

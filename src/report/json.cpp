@@ -2,6 +2,7 @@
 
 #include "report/json_object.hpp"
 #include "report/text.hpp"
+#include "report/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,13 @@ void append_force(std::string& out, const Summary& s) {
     append_json_name(body, s.body_name, static_cast<size_t>(b));
     append_triple(body.key("applied"), s.body[b].applied);
     append_triple(body.key("contact"), s.body[b].contact);
+    if (lines_that_cut(s, b + 1) != 0) {
+      const BodyTotal applied = whole_of(s, b + 1, s.body[b].applied), contact = whole_of(s, b + 1, s.body[b].contact);
+      Object whole(body.key("whole"), "{", ", ");
+      append_triple(whole.key("applied"), applied.force);
+      append_triple(whole.key("contact"), contact.force);
+      out += '}';
+    }
     out += '}';
   }
   out += "]}";

@@ -42,7 +42,7 @@ const char kStyle[] =
     "nav{display:block;position:sticky;top:16px;align-self:start;max-height:95vh;overflow:auto;font-size:13px}\n"
     "nav ul{list-style:none;margin:4px 0;padding:0}nav li{margin:5px 0}}\n"
     // The numbers beside the first picture need more room than it.
-    "@media screen and (min-width:1240px){.first{grid-template-columns:440px minmax(0,1fr)}"
+    "@media screen and (min-width:1240px){.first{grid-template-columns:410px minmax(0,1fr)}"
     ".first>section:first-child{position:sticky;top:16px;align-self:start}}\n"
     "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}th,td{padding:2px 6px}}\n";
 
@@ -62,7 +62,7 @@ void append_outcome(std::string& out, const Scene& scene) {
   const RunRecord& record = *scene.record;
   const bool stopped = record.incomplete() != nullptr;
   out += stopped ? "<div class=\"outcome stopped\">" : "<div class=\"outcome\">";
-  if (record.checked_only) out += "Data check only: the deck is in order, nothing was solved.";
+  if (record.checked_only) out += "Data check only: the input is in order, nothing was solved.";
   for (const CoefficientRecord& c : record.coefficients) {
     out += "<div>";
     if (!scene.pairs.empty()) out += "&#956; = " + figure(c.mu) + ": ";
@@ -126,9 +126,9 @@ const char* meaning_of(Measure what) {
            "with every refinement.";
   case Measure::kMeanPressure: return "The resultant of the pressure over the length in contact.";
   case Measure::kContactEdge:
-    return "Where contact ends: the length along side 2 from the first pair of the zone, and the place.";
+    return "Where contact ends: the distance along the second side, and the place.";
   case Measure::kStickBorder:
-    return "The border between stick and slip: the length along side 2 from the first pair, and the place.";
+    return "The border between stick and slip: the distance along the second side, and the place.";
   case Measure::kContactWidth: return "The length in contact; where a line of symmetry cuts it, with its image.";
   case Measure::kHalfWidth: return "Half the contact width.";
   case Measure::kStuckWidth: return "The length that sticks; where a line of symmetry cuts it, with its image.";
@@ -171,7 +171,7 @@ void append_number_row(std::string& out, const Scene& scene, const Quantity& q, 
   const auto without_noise = [&](double value) { return std::fabs(value) <= noise ? 0.0 : value; };
   const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
   std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
-                               figure(without_noise(q.value), unit_of(q.what, scene), 6)};
+                               figure(without_noise(shown_value(q.what, q.value, q.along)), unit_of(q.what, scene), 6)};
   if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(without_noise(q.error), 2) : none);
   for (const double at : {q.at[0], q.at[1], q.along})
     row.push_back(std::isfinite(at) && std::isfinite(q.at[0]) ? figure(told_place(at, size_of(scene)), 6) : none);
@@ -235,7 +235,7 @@ void append_terms(std::string& out, const Scene& scene) {
 std::string units_of_steps(const Scene& scene) {
   std::string out = "<p>";
   if (scene.cases > 1) out += "load2: the factor of load case 2. ";
-  out += "at s: the length along side 2 from the first pair.";
+  out += "Edges, borders and the place of the peak are distances along the second side.";
   if (!scene.length_unit.empty())
     out += " Lengths in " + scene.length_unit + ", pressures in " + scene.stress_unit + ", forces in " + scene.force_unit +
            ", moments and work in " + scene.work_unit + ".";
@@ -388,7 +388,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   out += "</style>\n</head>\n<body>\n";
   // The contents stand beside the page, and so before it.
   std::string page;
-  page += "<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
+  page += "<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", " + escape_xml(deck_name) + "</p>\n";
   append_outcome(page, scene);
   page += "<div class=\"pictures first\">\n";
   const size_t first = first_picture(scene, pictures);

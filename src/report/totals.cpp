@@ -12,18 +12,18 @@ void add_image(double (&force)[3], int axis, double at) {
   force[2] = (axis == 0 ? at : -at) * force[along]; // the moments of both about a point of the line cancel
 }
 
-BodyTotal whole(const Summary& s, int32_t lines, const std::string& of, const double (&part)[3]) {
-  BodyTotal out{"whole: " + of, {part[0], part[1], part[2]}};
-  for (int axis = 0; axis < 2; ++axis)
-    if ((lines >> axis & 1) != 0) add_image(out.force, axis, s.symmetry_at[axis]);
-  return out;
-}
-
 } // namespace
 
 int32_t lines_that_cut(const Summary& s, int32_t body) {
   const size_t i = static_cast<size_t>(body) - 1;
   return i < s.cut.size() ? s.cut[i] : 0;
+}
+
+BodyTotal whole_of(const Summary& s, int32_t body, const double (&part)[3], const std::string& of) {
+  BodyTotal out{"whole: " + of, {part[0], part[1], part[2]}};
+  for (int axis = 0; axis < 2; ++axis)
+    if ((lines_that_cut(s, body) >> axis & 1) != 0) add_image(out.force, axis, s.symmetry_at[axis]);
+  return out;
 }
 
 std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
@@ -40,9 +40,9 @@ std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
   // A line carries what is normal to it, and moments.
   const double normal[2] = {(lines & 1) != 0 ? sum[0] : 0, (lines & 2) != 0 ? sum[1] : 0};
   out.push_back({"lines of symmetry", {-normal[0], -normal[1], -sum[2]}});
-  out.push_back(whole(s, lines, "loads and supports", b.applied));
-  if (s.pairs > 0) out.push_back(whole(s, lines, "contact", b.contact));
-  out.push_back(whole(s, lines, "sum", sum));
+  out.push_back(whole_of(s, body, b.applied, "loads and supports"));
+  if (s.pairs > 0) out.push_back(whole_of(s, body, b.contact, "contact"));
+  out.push_back(whole_of(s, body, sum, "sum"));
   out.back().is_sum = true;
   return out;
 }

@@ -17,6 +17,9 @@ struct BodyTotal {
 // The lines of symmetry that a body, from 1, meets: 1 x, 2 y, 3 both.
 int32_t lines_that_cut(const Summary& summary, int32_t body);
 
+// Of a body, from 1: a force and its moment about the origin, with the images of the modelled part.
+BodyTotal whole_of(const Summary& summary, int32_t body, const double (&part)[3], const std::string& of = "");
+
 // Body from 1. If the body meets lines of symmetry, their share completes the balance of the part, and there are totals of the
 // whole, too, which of a body that meets both are zero; a body beside the lines is whole.
 std::vector<BodyTotal> totals_of(const Summary& summary, int32_t body);

@@ -27,7 +27,7 @@ enum OutputNeeds : uint32_t {
   kNeedsScene = 64,   // the model and the last state as in a picture;
   kNeedsPictures = 128,
   kNeedsTimes = 256, // of the whole run: it ends after the outputs without this
-  kIsTable = 512     // the inputs go into a file beside it
+  kInputsBeside = 512     // the inputs go into a file beside it
 };
 
 struct OutputRow {

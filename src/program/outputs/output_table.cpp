@@ -111,18 +111,18 @@ c2d_status end_listing(RunResults& run, std::string& out) {
 
 const std::array<OutputRow, kOutputs> kOutputTable = {{
     {"--listing", "listing.txt", kNeedsLastSums | kNeedsTimes, begin_listing, step_listing, end_listing},
-    {"--csv", "contact.csv", kIsTable, heading<append_contact_header>, step_contact, nullptr},
-    {"--boundary", "boundary.csv", kIsTable, heading<append_boundary_header>, nullptr, end_boundary},
-    {"--interior", "interior.csv", kIsTable, heading<append_interior_header>, nullptr, end_interior},
+    {"--csv", "contact.csv", kInputsBeside, heading<append_contact_header>, step_contact, nullptr},
+    {"--boundary", "boundary.csv", kInputsBeside, heading<append_boundary_header>, nullptr, end_boundary},
+    {"--interior", "interior.csv", kInputsBeside, heading<append_interior_header>, nullptr, end_interior},
     {"--json", "run.json", kNeedsSums | kNeedsCorners | kNeedsTimes, nullptr, step_json, ending<append_json>},
     {"--report", "report.html", kNeedsPictures | kNeedsScene | kNeedsChanges | kNeedsSums | kNeedsCorners, nullptr, nullptr,
      end_report},
-    {"--vtk", "boundary.vtk", kNeedsScene, nullptr, nullptr, end_vtk},
-    {"--trace", "trace.csv", kIsTable | kNeedsChanges, heading<append_trace_header>, step_trace, nullptr},
-    {"--bodies", "bodies.csv", kIsTable, heading<append_bodies_header>, step_bodies, nullptr},
-    {"--summary", "summary.csv", kIsTable | kNeedsSums | kNeedsTables, nullptr, nullptr, ending<append_summary>},
-    {"--stresses", nullptr, kIsTable | kNeedsPlaces, heading<append_stresses_header>, step_stresses, nullptr},
-    {"--ranges", nullptr, kIsTable | kNeedsPlaces, nullptr, step_ranges, end_ranges},
+    {"--vtk", "boundary.vtk", kNeedsScene | kInputsBeside, nullptr, nullptr, end_vtk},
+    {"--trace", "trace.csv", kInputsBeside | kNeedsChanges, heading<append_trace_header>, step_trace, nullptr},
+    {"--bodies", "bodies.csv", kInputsBeside, heading<append_bodies_header>, step_bodies, nullptr},
+    {"--summary", "summary.csv", kInputsBeside | kNeedsSums | kNeedsTables, nullptr, nullptr, ending<append_summary>},
+    {"--stresses", nullptr, kInputsBeside | kNeedsPlaces, heading<append_stresses_header>, step_stresses, nullptr},
+    {"--ranges", nullptr, kInputsBeside | kNeedsPlaces, nullptr, step_ranges, end_ranges},
 }};
 
 } // namespace app

@@ -16,9 +16,9 @@ namespace {
 
 constexpr char kInputs[] = ".inputs";
 
-// Is the output a table in a regular file? The inputs go into a file beside it.
+// Is it a regular file without a place for its inputs? They go into a file beside it.
 bool has_inputs(size_t output, const std::string& name) {
-  if (name.empty() || name == "-" || (kOutputTable[output].needs & kIsTable) == 0) return false;
+  if (name.empty() || name == "-" || (kOutputTable[output].needs & kInputsBeside) == 0) return false;
   struct stat about = {};
   return ::stat(name.c_str(), &about) != 0 || S_ISREG(about.st_mode);
 }

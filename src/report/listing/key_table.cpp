@@ -24,11 +24,11 @@ std::string value_of(const StepRecord& step, Measure what, int32_t zone, int dig
   return q != nullptr ? number(q->value, digits) : "-";
 }
 
-// Of all items of a kind: their values, or where they are along the second side.
-std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits, bool along = false) {
+// Of all items of a kind.
+std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits) {
   std::string out;
   for (const Quantity& q : step.quantities)
-    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(along ? q.along : q.value, digits);
+    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(shown_value(q.what, q.value, q.along), digits);
   return out.empty() ? "-" : out;
 }
 
@@ -38,18 +38,15 @@ std::vector<std::string> row_of(const StepRecord& step, int32_t zone, int digits
   const Quantity* peak = find(step, Measure::kPeakPressure, zone);
   row.push_back(value_of(step, Measure::kPeakPressure, zone, digits));
   if (peak != nullptr)
-    for (const double place : {peak->at[0], peak->at[1], peak->s}) row.push_back(number(place, digits));
+    for (const double place : {peak->at[0], peak->at[1], peak->along}) row.push_back(number(place, digits));
   else
     row.insert(row.end(), 3, "-");
   for (const Measure what : {Measure::kForceX, Measure::kForceY, Measure::kMoment, Measure::kShift, Measure::kSlipRange})
     row.push_back(value_of(step, what, zone, digits));
   row.push_back(value_of(step, Measure::kDissipated, zone, digits));
   for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder}) row.push_back(values_of(step, what, zone, digits));
-  row.push_back(peak != nullptr ? number(peak->along, digits) : "-");
   for (const Measure what : {Measure::kContactWidth, Measure::kStuckWidth, Measure::kEccentricity})
     row.push_back(value_of(step, what, zone, digits));
-  for (const Measure what : {Measure::kContactEdge, Measure::kStickBorder})
-    row.push_back(values_of(step, what, zone, digits, true));
   return row;
 }
 
@@ -68,9 +65,8 @@ KeyTable key_table(const CoefficientRecord& c, int32_t zone, int digits) {
   if (out.rows.empty()) return out;
   out.heading = {"step"};
   for (size_t k = 1; k <= c.steps.back().loads.size(); ++k) out.heading.push_back(k == 1 ? "load" : "load" + std::to_string(k));
-  for (const char* name : {"peak pressure", "at x", "at y", "at s", "force x", "force y", "moment", "shift", "slip range",
-                           "dissipated", "contact edges", "stick borders", "peak along", "contact width", "stuck width",
-                           "eccentricity", "along of edges", "along of borders"})
+  for (const char* name : {"peak pressure", "at x", "at y", "peak along", "force x", "force y", "moment", "shift", "slip range",
+                           "dissipated", "contact edges", "stick borders", "contact width", "stuck width", "eccentricity"})
     out.heading.emplace_back(name);
   return out;
 }

@@ -14,9 +14,9 @@ struct KeyTable {
   bool is_list(size_t column) const;          // of values with commas between them
 };
 
-// Of a zone, from 1. `digits` that are significant. Places between nodes are lengths along side 2, from the
-// zone's first pair, and `along`, the same on every mesh; of edges and borders all in their order. Empty without recorded steps
-// or if nothing sums up their contact. Of very many steps the last kMostKeyRows alone.
+// Of a zone, from 1. `digits` that are significant. Places between nodes are distances along the second side (Quantity::along);
+// of edges and borders all in their order. Empty without recorded steps or if nothing sums up their contact. Of very many steps
+// the last kMostKeyRows alone.
 constexpr size_t kMostKeyRows = 400;
 KeyTable key_table(const CoefficientRecord& coefficient, int32_t zone, int digits);
 

@@ -142,7 +142,7 @@ void append_outcome(std::string& out, const RunRecord& record) {
     }
     out += '\n';
   }
-  if (record.checked_only) out += "  data check only: the deck is in order, nothing was solved\n";
+  if (record.checked_only) out += "  data check only: the input is in order, nothing was solved\n";
 }
 
 } // namespace

@@ -49,7 +49,7 @@ void append_row(std::string& out, const Stated& s, size_t width) {
   out += "   " + name;
   out.append(width - characters_in(name), ' ');
   if (s.has_value())
-    append_general(out, s.value, 14);
+    append_general(out, shown_value(s.what, s.value, s.along), 14);
   else
     append_column(out, "-", 14);
   append_percent(out, s.relative_error(), 11);

@@ -19,7 +19,7 @@ void append_row(std::string& out, const Quantity& q) {
   if (q.item > 0) name += " " + std::to_string(q.item);
   out += "   " + name;
   out.append(name.size() < 18 ? 18 - name.size() : 1, ' ');
-  append_general(out, q.value, 14);
+  append_general(out, shown_value(q.what, q.value, q.along), 14);
   std::string error;
   if (std::isfinite(q.error)) append_general(error += "+- ", q.error, 0, 2);
   if (!error.empty() || std::isfinite(q.at[0])) out.append(2, ' ') += error;
@@ -70,9 +70,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
   if (s.plane == C2D_AXISYMMETRIC) out += "  bodies of revolution: forces and dissipated work of the whole circumference\n";
   if (mirror_lines(s) != 0)
     out += "  with lines of symmetry: forces, moments and dissipated work of the modelled part, widths of the whole contact\n";
-  out += "  value of an edge or border: length along side 2 from the first pair of the zone; x and y: its position\n"
-         "  along: distance of a place along the second side of the contact statement from the start of its first curve (of a "
-         "deck: along side 2), the same on every mesh\n"
+  out += "  along: distance of a place along the second side of the contact statement from the start of its first curve (of a "
+         "deck: along side 2), the same on every mesh; it is the value of an edge or border\n"
          "  widths: of the whole contact; half width and eccentricity: of one stretch\n"
          "  edge pressure p: tn = p / sqrt(d); edge friction q: tt = q sqrt(d); d: distance inside the edge\n";
 }
@@ -90,9 +89,8 @@ void append_key_tables(std::string& out, const RunRecord& record, const Summary&
     }
   if (tables.empty()) return;
   append_section(out, "Contact in numbers, step by step");
-  out += tables + "\n  dissipated: by friction in the zone since zero load; edges and borders by the length along side 2 from "
-                  "the zone's first pair;\n  along: distance along the second side of the contact statement, the same on every "
-                  "mesh\n";
+  out += tables + "\n  dissipated: by friction in the zone since zero load\n  peak along, edges, borders: distances along the "
+                  "second side of the contact statement, the same on every mesh\n";
 }
 
 } // namespace app

@@ -130,6 +130,17 @@ Point centre_of(const Scene& scene, int32_t number) {
   return curves.size() < 2 || is_inside(curves, all) ? all : centroid({curves[0]});
 }
 
+// Where the force on a rigid body is drawn: at its point or, where that lies beside the body, at the place of its line of action
+// that is nearest to the middle of the body.
+Point place_of(const Scene& scene, const RigidLoad& load) {
+  const double size = std::hypot(load.force.x, load.force.y);
+  const Outlines curves = outline_of(scene.bodies[static_cast<size_t>(load.body) - 1], 0.0);
+  if (size == 0.0 || load.moment != 0.0 || is_inside(curves, load.at)) return load.at;
+  const Point middle = centre_of(scene, load.body), along{load.force.x / size, load.force.y / size};
+  const double by = (middle.x - load.at.x) * along.x + (middle.y - load.at.y) * along.y;
+  return {load.at.x + by * along.x, load.at.y + by * along.y};
+}
+
 // The loads of one case on one body and its images.
 class Loads {
 public:
@@ -183,8 +194,9 @@ public:
   }
 
   void rigid_load(const RigidLoad& load) {
+    const Point place = place_of(scene_, load);
     for (const Image& image : scene_.images) {
-      const Point at = image.place(load.at), p = view_.at(at), force = image.direction(load.force);
+      const Point at = image.place(place), p = view_.at(at), force = image.direction(load.force);
       if (!view_.is_near(p)) continue;
       if (force.x != 0.0 || force.y != 0.0) arrow(Symbol::kRigidForce, p, force, {0.0, 0.0}, 36.0, 11.0);
       if (load.moment != 0.0) turn(Symbol::kRigidMoment, p, load.moment * image.turn.x * image.turn.y > 0.0);

@@ -69,15 +69,20 @@ Point mean_motion(const Contact& c) {
   return {sum.x / count, sum.y / count};
 }
 
-double relative_motion(const Contact& c, Point mean) {
+// The largest motion relative to it of what touches, and of the two bodies as far as they are in view.
+double relative_motion(const Contact& c, Point mean, const Chart& view) {
   double most = 0.0;
-  for (const Image& image : c.images())
+  const auto take = [&](Point u) { most = std::max(most, std::hypot(u.x - mean.x, u.y - mean.y)); };
+  for (const Image& image : c.images()) {
     for (size_t p = c.zone.first; p < c.zone.first + c.zone.pairs; ++p)
-      for (const Point& moved : c.scene.pairs[p].moved) {
-        if (!c.touches(p)) continue;
-        const Point u = image.direction(moved);
-        most = std::max(most, std::hypot(u.x - mean.x, u.y - mean.y));
-      }
+      for (const Point& moved : c.scene.pairs[p].moved)
+        if (c.touches(p)) take(image.direction(moved));
+    for (const int32_t number : c.zone.body) {
+      const BodyScene& body = c.scene.bodies[static_cast<size_t>(number) - 1];
+      for (size_t i = 0; i < body.displacement.size(); ++i)
+        if (view.is_near(view.at(image.place(body.ends[i])))) take(image.direction(body.displacement[i]));
+    }
+  }
   return most;
 }
 
@@ -324,7 +329,7 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   const FramedContact drawn = view_of_contact(c, top);
   const Chart& view = drawn.chart;
   const Point mean = mean_motion(c);
-  const double wanted = wanted_factor(view.x.high - view.x.low, relative_motion(c, mean), kDeformed);
+  const double wanted = wanted_factor(view.x.high - view.x.low, relative_motion(c, mean, view), kDeformed);
   const GapLift lift(scene);
   const Deformation deformation = choose_deformation(scene, lift, wanted, mean, [&](const Deformation&) { return view; });
   const std::string suffix = scene.zones.size() > 1 ? "_zone" + std::to_string(zone_index + 1) : "", name = "contact" + suffix;
