@@ -126,8 +126,8 @@ TEST_CASE("port/posix: every call of the system fails once, in every way") {
       if (code < 0) CHECK((fate == 0 && code == (name == "pread64" && !of_mark ? C2D_POSIX_STORE_END : C2D_POSIX_STORE_STUCK)));
       const bool room = name == "fallocate64" && fate != ENOSPC && fate != EDQUOT && fate != EFBIG;
       const bool folder_only = name == "fsync" && (fate == EINVAL || fate == ENOTSUP); // some cannot sync folders
-      const bool helped = name == "fstatvfs64" || name == "pthread_create" || name == "malloc" || fate == ENOTEMPTY ||
-                          (of_mark && fate == 0);
+      const bool helped =
+          name == "fstatvfs64" || name == "pthread_create" || name == "malloc" || fate == ENOTEMPTY || (of_mark && fate == 0);
       if (code == 0 && fate != EINTR && fate != kHalf && above.count(number) == 0) CHECK((room || folder_only || helped));
     }
 }

@@ -562,6 +562,55 @@ TEST_CASE("ties: free zones end at supports, and beside those of other bodies") 
       }
 }
 
+// The same with meshes that coincide: the node where two zones meet is left out of the pairs of one of them, and the end there
+// carries the traction of its nearest pair, on both bodies, whether both are in both zones or not.
+TEST_CASE("ties: matching zones that meet have uniform pressure up to the node that one leaves to the other") {
+  const FieldAt field = [](double x, double y) { return uniform_field(0.3, -1, 0, x, y); };
+  const int end[4] = {0, 3, 5, 8}; // elements of the zones, from the left
+  for (const int functions : {2, 3, 4})
+    for (const bool parted : {false, true}) // the lower body at x = 1.5
+      for (const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}) {
+        CAPTURE(functions);
+        CAPTURE(parted);
+        CAPTURE(order[0]);
+        CAPTURE(order[1]);
+        Model m;
+        m.function_nodes = functions;
+        if (parted) {
+          m.add(rectangle(0, 0, 1.5, 1, {3, 2, 3, 2}, kE, kNu));
+          m.add(rectangle(1.5, 0, 4, 1, {5, 2, 5, 2}, kE, kNu));
+        } else {
+          m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}, kE, kNu));
+        }
+        m.add(rectangle(0, 1, 4, 2, {8, 2, 8, 2}, kE, kNu));
+        const int32_t upper = parted ? 3 : 2;
+        for (int32_t b = 1; b <= upper; ++b)
+          for (const int32_t side : {2, 4}) m.set(b, side, end_of(kPulled, side == 2 ? 0.3 : -0.3, 0));
+        for (int32_t b = 1; b < upper; ++b)
+          m.set(b, 1, [&](double x, double y) { return end_of(kHeld, 0, 0, field(x, y).ux, field(x, y).uy); });
+        m.set(upper, 3, end_of(kPulled, 0, -1));
+        const Range foot = m.side(upper, 1);
+        bool has[9] = {}; // nodes between the elements that a zone has
+        for (const int z : order) {
+          const int32_t b = parted && z > 0 ? 2 : 1;
+          const Range top = m.side(b, 3);
+          const int32_t last = parted && z == 0 ? top.last - end[z] : top.last - (end[z] - (b == 2 ? 3 : 0));
+          Zone zone{z == 1 ? tied(C2D_ZONE_MATCHING) : C2D_ZONE_MATCHING,
+                    {{b, last, last - (end[z + 1] - end[z]) + 1}, {upper, foot.first + end[z], foot.first + end[z + 1] - 1}}};
+          zone.without[0] = has[end[z]] ? 1 : 0, zone.without[1] = has[end[z + 1]] ? 1 : 0;
+          has[end[z]] = has[end[z + 1]] = true;
+          m.zones.push_back(zone);
+        }
+        const Result r = solved(m);
+        CHECK(imbalance(m, r) < 1e-12);
+        CHECK(breach(m, r) == "");
+        CHECK(off_field(r, field, 1, 3 / kPlaneE) < 1e-10);
+        CHECK(std::fabs(r.last().defect) < 1e-10);
+        CHECK(r.last().rows.size() == static_cast<size_t>(8 * (functions - 1) + 1));
+        for (const Row& row : r.last().rows) CHECK(std::fabs(row[C2D_TN] - 1) < 1e-10);
+      }
+}
+
 TEST_CASE("ties: a tie and a contact on one node are refused") {
   Model m;
   m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}));

@@ -116,8 +116,7 @@ TEST_CASE("words: --out puts every output into one folder, as each alone would b
   std::set<std::string> names;
   for (const char* name :
        {"listing.txt", "boundary.csv", "run.json", "report.html", "boundary.vtk", "trace.csv", "bodies.csv", "summary.csv",
-        "figures", "boundary.csv.inputs", "trace.csv.inputs", "bodies.csv.inputs", "summary.csv.inputs",
-        "boundary.vtk.inputs"})
+        "figures", "boundary.csv.inputs", "trace.csv.inputs", "bodies.csv.inputs", "summary.csv.inputs", "boundary.vtk.inputs"})
     names.insert(name);
   CHECK(names_in(all) == names); // no points, no interior.csv
   CHECK(read_file(folder / "mine.csv").size() > 1000);

@@ -302,7 +302,7 @@ bool find_contact_element(const Model& m, int b, int32_t element, ZonePlace* out
 // Pair -1: none, as everywhere on side 0 of a free zone.
 PairSide pair_of_node(const Model& m, int b, int32_t node);
 // Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1). Where a free zone
-// ends at a node that is in none of its pairs, the traction of the nearest pair of the element.
+// ends at a node that is in none of its pairs, or a matching one at a node of another zone, that of the nearest pair.
 PairSide pair_of_end(const Model& m, int b, int32_t element, int l);
 
 // ---- unknowns ---------------------------------------------------------------------------------------------------

@@ -249,6 +249,18 @@ int32_t pair_in_zone(const Model& m, const Zone& z, int side, int32_t node) {
   return k >= 0 && k < z.pairs ? z.first_pair + k : -1;
 }
 
+// Is the node at this end of a matching zone, or the one that it faces, in a pair of another zone?
+bool meets_another_zone(const Model& m, const Zone& z, const ZonePlace& at, int l) {
+  for (int side = is_platen(m, z.body[0]) ? 1 : 0; side < 2; ++side) {
+    const bool same_way = z.element_step[side] == z.element_step[at.side];
+    const int32_t element = zone_element(m, z, side, at.place);
+    if (pair_of_node(m, z.body[side], functional_node(m, z.body[side], element, same_way ? l : m.head->function_nodes - 1 - l))
+            .pair >= 0)
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 // At most one zone contains a node (validate_zones), so the first hit is the only one.
@@ -266,7 +278,8 @@ PairSide pair_of_end(const Model& m, int b, int32_t element, int l) {
   if (!find_contact_element(m, b, element, &at)) return PairSide{-1, 0};
   const Zone& z = m.zone[at.zone];
   const int32_t pair = pair_in_zone(m, z, at.side, functional_node(m, b, element, l));
-  if (pair >= 0 || z.is_free == 0 || at.side == 0 || m.head->function_nodes == 1) return PairSide{pair, at.side};
+  if (pair >= 0 || m.head->function_nodes == 1) return PairSide{pair, at.side};
+  if (z.is_free != 0 ? at.side == 0 : !meets_another_zone(m, z, at, l)) return PairSide{-1, at.side};
   const int nearest = l == 0 ? 1 : m.head->function_nodes - 2; // the node is the first or last of the zone
   return PairSide{pair_in_zone(m, z, at.side, functional_node(m, b, element, nearest)), at.side};
 }

@@ -107,6 +107,7 @@ private:
   void compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const;
   bool is_corner_pair(const c2d_zone& zone, size_t pair) const;
   bool faces_corner(const c2d_zone& zone, size_t pair) const;
+  bool meets_another(int32_t number, bool at_end) const;
   bool is_mirror(const c2d_side& side, int32_t element, bool at_end) const;
   bool is_guided(int32_t body, int32_t element) const;
   bool is_cut(const c2d_side& side, int32_t element, bool at_end) const;
@@ -167,8 +168,27 @@ bool PlaceFinder::is_corner_pair(const c2d_zone& zone, size_t pair) const {
   return curve(zone.side2.body).is_corner_node(static_cast<int32_t>(node2_[pair])) || faces_corner(zone, pair);
 }
 
-// Pairs of an element of side 2 that begins at s, and the parts of its shape functions. An end of a free zone that is in no
-// pair of it carries the traction of the nearest one.
+// Is the node where a matching zone begins, or ends, in a pair of another zone on either body?
+bool PlaceFinder::meets_another(int32_t number, bool at_end) const {
+  const c2d_zone& zone = s_.zone[static_cast<size_t>(number) - 1];
+  for (const c2d_side* side : {&zone.side1, &zone.side2}) {
+    if (curve(side->body).elements() == 0) continue; // of a platen
+    const Walk w = walk(*side);
+    const int32_t e = at_end ? w.elements.back() : w.elements.front();
+    if (e == 0) continue;
+    const int32_t node = curve(side->body).node(e, w.up == at_end ? s_.function_nodes : 1);
+    for (size_t p = 0; p < zone_.size(); ++p) {
+      const c2d_zone& other = s_.zone[static_cast<size_t>(zone_[p]) - 1];
+      if (&other == &zone) continue;
+      if (other.side1.body == side->body && static_cast<int32_t>(node1_[p]) == node) return true;
+      if (other.side2.body == side->body && static_cast<int32_t>(node2_[p]) == node) return true;
+    }
+  }
+  return false;
+}
+
+// Pairs of an element of side 2 that begins at s, and the parts of its shape functions. An end that is in no pair of the zone
+// carries the traction of the nearest one, in a free zone or where another zone has its node.
 void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const {
   const int32_t nodes = s_.function_nodes;
   const ElementCurve& element = curve(side.body).element(e);
@@ -181,7 +201,8 @@ void PlaceFinder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, b
     const int32_t pair = pair_at_[static_cast<size_t>(line.zone) - 1][static_cast<size_t>(node)];
     const double own = element.length(-1, 1, nodes, k, line.revolved), weight = own + of_end, eta = node_place(nodes, k);
     if (pair < 0) {
-      if ((zone.kind & C2D_ZONE_FREE) != 0) (line.pair.empty() ? of_end : line.weight.back()) += own;
+      const bool begins = line.pair.empty();
+      if ((zone.kind & C2D_ZONE_FREE) != 0 || meets_another(line.zone, !begins)) (begins ? of_end : line.weight.back()) += own;
       continue;
     }
     of_end = 0;

@@ -125,10 +125,8 @@ const char* meaning_of(Measure what) {
            "the largest pressure of a pair that pictures show; at a sharp corner it is the value of the last pair, which grows "
            "with every refinement.";
   case Measure::kMeanPressure: return "The resultant of the pressure over the length in contact.";
-  case Measure::kContactEdge:
-    return "Where contact ends: the distance along the second side, and the place.";
-  case Measure::kStickBorder:
-    return "The border between stick and slip: the distance along the second side, and the place.";
+  case Measure::kContactEdge: return "Where contact ends: the distance along the second side, and the place.";
+  case Measure::kStickBorder: return "The border between stick and slip: the distance along the second side, and the place.";
   case Measure::kContactWidth: return "The length in contact; where a line of symmetry cuts it, with its image.";
   case Measure::kHalfWidth: return "Half the contact width.";
   case Measure::kStuckWidth: return "The length that sticks; where a line of symmetry cuts it, with its image.";

@@ -26,8 +26,8 @@ enum OutputNeeds : uint32_t {
   kNeedsPlaces = 32,  // stresses on the boundary and at points, at every recorded step
   kNeedsScene = 64,   // the model and the last state as in a picture;
   kNeedsPictures = 128,
-  kNeedsTimes = 256, // of the whole run: it ends after the outputs without this
-  kInputsBeside = 512     // the inputs go into a file beside it
+  kNeedsTimes = 256,  // of the whole run: it ends after the outputs without this
+  kInputsBeside = 512 // the inputs go into a file beside it
 };
 
 struct OutputRow {

@@ -28,7 +28,8 @@ std::string value_of(const StepRecord& step, Measure what, int32_t zone, int dig
 std::string values_of(const StepRecord& step, Measure what, int32_t zone, int digits) {
   std::string out;
   for (const Quantity& q : step.quantities)
-    if (q.what == what && q.zone == zone) out += (out.empty() ? "" : ", ") + number(shown_value(q.what, q.value, q.along), digits);
+    if (q.what == what && q.zone == zone)
+      out += (out.empty() ? "" : ", ") + number(shown_value(q.what, q.value, q.along), digits);
   return out.empty() ? "-" : out;
 }
 

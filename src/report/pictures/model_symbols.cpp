@@ -130,8 +130,8 @@ Point centre_of(const Scene& scene, int32_t number) {
   return curves.size() < 2 || is_inside(curves, all) ? all : centroid({curves[0]});
 }
 
-// Where the force on a rigid body is drawn: at its point or, where that lies beside the body, at the place of its line of action
-// that is nearest to the middle of the body.
+// Where the force on a rigid body is drawn: at its point or, where that lies beside the body, at the place of its line of
+// action that is nearest to the middle of the body.
 Point place_of(const Scene& scene, const RigidLoad& load) {
   const double size = std::hypot(load.force.x, load.force.y);
   const Outlines curves = outline_of(scene.bodies[static_cast<size_t>(load.body) - 1], 0.0);
