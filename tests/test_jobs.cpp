@@ -30,7 +30,7 @@ struct Place {
 
 // "value,value" of the two numbers of every row.
 std::set<std::string> of_sweep(const Place& place) {
-  const Result sweep = place.run("contact2d sweep table.csv ../roller.c2s --response 'max tn; contact edge 1'");
+  const Result sweep = place.run("contact2d sweep table.csv ../roller.c2s --response 'max tn; contact edge 1 x'");
   REQUIRE_MESSAGE(sweep.status == 0, sweep.err);
   std::set<std::string> all;
   for (const std::string& line : lines_of(sweep.out)) {

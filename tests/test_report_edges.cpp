@@ -178,6 +178,10 @@ TEST_CASE("report: around edges of contact what slips beside stick, or presses m
   out = sticking.draw(draw_tractions);
   REQUIRE(out.size() == 2);
   CHECK(contains(out[0].caption, "; sticking from s = 101 to 101, 11 pairs slip"));
+  rows[103].status = C2D_STICK, rows[103].tt = 0.1; // with one that slips between them
+  Hand parted(200);
+  parted.step({1}, rows, 1);
+  CHECK(contains(parted.draw(draw_tractions)[0].caption, "; sticking in 2 stretches between s = 101 and 103, 10 pairs slip"));
   // Slip to the end of the zone: as far as there are pairs.
   Hand whole(40);
   std::vector<Row> slipping = rows_of(40, {C2D_SLIP, 1, 0.3, 0, 0});
@@ -367,7 +371,7 @@ TEST_CASE("report: convergence of changes alone, of one of them, with errors of 
 
 // ---- symbols of the model
 
-TEST_CASE("report: loads that are nothing, or beyond the picture, have no symbol") {
+TEST_CASE("report: loads that are nothing, or beyond the picture, have no symbol, but turns about such points") {
   Hand hand(4);
   Scene& scene = hand.scene;
   const Chart view = make_view({100, 100, 400, 300}, {0, 4, false}, {-4, 4, false}, 10, "mm");
@@ -389,13 +393,17 @@ TEST_CASE("report: loads that are nothing, or beyond the picture, have no symbol
   scene.point_loads.push_back({1, {1, 1}, {0, 1}, 0});
   CHECK(drawn() == 1);
   scene.point_loads.clear();
-  scene.body_forces = {{1, 0, {0, 0}, 0, {0, 0}}, {1, 0, {0, 0}, 1, far}};
+  scene.body_forces = {{1, 0, {0, 0}, 0, {0, 0}}};
   CHECK(drawn() == 0);
+  scene.body_forces = {{1, 0, {0, 0}, 1, far}}; // about a point beyond the picture: at the middle of the body
+  CHECK(drawn() == 1);
   scene.body_forces = {{1, 0, {0, 1}, 0, {0, 0}}, {2, 0, {0, 0}, 1, {2, 0}}};
   CHECK(drawn() == 2);
   scene.body_forces.clear();
-  scene.motions = {{2, 0, {0, 0}, 0, {0, 0}}, {2, 0, {0, 0}, -1, far}};
+  scene.motions = {{2, 0, {0, 0}, 0, {0, 0}}};
   CHECK(drawn() == 0);
+  scene.motions = {{2, 0, {0, 0}, -1, far}};
+  CHECK(drawn() == 1);
   scene.motions = {{2, 0, {1, 0}, 0.5, {2, 0}}};
   CHECK(drawn() == 1);
   for (BodyScene& body : scene.bodies) // out of sight; and without an area there is no middle

@@ -60,8 +60,8 @@ mkdir -p "$folder"
   cat <<'END'
 # Gallery
 
-Every sketch of the [examples](../README.md) as the program solves it: a picture of `--figures`, and key numbers at the end of the
-load history, each with its stated error. The sketches of a half or a quarter give forces of that part. `make gallery` makes this
+The problems of users and the families of the [examples](../README.md) as the program solves them: a picture of `--figures`, and
+key numbers at the end of the load history, each with its stated error. The sketches of a half or a quarter give forces of that part. `make gallery` makes this
 page and its pictures; a test reports when they are older than the sketches.
 END
   entries | while read -r sketch picture; do entry "$sketch" "$picture"; done

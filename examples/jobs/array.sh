@@ -7,4 +7,4 @@ i=${SLURM_ARRAY_TASK_ID:-$1}
 out=row-$i.txt
 [ -f "$out" ] && ! grep -q '^FAIL' "$out" && exit 0
 row=$(sed -n "$((i + 1))p" table.csv)
-exec contact2d run -q ../roller.c2s mu="${row%,*}" P="${row#*,}" --response 'max tn; contact edge 1' --results "$out"
+exec contact2d run -q ../roller.c2s mu="${row%,*}" P="${row#*,}" --response 'max tn; contact edge 1 x' --results "$out"

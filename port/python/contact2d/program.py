@@ -363,7 +363,7 @@ def sweep(source: Source, values: Any, responses: Union[str, Iterable[str]], opt
 
     values      parameters by name: lists of equal length, {"mu": [0.1, 0.2], "P": [10, 20]} (one value stands for all rows);
                 or a list of dictionaries, one for each row; or a Table
-    responses   requested numbers, as for `contact2d sweep --response`: "peak pressure; contact edge 1", or a list of them
+    responses   requested numbers, as for `contact2d sweep --response`: "peak pressure; contact edge 1 x", or a list of them
     options     of `contact2d sweep` by name: {"threads": 4}; without it all processors are used
     parameters  those that are the same in all rows
 

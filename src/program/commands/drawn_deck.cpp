@@ -73,7 +73,7 @@ void show(const MeshRound& round, size_t number) {
 // Replaces a valid sketch by its deck. Throws a sketch::Fault.
 int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
                 MeshLoop& loop) {
-  constexpr double kCoarser = 0.5, kFiner = 4; // than the mesh without a search, of most problems
+  constexpr double kCoarser = 0.5, kFiner = 5; // than the mesh without a search, of most problems
   if (drawing.expected != nullptr && sketch.adapts)
     for (const double factor : {kCoarser, kFiner})
       drawing.expected->push_back(sketch::deck_of(sketch, sketch::first_mesh(sketch, factor * sketch::kWithoutSearch)));

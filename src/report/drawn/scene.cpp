@@ -102,11 +102,14 @@ Outlines outline_of(const BodyScene& body, double magnification) {
 ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table) {
   ZoneFacts f;
   f.peak_pair = zone.first;
+  bool stuck = false; // the pair before
   for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     const double s = scene.pairs[p].s;
     const int status = static_cast<int>(row[C2D_STATUS]);
     if (p == zone.first || row[C2D_TN] > f.peak) f.peak = row[C2D_TN], f.peak_pair = p;
+    const bool begins = status == C2D_STICK && !stuck;
+    stuck = status == C2D_STICK;
     if (status == C2D_OPEN) continue;
     f.low = f.touching == 0 ? s : std::min(f.low, s);
     f.high = f.touching == 0 ? s : std::max(f.high, s);
@@ -116,8 +119,16 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
     f.stick_low = f.sticking == 0 ? s : std::min(f.stick_low, s);
     f.stick_high = f.sticking == 0 ? s : std::max(f.stick_high, s);
     ++f.sticking;
+    f.stretches += begins ? 1 : 0;
   }
   return f;
+}
+
+std::string words_of_sticking(const Scene& scene, const ZoneScene& zone, const ZoneFacts& f) {
+  const std::string low = std::string(zone.position) + " = " + figure(f.stick_low, scene.length_unit),
+                    high = figure(f.stick_high, scene.length_unit);
+  if (f.stretches < 2) return "; sticking from " + low + " to " + high;
+  return "; sticking in " + std::to_string(f.stretches) + " stretches between " + low + " and " + high;
 }
 
 std::string place_on_path(const Scene& scene, size_t coefficient) {

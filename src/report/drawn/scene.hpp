@@ -146,8 +146,11 @@ struct ZoneFacts {
   int32_t touching = 0, sticking = 0, slipping = 0;
   double low = 0.0, high = 0.0;             // s of the outermost touching pairs
   double stick_low = 0.0, stick_high = 0.0; // of the outermost sticking pairs
+  size_t stretches = 0;                     // of neighbouring pairs that stick
 };
 ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table);
+// "; sticking from s = 1 to 3", or in how many stretches between them. Something sticks.
+std::string words_of_sticking(const Scene& scene, const ZoneScene& zone, const ZoneFacts& facts);
 
 // Position on the load path of the last table of a coefficient: "load factor 1", and with several load cases or a
 // load that also falls "step 5 (load factors 1, 0.5)".

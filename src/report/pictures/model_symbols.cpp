@@ -1,6 +1,7 @@
 #include "report/pictures/model_symbols.hpp"
 
 #include "report/pictures/contour.hpp"
+#include "report/pictures/pictures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -179,23 +180,25 @@ public:
   // Starts at the middle of the body.
   void body_force(const BodyForce& force) {
     const Point middle = centre_of(scene_, force.body);
-    const Point p = view_.at(middle), axis = view_.at(force.axis);
+    const Point p = view_.at(middle), axis = view_.at(in_view(force.axis, force.body));
     if ((force.force.x != 0.0 || force.force.y != 0.0) && view_.is_near(p))
       arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, kInnerArrow, 13.0);
     if (force.rho_omega2 != 0.0 && view_.is_near(axis)) turn(Symbol::kRotation, axis, true);
   }
 
   void rigid_motion(const RigidMotion& motion) {
-    const Point middle = centre_of(scene_, motion.body);
-    const Point p = view_.at(middle), axis = view_.at(motion.axis);
-    if ((motion.by.x != 0.0 || motion.by.y != 0.0) && view_.is_near(p))
-      arrow(Symbol::kRigidMotion, p, motion.by, motion.by, kInnerArrow, 12.0);
-    if (motion.rotation != 0.0 && view_.is_near(axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
+    const Point middle = centre_of(scene_, motion.body), axis = in_view(motion.axis, motion.body);
+    for (const Image& image : images_of_points({middle, axis})) {
+      const Point p = view_.at(image.place(middle)), pole = view_.at(image.place(axis)), by = image.direction(motion.by);
+      if ((by.x != 0.0 || by.y != 0.0) && view_.is_near(p)) arrow(Symbol::kRigidMotion, p, by, by, kInnerArrow, 12.0);
+      if (motion.rotation != 0.0 && view_.is_near(pole))
+        turn(Symbol::kRigidMotion, pole, motion.rotation * image.turn.x * image.turn.y > 0.0);
+    }
   }
 
   void rigid_load(const RigidLoad& load) {
-    const Point place = place_of(scene_, load);
-    for (const Image& image : scene_.images) {
+    const Point place = in_view(place_of(scene_, load), load.body);
+    for (const Image& image : images_of_points({place})) {
       const Point at = image.place(place), p = view_.at(at), force = image.direction(load.force);
       if (!view_.is_near(p)) continue;
       if (force.x != 0.0 || force.y != 0.0) arrow(Symbol::kRigidForce, p, force, {0.0, 0.0}, 36.0, 11.0);
@@ -205,6 +208,22 @@ public:
   }
 
 private:
+  // The point, or where it lies beyond the picture, the middle of the body.
+  Point in_view(Point at, int32_t body) const { return view_.is_near(view_.at(at)) ? at : centre_of(scene_, body); }
+  // The model and those images that are elsewhere: a point on a line of symmetry is its own image.
+  std::vector<Image> images_of_points(const std::vector<Point>& points) const {
+    std::vector<Image> out;
+    const double near = 1e-9 * size_of(scene_);
+    for (const Image& image : scene_.images) {
+      const auto is_new = [&](Point p) {
+        return std::none_of(out.begin(), out.end(), [&](const Image& other) {
+          return std::hypot(image.place(p).x - other.place(p).x, image.place(p).y - other.place(p).y) <= near;
+        });
+      };
+      if (out.empty() || std::any_of(points.begin(), points.end(), is_new)) out.push_back(image);
+    }
+    return out;
+  }
   // `direction` and `normal` are of the model.
   void arrow(Symbol symbol, Point p, Point direction, Point normal, double length, double head) {
     const Arrow a{{direction.x, -direction.y}, {normal.x, -normal.y}, length, head};

@@ -83,9 +83,7 @@ std::string status_caption(const Scene& scene, const ZoneScene& zone, size_t coe
                     std::to_string(f.sticking) + " of " + std::to_string(zone.pairs) + " pairs stick, " +
                     std::to_string(f.slipping) + " slip, " + std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) +
                     " are open";
-  if (f.sticking > 0)
-    out += "; sticking from " + std::string(zone.position) + " = " + figure(f.stick_low, scene.length_unit) + " to " +
-           figure(f.stick_high, scene.length_unit);
+  if (f.sticking > 0) out += words_of_sticking(scene, zone, f);
   return out + ".";
 }
 

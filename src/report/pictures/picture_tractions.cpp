@@ -180,8 +180,8 @@ std::string caption(const Layers& l) {
   else
     out += " between " + std::string(l.zone.position) + " = " + figure(f.low, length) + " and " + figure(f.high, length);
   if (l.mu > 0.0 && f.sticking > 0)
-    out += "; sticking from " + std::string(l.zone.position) + " = " + figure(f.stick_low, length) + " to " +
-           figure(f.stick_high, length) + ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
+    out += words_of_sticking(l.scene, l.zone, f) + ", " + std::to_string(f.slipping) +
+           (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
   return out + measure_text(l);
