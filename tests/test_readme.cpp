@@ -156,7 +156,7 @@ TEST_CASE("pages: the README is two screens, and its first problem is so") {
   }
   const double a = std::sqrt(4 * 200 * 5 / (std::acos(-1.0) * 206e3 / (2 * 0.91))), p0 = 2 * 200 / (std::acos(-1.0) * a);
   check_first_number(text, "peak pressure, MPa", peak[0], peak[1], p0);
-  check_first_number(text, "half width of the contact, mm", edge[0], edge[1], a);
+  check_first_number(text, "x where the contact ends, mm", edge[0], edge[1], a);
   // The end of `make demo`.
   char told[120];
   std::snprintf(told, sizeof told, "Hertz: peak pressure %.2f MPa, contact up to x = %.6f mm", p0, a);
