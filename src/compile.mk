@@ -8,7 +8,7 @@
 
 WARNINGS  := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
 INCLUDES  := -Isrc -Iinclude $(addprefix -Iport/,$(PORTS))
-COMMON    := $(INCLUDES) -std=c++17 -D_FILE_OFFSET_BITS=64 $(WARNINGS)
+COMMON    := $(INCLUDES) -std=c++17 $(if $(findstring 64,$(MACHINE)),,-D_FILE_OFFSET_BITS=64) $(WARNINGS)
 EXACT     := -ffp-contract=off
 CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
 DEPS      := -MMD -MP

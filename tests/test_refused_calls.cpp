@@ -38,7 +38,7 @@ void every_call_refused(const std::string& deck, bool estimates = false) {
   refuse_call(0);
   REQUIRE(app::run_deck(options) == 0);
   const size_t outputs = folder.names().size();
-  CHECK(outputs == (estimates ? 2 : 6)); // beside each table its inputs
+  CHECK(outputs == (estimates ? 2 : 7)); // beside each table, and the VTK file, its inputs
   const std::vector<int64_t> calls = calls_to_refuse();
   CHECK(calls.size() > 60);
   for (const int64_t n : calls) {

@@ -81,7 +81,7 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
   const Folder tapes;
   REQUIRE(run_shell(run_command(tapes / "whole", whole)).status == 0);
   const auto expected = whole.files();
-  REQUIRE(expected.size() == 7); // with what the two tables are made from
+  REQUIRE(expected.size() == 8); // with what two tables and the VTK file are made from
   int kills = 0, resumed = 0, finished = 0, early = 0;
   for (int n = 0; n < 14; n += test::effort(3, 1)) {
     CAPTURE(n);
