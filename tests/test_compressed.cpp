@@ -454,6 +454,12 @@ TEST_CASE("compressed: tractions that come later as by the reduced equations, al
   }
 }
 
+TEST_CASE("compressed: tractions that come later, on a small body") {
+  ModelData d = boxes(2, 2, 1, 12, 0.1);
+  REQUIRE(d.complete());
+  CHECK(later_differs(d, 0, 200, 10, 48) < kNear);
+}
+
 TEST_CASE("compressed: a disc with elements of all orders") {
   for (int32_t functions = 1; functions <= 4; ++functions)
     for (int32_t element_nodes = 2; element_nodes <= 4; ++element_nodes) {

@@ -107,7 +107,26 @@ TEST_CASE("inputs: values of a deck's parameters, given or not; of a sweep") {
   const std::string text = test::read_file(folder / "r.csv.inputs");
   CHECK(value_of(text, "parameter mu") == "0.1");
   CHECK(test::contains(text, "file = t.csv\nsha256 = " + app::sha256_of("P\n3\n4\n")));
+  CHECK(value_of(text, "parameter P") == "none"); // which the table moves, and half with it
+  CHECK(value_of(text, "parameter half") == "none");
   CHECK(test::contains(test::read_file(folder / "r.csv"), "row,P,contact width,force y,outcome\n1,3,2,"));
+  test::write_file(folder / "m.csv", "mu\n0.1\n0.2\n");
+  REQUIRE(test::run_shell(in + "sweep m.csv a.c2s --response load --results m").status == 0);
+  const std::string defaults = test::read_file(folder / "m.inputs");
+  CHECK((value_of(defaults, "parameter P") == "8" && value_of(defaults, "parameter half") == "4"));
+}
+
+TEST_CASE("inputs: the deck of a sketch says what it was made from, and is the deck of a run") {
+  const test::Folder folder;
+  const std::string drawn = kSketch + std::string("tolerance off\n");
+  test::write_file(folder / "a.c2s", drawn);
+  const std::string in = "cd '" + folder.path() + "' && " + program();
+  REQUIRE(test::run_shell(in + "mesh a.c2s P=3 -o m.dat").status == 0);
+  const std::string deck = test::read_file(folder / "m.dat");
+  CHECK(test::contains(deck, "! file a.c2s, sha256 " + app::sha256_of(drawn) + "\n"));
+  CHECK(test::contains(deck, "! parameter P = 3\n"));
+  CHECK(test::contains(deck, "! parameter half = 1.5\n"));
+  CHECK(test::run_shell(in + "run m.dat -q --csv -").out == test::run_shell(in + "run a.c2s P=3 -q --csv -").out);
 }
 
 TEST_CASE("inputs: nothing stands beside a table that goes down a pipe, and a name that is taken is refused") {

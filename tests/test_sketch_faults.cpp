@@ -173,6 +173,9 @@ TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies t
   tells(kHeld + "want stress b 0.5 1\n", "on its boundary");
   tells(kHeld + "stress b 2 0.5\n", "8:1 the point (2, 0.5) is not inside body 'b': 1 outside it");
   tells(kHeld + "force b at 5 5 x 1\n", "the force at (5, 5) is not inside body 'b'");
+  tells("symmetry x 0\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nfix b.s\n"
+        "force b at 0 0.5 x 1 y 2\n",
+        "8:1 the force at (0, 0.5) acts across the line of symmetry x = 0, expected one along it");
   tells(kHeld + "want pressure\n", "the sketch has no contact");
   tells(std::string(kSquare) + "platen b.n turn 0 fy 1\n", "1:1 body 'b' has no support");
   tells(std::string(kSquare) + "traction b.n y 1\n", "1:1 body 'b' has no support, expected fix");

@@ -279,7 +279,7 @@ async function solveOnce(whole) {
   const stated = ((page.result.json.accuracy || {}).stated || []).filter((each) => each.relative_error !== undefined && each.tolerance !== undefined);
   const errors = stated.map((each) => `${each.name} ${short(100 * each.relative_error, 2)} %${each.met === false ? " (not met)" : ""}`).join(", ");
   state(`${run.status === 0 ? "Solved" : `Ended early: ${outcome}`} in ${run.seconds < 0.1 ? Math.max(1, Math.round(run.seconds * 1000)) + " ms" : run.seconds.toFixed(1) + " s"}` +
-    `${peak > 0 ? `; largest pressure ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : errors ? `; stated errors: ${errors}` : ""}.`, run.status !== 0);
+    `${peak > 0 ? `; largest pressure of a pair ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : errors ? `; stated errors: ${errors}` : ""}.`, run.status !== 0);
 }
 
 // The first mesh as it is; lines keep their numbers.

@@ -462,6 +462,16 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
   return out;
 }
 
+double round_off_of(const Quantity& q, const std::vector<Quantity>& all, double size) {
+  double most = 0.0;
+  for (const Quantity& other : all)
+    if (other.what == Measure::kForceX || other.what == Measure::kForceY) most = std::max(most, std::fabs(other.value));
+  const Unit unit = row_of(q.what).unit;
+  if (unit == Unit::kForce) return 1e-10 * most;
+  if (q.what == Measure::kMoment) return 1e-10 * most * size;
+  return unit == Unit::kLength ? 1e-15 * size : 0.0;
+}
+
 double shown_value(Measure what, double value, double along) {
   const bool is_place = what == Measure::kContactEdge || what == Measure::kStickBorder;
   return is_place && std::isfinite(along) ? along : value;

@@ -42,4 +42,8 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
                                     const std::vector<double>& slip_at_turn = {},
                                     const std::vector<c2d_body_state>& bodies = {});
 
+// Below this a number is round-off: forces and moments beside the largest force of the state, lengths beside the size of the
+// model.
+double round_off_of(const Quantity& q, const std::vector<Quantity>& all, double size);
+
 } // namespace app

@@ -152,20 +152,8 @@ const char* meaning_of(Measure what) {
 
 using Numbers = std::vector<Quantity>;
 
-// Below this a number is round-off: forces and moments beside the largest force of the state, lengths beside the size of the
-// model.
-double noise_of(const Quantity& q, const Numbers& all, double size) {
-  double most = 0.0;
-  for (const Quantity& other : all)
-    if (other.what == Measure::kForceX || other.what == Measure::kForceY) most = std::max(most, std::fabs(other.value));
-  const Unit unit = row_of(q.what).unit;
-  if (unit == Unit::kForce) return 1e-10 * most;
-  if (q.what == Measure::kMoment) return 1e-10 * most * size;
-  return unit == Unit::kLength ? 1e-15 * size : 0.0;
-}
-
 void append_number_row(std::string& out, const Scene& scene, const Quantity& q, const Numbers& all, bool stated) {
-  const double noise = noise_of(q, all, size_of(scene));
+  const double noise = round_off_of(q, all, size_of(scene));
   const auto without_noise = [&](double value) { return std::fabs(value) <= noise ? 0.0 : value; };
   const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
   std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,

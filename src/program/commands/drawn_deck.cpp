@@ -134,6 +134,27 @@ std::set<std::string> parameters_of(const DeckFile& deck) {
   return sketch::read_sketch(deck.text(), {}, [](const std::string&, std::string&) { return false; }).parameters;
 }
 
+std::vector<Setting> parameters_used(const DeckFile& deck, const std::vector<std::string>& settings) {
+  std::vector<Setting> out;
+  if (!sketch::is_sketch(deck.text(), deck.name())) {
+    for (const std::string& word : settings)
+      if (Setting setting; read_setting(word, setting)) out.push_back(setting);
+    return values_of_parameters(deck.text(), out);
+  }
+  sketch::Parameters given;
+  for (const std::string& word : settings)
+    if (!read_given(word, given)) return {};
+  const auto file = [&](const std::string& name, std::string& text) {
+    const std::string why = read_named(beside(deck.name(), name), text);
+    if (!why.empty()) text = why;
+    return why.empty();
+  };
+  const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
+  if (!reading.faults.empty()) return {};
+  for (const auto& [name, value] : reading.sketch.parameters) out.emplace_back(name, exact_number(value));
+  return out;
+}
+
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   deck.inputs.files = {input_file(deck.name(), deck.text())};
   if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
@@ -181,6 +202,18 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   }
 }
 
+// The deck with what it was made from, as comments behind its title.
+static std::string with_inputs(const DeckFile& deck) {
+  constexpr int kTitleLines = 4;
+  std::string comments = std::string("! made by contact2d ") + c2d_version() + "\n";
+  for (const InputFile& file : deck.inputs.files) comments += "! file " + shown(file.name) + ", sha256 " + file.sha256 + "\n";
+  for (const auto& [name, value] : deck.inputs.parameters) comments += "! parameter " + name + " = " + value + "\n";
+  std::string text = deck.text();
+  size_t at = 0;
+  for (int line = 0; line < kTitleLines && at != std::string::npos; ++line) at = text.find('\n', at == 0 ? 0 : at + 1);
+  return at == std::string::npos ? text : text.insert(at + 1, comments);
+}
+
 int write_mesh(const Options& options) {
   DeckFile deck;
   MeshLoop loop;
@@ -193,7 +226,7 @@ int write_mesh(const Options& options) {
           take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active(), true}, loop);
       status != 0)
     return status;
-  if (const int exit = write_or_fail(options.output, deck.text(), messages); exit != 0) return exit;
+  if (const int exit = write_or_fail(options.output, with_inputs(deck), messages); exit != 0) return exit;
   return exit_put_off() != 0 ? exit_put_off() : loop.missed() ? kExitInaccurate : kExitSolved;
 }
 

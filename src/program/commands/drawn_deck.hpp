@@ -43,6 +43,10 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop);
 // The parameters of a deck or a sketch that --set may name.
 std::set<std::string> parameters_of(const DeckFile& deck);
 
+// Values of its parameters with these settings ("mu=0.3"), as a run would use them; empty if they cannot be read.
+std::vector<std::pair<std::string, std::string>> parameters_used(const DeckFile& deck,
+                                                                 const std::vector<std::string>& settings);
+
 // The command mesh: writes the deck of a sketch. Returns the exit status.
 int write_mesh(const Options& options);
 

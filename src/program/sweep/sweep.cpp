@@ -40,6 +40,8 @@ public:
 
 private:
   int read();
+  std::vector<std::string> settings_of(size_t row) const;
+  void name_parameters(const DeckFile& deck);
   uint64_t inputs() const;
   std::string heading() const;
   std::string row_text(size_t row, const Answer& answer) const;
@@ -75,13 +77,29 @@ int Sweep::read() {
   *deck_ = deck.text();
   named_.files = {input_file(deck.name(), deck.text()), input_file(file.name(), file.text())};
   named_.options = words_that_change_digits(options_);
-  for (const std::string& word : options_.settings)
-    named_.parameters.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
   const std::set<std::string> parameters = parameters_of(deck);
   for (const std::string& word : options_.settings)
     if (const std::string name = word.substr(0, word.find('=')); parameters.count(name) == 0)
       return fail(deck.name() + ": no parameter " + name + offer_parameters(name, parameters), kExitUsage);
-  return read_table(file, parameters, messages, table_) ? 0 : kExitInput;
+  if (!read_table(file, parameters, messages, table_)) return kExitInput;
+  name_parameters(deck);
+  return 0;
+}
+
+std::vector<std::string> Sweep::settings_of(size_t row) const {
+  std::vector<std::string> out = options_.settings;
+  for (size_t k = 0; k < table_.names.size(); ++k) out.push_back(table_.names[k] + "=" + table_.rows[row][k]);
+  return out;
+}
+
+// Those that the rows have in common: given ones, and defaults that the table does not move.
+void Sweep::name_parameters(const DeckFile& deck) {
+  if (table_.rows.empty()) return;
+  const auto first = parameters_used(deck, settings_of(0)), last = parameters_used(deck, settings_of(table_.rows.size() - 1));
+  for (const auto& parameter : first)
+    if (std::find(table_.names.begin(), table_.names.end(), parameter.first) == table_.names.end() &&
+        std::find(last.begin(), last.end(), parameter) != last.end())
+      named_.parameters.push_back(parameter);
 }
 
 // Checksum of everything that the results depend on.
@@ -148,7 +166,7 @@ void Sweep::work() {
     options.quiet = true; // no listing and no files
     options.results.clear(), options.table.clear();
     options.text = deck_;
-    for (size_t k = 0; k < table_.names.size(); ++k) options.settings.push_back(table_.names[k] + "=" + table_.rows[row][k]);
+    options.settings = settings_of(row);
     Answer answer;
     try {
       answer = answer_of(options, *store);

@@ -10,7 +10,16 @@
 namespace app {
 namespace {
 
-void append_row(std::string& out, const Quantity& q) {
+// The largest coordinate or length among places, for the size of the model.
+double extent_of(const std::vector<Quantity>& all) {
+  double most = 0.0;
+  for (const Quantity& q : all)
+    for (const double v : {q.at[0], q.at[1], q.along})
+      if (std::isfinite(v)) most = std::max(most, std::fabs(v));
+  return most;
+}
+
+void append_row(std::string& out, const Quantity& q, double noise) {
   if (q.zone > 0)
     append_column(out, q.zone, 8);
   else
@@ -19,9 +28,10 @@ void append_row(std::string& out, const Quantity& q) {
   if (q.item > 0) name += " " + std::to_string(q.item);
   out += "   " + name;
   out.append(name.size() < 18 ? 18 - name.size() : 1, ' ');
-  append_general(out, shown_value(q.what, q.value, q.along), 14);
+  const double value = shown_value(q.what, q.value, q.along);
+  append_general(out, std::fabs(value) <= noise ? 0.0 : value, 14);
   std::string error;
-  if (std::isfinite(q.error)) append_general(error += "+- ", q.error, 0, 2);
+  if (std::isfinite(q.error)) append_general(error += "+- ", q.error <= noise ? 0.0 : q.error, 0, 2);
   if (!error.empty() || std::isfinite(q.at[0])) out.append(2, ' ') += error;
   if (std::isfinite(q.at[0])) {
     out.append(error.size() < 14 ? 14 - error.size() : 1, ' ');
@@ -64,7 +74,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     out += "\n";
     append_loads(out, c.loads);
     out += "\n    zone   quantity                   value    stated error              x             y         along\n";
-    for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
+    const std::vector<Quantity>& all = c.steps.back().quantities;
+    for (const Quantity& q : all) append_row(out, q, round_off_of(q, all, extent_of(all)));
     out += '\n';
   }
   if (s.plane == C2D_AXISYMMETRIC) out += "  bodies of revolution: forces and dissipated work of the whole circumference\n";

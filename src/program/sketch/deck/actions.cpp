@@ -40,6 +40,7 @@ private:
   void check_case(size_t load_case);
   void check_field(const Condition& c, size_t axis);
   void check_place(int b, Point p, Place at, const std::string& what);
+  void check_across(const PointLoad& p);
   void check_wants();
   void check_supports();
   void mark_supported(int b, std::vector<bool>& supported) const;
@@ -222,7 +223,19 @@ void ActionCheck::check_wants() {
             "other factors");
   }
   for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
-  for (const PointLoad& p : s_.point_loads) check_place(p.body, p.where, p.at, "the force at");
+  for (const PointLoad& p : s_.point_loads) {
+    check_place(p.body, p.where, p.at, "the force at");
+    check_across(p);
+  }
+}
+
+// On a line of symmetry a force coincides with its image: what acts across the line would cancel.
+void ActionCheck::check_across(const PointLoad& p) {
+  const double at[2] = {p.where.x, p.where.y}, force[2] = {p.force.x, p.force.y};
+  for (int axis = 0; axis < 2; ++axis)
+    if (s_.symmetry[axis] && at[axis] == *s_.symmetry[axis] && force[axis] != 0.0)
+      fault(p.at, "the force at (" + show(p.where.x) + ", " + show(p.where.y) + ") acts across the line of symmetry " +
+                      (axis == 0 ? "x" : "y") + " = " + show(at[axis]) + ", expected one along it");
 }
 
 // Marks a body and all bodies connected to it by interfaces.
