@@ -454,10 +454,10 @@ TEST_CASE("compressed: tractions that come later as by the reduced equations, al
   }
 }
 
-TEST_CASE("compressed: tractions that come later, on a small body") {
-  ModelData d = boxes(2, 2, 1, 12, 0.1);
+TEST_CASE("compressed: later tractions on a small body are those of the reduced equations") {
+  ModelData d = boxes(1, 2, 0, 24, 0);
   REQUIRE(d.complete());
-  CHECK(later_differs(d, 0, 200, 10, 48) < kNear);
+  CHECK(later_differs(d, 0, 400, 10, 5) < kNear);
 }
 
 TEST_CASE("compressed: a disc with elements of all orders") {
