@@ -114,6 +114,12 @@ TEST_CASE("inputs: values of a deck's parameters, given or not; of a sweep") {
   REQUIRE(test::run_shell(in + "sweep m.csv a.c2s --response load --results m").status == 0);
   const std::string defaults = test::read_file(folder / "m.inputs");
   CHECK((value_of(defaults, "parameter P") == "8" && value_of(defaults, "parameter half") == "4"));
+  // A row that the sketch refuses leaves at least what was given.
+  test::write_file(folder / "b.c2s", kSketch + std::string("tolerance off\nrequire {P - 1} \"P is below 1\"\n"));
+  test::write_file(folder / "n.csv", "P\n0\n4\n");
+  CHECK(test::run_shell(in + "sweep n.csv b.c2s mu=0.1 --response load --results n").status == 0);
+  CHECK(test::contains(test::read_file(folder / "n"), "P is below 1"));
+  CHECK(value_of(test::read_file(folder / "n.inputs"), "parameter mu") == "0.1");
 }
 
 TEST_CASE("inputs: the deck of a sketch says what it was made from, and is the deck of a run") {

@@ -271,6 +271,20 @@ TEST_CASE("pictures: a platen is glued, and no contact to look at; a tie neither
   CHECK(contains(tied.figures["tractions"], ">tied</text>"));
 }
 
+TEST_CASE("pictures: bodies around a contact are magnified as far as what is in view moves, not the contact alone") {
+  Shown shown;
+  show(shown, example("families/stack.c2s"));
+  CHECK(contains(caption_of(shown, "contact_zone1"), "gaps &#215; 200")); // by the contact alone 500, a shear of 45 degrees
+}
+
+TEST_CASE("listing: lengths that are round-off are 0, as on the page") {
+  const std::string listing =
+      run_shell("'" + paths::program() + "' run " + quoted(example("press_fit.c2s")) + " --listing -").out;
+  const size_t at = listing.find("slip range", listing.find("Contact in numbers"));
+  REQUIRE(at != std::string::npos);
+  CHECK(std::stod(listing.substr(at + 10)) == 0);
+}
+
 // A crack that closes without shear, between ties of larger stresses.
 TEST_CASE("pictures: friction of round-off is none, and a contact comes before ties") {
   Shown shown;

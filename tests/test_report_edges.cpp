@@ -406,6 +406,24 @@ TEST_CASE("report: loads that are nothing, or beyond the picture, have no symbol
   CHECK(drawn() == 1);
   scene.motions = {{2, 0, {1, 0}, 0.5, {2, 0}}};
   CHECK(drawn() == 1);
+  // A force is drawn on its body, wherever on its line of action its point lies; with a moment, at the point.
+  const Point middle{0.5 * (scene.bodies[1].curves[0][0].at.x + scene.bodies[1].curves[0][2].at.x),
+                     0.5 * (scene.bodies[1].curves[0][0].at.y + scene.bodies[1].curves[0][2].at.y)};
+  const auto marked = [&](Point at, double moment) { // is the point's circle in the middle of the body?
+    scene.rigid_loads = {{2, at, {0, -1}, moment}};
+    Svg svg("s", 500, 400), circle("s", 500, 400);
+    Present present;
+    draw_loads(svg, scene, view, present);
+    circle.mark(Mark::kCircle, view.at(middle), 4.0, "#d55e00");
+    const std::string all = circle.finish("", ""), text = svg.finish("", "");
+    const size_t from = all.find("cx=");
+    REQUIRE(from != std::string::npos);
+    return contains(text, all.substr(from, all.find(" r=", from) - from));
+  };
+  CHECK(marked({middle.x, 3.9}, 0));
+  CHECK_FALSE(marked({middle.x, -3.9}, 0)); // in the body: where it is
+  CHECK_FALSE(marked({middle.x, 3.9}, 1));
+  scene.rigid_loads.clear();
   for (BodyScene& body : scene.bodies) // out of sight; and without an area there is no middle
     for (OutlinePoint& p : body.curves[0]) p.at = p.moved = {p.at.x + 1000, p.at.y};
   scene.motions[0].rotation = 0, scene.body_forces = {{1, 0, {1, 1}, 0, {0, 0}}};

@@ -611,6 +611,44 @@ TEST_CASE("ties: matching zones that meet have uniform pressure up to the node t
       }
 }
 
+// A block in a corner: which of the two zones has the node there, on faces at right angles.
+TEST_CASE("ties: matching zones that meet in a corner have their uniform pressures up to it") {
+  const auto held = [](double sx, double sy) {
+    return [=](double x, double y) {
+      const Field e = uniform_field(sx, sy, 0, x, y);
+      return end_of(kHeld, 0, 0, e.ux, e.uy);
+    };
+  };
+  for (const int functions : {2, 3, 4})
+    for (const int keeps : {0, 1}) { // the zone that has the node
+      CAPTURE(functions);
+      CAPTURE(keeps);
+      Model m;
+      m.function_nodes = functions;
+      m.add(rectangle(0, -1, 2, 0, {4, 2, 4, 2}, kE, kNu));
+      m.add(rectangle(2, 0, 3, 1, {2, 2, 2, 2}, kE, kNu));
+      m.add(rectangle(0, 0, 2, 1, {4, 2, 4, 2}, kE, kNu));
+      m.set(1, 1, held(0, -1));
+      m.set(2, 2, held(-0.5, 0));
+      m.set(3, 3, end_of(kPulled, 0, -1));
+      m.set(3, 4, end_of(kPulled, 0.5, 0));
+      m.join(C2D_ZONE_MATCHING, 1, 3, 3, 1);
+      m.join(C2D_ZONE_MATCHING, 2, 4, 3, 2);
+      if (keeps == 1)
+        m.zones[0].without[0] = 1;
+      else
+        m.zones[1].without[1] = 1;
+      const Result r = solved(m);
+      CHECK(imbalance(m, r) < 1e-12);
+      CHECK(breach(m, r) == "");
+      CHECK(std::fabs(r.last().defect) < 1e-10);
+      const size_t first = static_cast<size_t>(4 * (functions - 1) + 1 - keeps);
+      REQUIRE(r.last().rows.size() == static_cast<size_t>(6 * (functions - 1) + 1));
+      for (size_t i = 0; i < r.last().rows.size(); ++i)
+        CHECK(std::fabs(r.last().rows[i][C2D_TN] - (i < first ? 1 : 0.5)) < 1e-10);
+    }
+}
+
 TEST_CASE("ties: a tie and a contact on one node are refused") {
   Model m;
   m.add(rectangle(0, 0, 4, 1, {8, 2, 8, 2}));

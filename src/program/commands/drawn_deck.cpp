@@ -204,7 +204,7 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
 
 // The deck with what it was made from, as comments behind its title.
 static std::string with_inputs(const DeckFile& deck) {
-  constexpr int kTitleLines = 4;
+  constexpr int kTitleLines = 4; // *FREE, how many lines of title follow, two of them
   std::string comments = std::string("! made by contact2d ") + c2d_version() + "\n";
   for (const InputFile& file : deck.inputs.files) comments += "! file " + shown(file.name) + ", sha256 " + file.sha256 + "\n";
   for (const auto& [name, value] : deck.inputs.parameters) comments += "! parameter " + name + " = " + value + "\n";

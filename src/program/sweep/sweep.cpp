@@ -92,13 +92,18 @@ std::vector<std::string> Sweep::settings_of(size_t row) const {
   return out;
 }
 
-// Those that the rows have in common: given ones, and defaults that the table does not move.
+// Those that the rows have in common: given ones, and defaults that the table does not move, if its first and last row can be
+// read.
 void Sweep::name_parameters(const DeckFile& deck) {
+  std::set<std::string> named(table_.names.begin(), table_.names.end());
+  for (const std::string& word : options_.settings) {
+    named.insert(word.substr(0, word.find('=')));
+    named_.parameters.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
+  }
   if (table_.rows.empty()) return;
   const auto first = parameters_used(deck, settings_of(0)), last = parameters_used(deck, settings_of(table_.rows.size() - 1));
   for (const auto& parameter : first)
-    if (std::find(table_.names.begin(), table_.names.end(), parameter.first) == table_.names.end() &&
-        std::find(last.begin(), last.end(), parameter) != last.end())
+    if (named.count(parameter.first) == 0 && std::find(last.begin(), last.end(), parameter) != last.end())
       named_.parameters.push_back(parameter);
 }
 

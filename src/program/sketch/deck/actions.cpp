@@ -234,8 +234,9 @@ void ActionCheck::check_across(const PointLoad& p) {
   const double at[2] = {p.where.x, p.where.y}, force[2] = {p.force.x, p.force.y};
   for (int axis = 0; axis < 2; ++axis)
     if (s_.symmetry[axis] && at[axis] == *s_.symmetry[axis] && force[axis] != 0.0)
-      fault(p.at, "the force at (" + show(p.where.x) + ", " + show(p.where.y) + ") acts across the line of symmetry " +
-                      (axis == 0 ? "x" : "y") + " = " + show(at[axis]) + ", expected one along it");
+      fault(p.at, "the force at (" + show(p.where.x) + ", " + show(p.where.y) + ") acts across the " +
+                      (axis == 0 && s_.axisymmetric ? "axis" : "line of symmetry") + " " + (axis == 0 ? "x" : "y") + " = " +
+                      show(at[axis]) + ", expected one along it");
 }
 
 // Marks a body and all bodies connected to it by interfaces.
