@@ -32,6 +32,14 @@ std::vector<app::Point> points_of(const Element& polyline) {
   return out;
 }
 
+// Of a curve from left to right.
+double height_at(const std::vector<app::Point>& curve, double x) {
+  size_t i = 1;
+  while (i + 1 < curve.size() && curve[i].x < x) ++i;
+  const app::Point a = curve[i - 1], b = curve[i];
+  return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
+}
+
 // The polyline drawn with this colour and width.
 std::vector<app::Point> curve(const std::string& svg, const char* colour, const char* width) {
   for (const Element& e : with(svg, "polyline", "stroke", colour))
@@ -108,16 +116,16 @@ TEST_CASE("pictures: a zone on a line of symmetry goes on beyond it") {
   check_page(shown);
   const std::string& svg = shown.figures["tractions_1"];
   const std::vector<app::Point> pressure = curve(svg, "#0060a8", "2"), friction = curve(svg, "#d55e00", "2");
-  REQUIRE(pressure.size() == 29); // 15 pairs, one of them on the line
-  REQUIRE(friction.size() == 29);
-  const double middle = pressure[14].x, zero = friction[14].y;
-  for (size_t i = 0; i < 14; ++i) {
-    CHECK(pressure[i].x + pressure[28 - i].x == doctest::Approx(2.0 * middle).epsilon(1e-4));
-    CHECK(pressure[i].y == pressure[28 - i].y);
-    CHECK(friction[i].y + friction[28 - i].y == doctest::Approx(2.0 * zero).epsilon(1e-4));
+  const double left = pressure.front().x, right = pressure.back().x, middle = 0.5 * (left + right);
+  const double zero = height_at(friction, middle), apart = 0.2; // pixels; points that nobody sees are not written
+  for (int i = 1; i <= 40; ++i) {
+    const double off = i / 41.0 * (right - middle), one = height_at(friction, middle + off);
+    CHECK(height_at(pressure, middle + off) == doctest::Approx(height_at(pressure, middle - off)).scale(1).epsilon(apart));
+    CHECK(one - zero == doctest::Approx(zero - height_at(friction, middle - off)).scale(1).epsilon(apart));
   }
-  CHECK(friction[18].y < zero - 1.0); // tt > 0 on the side that is modelled, and < 0 on the other
-  CHECK(friction[10].y > zero + 1.0);
+  const double quarter = 0.25 * (right - middle);
+  CHECK(height_at(friction, middle + quarter) < zero - 1.0); // tt > 0 on the side that is modelled, and < 0 on the other
+  CHECK(height_at(friction, middle - quarter) > zero + 1.0);
   CHECK(contains(caption_of(shown, "tractions_1"), "is the image"));
 }
 
@@ -242,11 +250,11 @@ TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") 
   std::snprintf(text, sizeof text, "up to %.4g at x = 1<", largest);
   CHECK_MESSAGE(contains(shown.figures["tractions"], text), text);
   const std::vector<app::Point> pressure = curve(shown.figures["tractions"], "#0060a8", "2");
-  REQUIRE(pressure.size() == 289);
+  REQUIRE(pressure.size() > 2);
   const std::vector<Element> frames = with(shown.figures["tractions"], "rect", "height", "210");
   REQUIRE(frames.size() >= 2);
   const double bottom = number_of(frames[0], "y") + 210.0;
-  CHECK(bottom - pressure[144].y > 0.05 * 210.0); // the middle stands clear of the axis
+  CHECK(bottom - height_at(pressure, 0.5 * (pressure.front().x + pressure.back().x)) > 0.05 * 210.0); // the middle stands clear of the axis
 }
 
 TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {

@@ -172,11 +172,12 @@ TEST_CASE("words: every shell completes every command and option") {
   if (!has_command("bash")) return;
   const auto completed = [](const std::string& words, int at) {
     const Folder folder;
-    write_file(folder / "go", "eval \"$('" + paths::program() + "' completion bash)\"\nCOMP_WORDS=(" + words +
+    write_file(folder / "go", "cd '" + paths::root() + "'\neval \"$('" + paths::program() + "' completion bash)\"\nCOMP_WORDS=(" + words +
                                   ") COMP_CWORD=" + std::to_string(at) + "\n_contact2d\necho \"${COMPREPLY[@]}\"\n");
     return run_shell("bash '" + (folder / "go") + "'").out;
   };
   CHECK(completed("contact2d m", 1) == "mesh make\n");
+  CHECK(completed("contact2d exampl", 1) == "examples\n"); // a file in place of a command
   CHECK(completed("contact2d run --st", 2) == "--stresses --stepping --store\n");
   CHECK(completed("contact2d run --stepping ''", 3) == "events deck\n");
   CHECK(completed("contact2d check --st", 2) == "\n");

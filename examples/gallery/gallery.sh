@@ -25,28 +25,45 @@ numbers() {
         split(row[r], f, ",")
         what = f[at["quantity"]]
         if (f[at["mu"]] "," f[at["step"]] != last) continue
-        if (what !~ /^(peak pressure|contact edge|stick border|(largest|smallest) stress|stress|friction force|motion|rotation)/) continue
+        if (what !~ /^(peak pressure|contact edge|stick border|(largest|smallest) stress|stress|friction force|contact width|dissipated|motion|rotation)/) continue
         value = f[at["value"]]; error = f[at["error"]]; part = f[at["name"]]
         if (value == 0 || (value < 0 ? -value : value) <= 3*error) continue
         if (++seen[part, what] > 2) continue
         end = what ~ /edge|border/
         item = end && f[at["item"]] > 0 ? " " f[at["item"]] : ""
         place = f[at["x"]] == "" ? "" : place_of(f[at["x"]], "%.5g") ", " place_of(f[at["y"]], "%.4g")
-        print "| " (part == "" ? "all" : part) " | " what item " | " (end ? "" : short(value, "%.5g")) " | " short(error, "%.2g") " | " place " |"
+        print "| " (part == "" ? "all" : part) " | " what item " | " short(end ? f[at["along"]] : value, "%.5g") " | " short(error, "%.2g") " | " place " |"
+      }
+    }' "$1"
+}
+
+# Stress intensities of the last state, from the listing: it has them where there are cracks.
+cracks() {
+  awk '
+    /tip x +tip y +K1/ { reads = 1; count = 0; next }
+    reads && NF == 0 { reads = 0 }
+    reads && $1 != step { step = $1; count = 0 }
+    reads { row[++count] = $0 }
+    END {
+      for (i = 1; i <= count; ++i) {
+        split(row[i], f, " ")
+        for (k = 1; k <= 2; ++k)
+          if (f[4 + k] + 0 != 0) printf "| tip %d | K%d | %.5g | | %.5g, %.4g |\n", i, k, f[4 + k], f[3], f[4]
       }
     }' "$1"
 }
 
 entry() { # sketch, picture
   name=$(basename "$1")
-  case $1 in families/*) name=family_$name ;; esac
+  case $1 in families/*) name=family_$name ;; revolution/*) name=revolution_$name ;; esac
   rm -rf "$work"
   mkdir -p "$work"
-  "$program" run --quiet --no-progress --listing /dev/null --summary "$work/summary.csv" --figures "$work/figures" "examples/$1.c2s" >&2
+  "$program" run --quiet --no-progress --listing "$work/listing" --summary "$work/summary.csv" --figures "$work/figures" "examples/$1.c2s" >&2
   cp "$work/figures/$2.svg" "$folder/$name.svg"
   title=$(sed -n 's/^title  *//p' "examples/$1.c2s" | head -1)
   printf '\n## %s\n\n`examples/%s.c2s`\n\n![%s](%s.svg)\n\n' "$title" "$1" "$title" "$name"
   numbers "$work/summary.csv"
+  cracks "$work/listing"
   printf '\n<details><summary>The sketch</summary>\n\n```\n'
   cat "examples/$1.c2s"
   printf '```\n\n</details>\n'
@@ -61,8 +78,9 @@ mkdir -p "$folder"
 # Gallery
 
 The problems of users and the families of the [examples](../README.md) as the program solves them: a picture of `--figures`, and
-key numbers at the end of the load history, each with its stated error. The sketches of a half or a quarter give forces of that part. `make gallery` makes this
-page and its pictures; a test reports when they are older than the sketches.
+key numbers at the end of the load history, each with its stated error. The value of an edge is the distance along the second side
+of the contact statement. The sketches of a half or a quarter give forces of that part. `make gallery` makes this page and its
+pictures; a test reports when they are older than the sketches.
 END
   entries | while read -r sketch picture; do entry "$sketch" "$picture"; done
   printf '\n<!-- made from\n'

@@ -462,13 +462,17 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
   return out;
 }
 
-double round_off_of(const Quantity& q, const std::vector<Quantity>& all, double size) {
-  double most = 0.0;
-  for (const Quantity& other : all)
-    if (other.what == Measure::kForceX || other.what == Measure::kForceY) most = std::max(most, std::fabs(other.value));
-  const Unit unit = row_of(q.what).unit;
-  if (unit == Unit::kForce) return 1e-10 * most;
-  if (q.what == Measure::kMoment) return 1e-10 * most * size;
+RoundOff round_off(const std::vector<Quantity>& all, double size) {
+  RoundOff out{0.0, size};
+  for (const Quantity& q : all)
+    if (q.what == Measure::kForceX || q.what == Measure::kForceY) out.force = std::max(out.force, std::fabs(q.value));
+  return out;
+}
+
+double RoundOff::of(Measure what) const {
+  const Unit unit = row_of(what).unit;
+  if (unit == Unit::kForce) return 1e-10 * force;
+  if (what == Measure::kMoment) return 1e-10 * force * size;
   return unit == Unit::kLength ? 1e-15 * size : 0.0;
 }
 

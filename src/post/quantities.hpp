@@ -42,8 +42,11 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
                                     const std::vector<double>& slip_at_turn = {},
                                     const std::vector<c2d_body_state>& bodies = {});
 
-// Below this a number is round-off: forces and moments beside the largest force of the state, lengths beside the size of the
-// model.
-double round_off_of(const Quantity& q, const std::vector<Quantity>& all, double size);
+// What is round-off: forces and moments beside the largest force of a state, lengths beside the size of the model.
+struct RoundOff {
+  double force, size;
+  double of(Measure what) const; // numbers of at most this size
+};
+RoundOff round_off(const std::vector<Quantity>& all, double size);
 
 } // namespace app

@@ -153,7 +153,7 @@ const char* meaning_of(Measure what) {
 using Numbers = std::vector<Quantity>;
 
 void append_number_row(std::string& out, const Scene& scene, const Quantity& q, const Numbers& all, bool stated) {
-  const double noise = round_off_of(q, all, size_of(scene));
+  const double noise = round_off(all, size_of(scene)).of(q.what);
   const auto without_noise = [&](double value) { return std::fabs(value) <= noise ? 0.0 : value; };
   const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
   std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,

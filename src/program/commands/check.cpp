@@ -91,7 +91,7 @@ void append_search(std::string& out, const std::vector<std::string>& expected) {
 void append_check(std::string& out, const Session& session, const Summary& s, int32_t wanted,
                   const std::vector<std::string>& expected) {
   const int32_t elimination = elimination_of(session.limits, wanted);
-  append_line(out, "deck", shown(session.deck.name()));
+  append_line(out, "file", shown(session.deck.name()));
   append_line(out, "title", s.title);
   append_line(out, "bodies", std::to_string(s.bodies));
   append_line(out, "elements", of_bodies(s, &c2d_body_result::elements));

@@ -105,6 +105,32 @@ Outlines parts_within(const std::vector<Point>& line, bool closed, const Box& bo
   return out;
 }
 
+// Is every point between these two within a twentieth of a pixel of the line that joins them?
+bool is_straight(const std::vector<Point>& curve, size_t from, size_t to) {
+  constexpr double kUnseen = 0.05;
+  const double dx = curve[to].x - curve[from].x, dy = curve[to].y - curve[from].y, length = std::hypot(dx, dy);
+  for (size_t i = from + 1; i < to; ++i) {
+    const double x = curve[i].x - curve[from].x, y = curve[i].y - curve[from].y;
+    const double along = length > 0 ? (x * dx + y * dy) / length : 0.0;
+    const double off = length > 0 ? std::fabs(x * dy - y * dx) / length : std::hypot(x, y);
+    if (off > kUnseen || along < -kUnseen || along > length + kUnseen) return false;
+  }
+  return true;
+}
+
+// A line without points that nobody sees: they are most of the bytes of a picture. Both ends stay.
+std::vector<Point> thinned(const std::vector<Point>& curve) {
+  constexpr size_t kLongest = 64; // points that one line replaces
+  std::vector<Point> out;
+  for (size_t i = 0; i < curve.size();) {
+    out.push_back(curve[i]);
+    size_t next = i + 1;
+    while (next + 1 < curve.size() && next - i < kLongest && is_straight(curve, i, next + 1)) ++next;
+    i = next;
+  }
+  return out;
+}
+
 } // namespace
 
 Outlines pieces_within(const Outlines& curves, const Box& box) {
@@ -126,32 +152,6 @@ void append_pixel(std::string& out, double value) {
   out += '.';
   out += static_cast<char>('0' + rest / 10);
   if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
-}
-
-// Is every point between these two within a twentieth of a pixel of the line that joins them?
-static bool is_straight(const std::vector<Point>& curve, size_t from, size_t to) {
-  constexpr double kUnseen = 0.05;
-  const double dx = curve[to].x - curve[from].x, dy = curve[to].y - curve[from].y, length = std::hypot(dx, dy);
-  for (size_t i = from + 1; i < to; ++i) {
-    const double x = curve[i].x - curve[from].x, y = curve[i].y - curve[from].y;
-    const double along = length > 0 ? (x * dx + y * dy) / length : 0.0;
-    const double off = length > 0 ? std::fabs(x * dy - y * dx) / length : std::hypot(x, y);
-    if (off > kUnseen || along < -kUnseen || along > length + kUnseen) return false;
-  }
-  return true;
-}
-
-// Of the outline of a body, without points that nobody sees: they are most of the bytes of a picture.
-static std::vector<Point> thinned(const std::vector<Point>& curve) {
-  constexpr size_t kLongest = 64; // points that one line replaces
-  std::vector<Point> out;
-  for (size_t i = 0; i < curve.size();) {
-    out.push_back(curve[i]);
-    size_t next = i + 1;
-    while (next + 1 < curve.size() && next - i < kLongest && is_straight(curve, i, next + 1)) ++next;
-    i = next;
-  }
-  return out;
 }
 
 void append_curves(std::string& out, const Outlines& curves) {
@@ -220,7 +220,7 @@ void Svg::polyline(const std::vector<Point>& points, const Stroke& stroke) {
   if (!std::all_of(points.begin(), points.end(), on_paper)) parts = parts_within(points, false, kPaper);
   for (const std::vector<Point>& part : parts) {
     body_ += "<polyline points=\"";
-    for (const Point& p : part) {
+    for (const Point& p : thinned(part)) {
       append_pixel(body_, p.x);
       body_ += ',';
       append_pixel(body_, p.y);

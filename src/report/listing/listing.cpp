@@ -56,9 +56,10 @@ void append_cracks(std::string& out, const CoefficientRecord& c) {
       append_column(out, step.step, 8);
       append_column(out, crack.zone, 8);
       for (const double v : {crack.at[0], crack.at[1]}) append_general(out, v, 13);
+      const double noise = 1e-13 * std::max(std::fabs(crack.K1), std::fabs(crack.K2));
       for (const double v : {crack.K1, crack.K2})
         if (std::isfinite(v))
-          append_general(out, v, 13);
+          append_general(out, std::fabs(v) <= noise ? 0.0 : v, 13);
         else
           append_column(out, "-", 13);
       out += "  ";

@@ -42,17 +42,25 @@ void append_number_or(std::string& out, int32_t number, const char* none, int wi
 
 std::string name_of(const Stated& s) { return s.item > 0 ? s.name() + " " + std::to_string(s.item) : s.name(); }
 
-void append_row(std::string& out, const Stated& s, size_t width) {
+RoundOff round_off_of(const RunRecord& record) {
+  static const std::vector<Quantity> kNone;
+  const auto& runs = record.coefficients;
+  const std::vector<Quantity>& all = runs.empty() || runs.back().steps.empty() ? kNone : runs.back().steps.back().quantities;
+  return round_off(all, std::max(extent_of(all), extent_of(record.meshes.stated)));
+}
+
+void append_row(std::string& out, const Stated& s, double noise, size_t width) {
   append_number_or(out, s.zone, s.body > 0 ? "-" : "all", 8);
   append_number_or(out, s.body, "-", 7);
   const std::string name = name_of(s);
   out += "   " + name;
   out.append(width - characters_in(name), ' ');
+  const double value = shown_value(s.what, s.value, s.along);
   if (s.has_value())
-    append_general(out, shown_value(s.what, s.value, s.along), 14);
+    append_general(out, std::fabs(value) <= noise ? 0.0 : value, 14);
   else
     append_column(out, "-", 14);
-  append_percent(out, s.relative_error(), 11);
+  append_percent(out, s.scale <= noise ? NAN : s.relative_error(), 11);
   append_percent(out, s.tolerance, 14);
   out += std::isnan(s.tolerance) ? "" : s.is_met() ? "   met" : "   not met";
   if (s.is_unbounded()) out += "   unbounded";
@@ -77,7 +85,8 @@ void append_accuracy(std::string& out, const RunRecord& record) {
     for (const Stated& s : loop.stated) width = std::max(width, characters_in(name_of(s)) + 1);
     out += "\n    zone   body   quantity";
     out.append(width - 8, ' ') += "         value   error, %   requested, %\n";
-    for (const Stated& s : loop.stated) append_row(out, s, width);
+    const RoundOff noise = round_off_of(record);
+    for (const Stated& s : loop.stated) append_row(out, s, noise.of(s.what), width);
     out += "\n  errors are estimates, not bounds; errors of edges are relative to the contact length, those of a force to the "
            "total "
            "force of the zone\n";

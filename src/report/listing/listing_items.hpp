@@ -5,11 +5,22 @@
 
 #include <contact2d.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace app {
+
+// The largest coordinate or length among the places of numbers, for the size of the model.
+template <class Numbers> double extent_of(const Numbers& all) {
+  double most = 0.0;
+  for (const auto& q : all)
+    for (const double v : {q.at[0], q.at[1], q.along})
+      if (std::isfinite(v)) most = std::max(most, std::fabs(v));
+  return most;
+}
 
 void append_rule(std::string& out);
 void append_section(std::string& out, const std::string& title);

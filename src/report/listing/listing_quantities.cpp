@@ -10,15 +10,6 @@
 namespace app {
 namespace {
 
-// The largest coordinate or length among places, for the size of the model.
-double extent_of(const std::vector<Quantity>& all) {
-  double most = 0.0;
-  for (const Quantity& q : all)
-    for (const double v : {q.at[0], q.at[1], q.along})
-      if (std::isfinite(v)) most = std::max(most, std::fabs(v));
-  return most;
-}
-
 void append_row(std::string& out, const Quantity& q, double noise) {
   if (q.zone > 0)
     append_column(out, q.zone, 8);
@@ -75,7 +66,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     append_loads(out, c.loads);
     out += "\n    zone   quantity                   value    stated error              x             y         along\n";
     const std::vector<Quantity>& all = c.steps.back().quantities;
-    for (const Quantity& q : all) append_row(out, q, round_off_of(q, all, extent_of(all)));
+    const RoundOff noise = round_off(all, extent_of(all));
+    for (const Quantity& q : all) append_row(out, q, noise.of(q.what));
     out += '\n';
   }
   if (s.plane == C2D_AXISYMMETRIC) out += "  bodies of revolution: forces and dissipated work of the whole circumference\n";

@@ -12,6 +12,7 @@ constexpr double kMostOverlap = 0.5;    // pixels
 constexpr double kMostGapError = 0.75;  // pixels, of the drawn gap of a pair
 constexpr double kNearGap = 20.0;       // pixels: the drawn gaps of pairs that are farther apart are not compared
 constexpr double kMostDistortion = 0.1; // of a body's shape by magnified initial gaps
+constexpr double kSeen = 1.0;           // pixels, of such a distortion
 constexpr double kLeastStep = 0.25;     // pixels, from point to point of the outlines that are compared
 
 // The outline in pixels, without points closer to the one before than a part of a pixel.
@@ -83,15 +84,18 @@ bool gaps_fit(const Scene& scene, const Deformation& d, double scale) {
 }
 
 // Do magnified initial gaps leave the bodies their shape, or are they too small to be seen?
-bool shapes_fit(const Scene& scene, const Deformation& d, double scale) {
+bool shapes_fit(const Scene& scene, const Deformation& d, const Chart& view, double scale) {
   for (size_t b = 0; b < scene.bodies.size(); ++b)
-    for (const std::vector<OutlinePoint>& curve : scene.bodies[b].curves)
+    for (const std::vector<OutlinePoint>& curve : scene.bodies[b].curves) {
+      double change = 0.0; // since the last place without distortion
       for (size_t i = 0; i < curve.size(); ++i) {
-        const Point from = curve[i].at, to = curve[(i + 1) % curve.size()].at;
+        const Point from = curve[i].at, to = curve[(i + 1) % curve.size()].at, at = view.at(from);
         const Point a = d.lifted(b, from), c = d.lifted(b, to);
-        const double change = std::hypot(c.x - a.x, c.y - a.y), length = std::hypot(to.x - from.x, to.y - from.y);
-        if (change > kMostDistortion * length && scale * change > 0.1) return false;
+        const double more = distance(a, c);
+        if (more <= kMostDistortion * distance(from, to) || !view.is_near(at)) change = 0.0;
+        else if ((change += scale * more) > kSeen) return false;
       }
+    }
   return true;
 }
 
@@ -106,7 +110,7 @@ bool bodies_fit(const Scene& scene, const Deformation& d, const Chart& view) {
 
 bool fits(const Scene& scene, const Deformation& d, const Chart& view) {
   const double scale = view.frame.width() / (view.x.high - view.x.low);
-  return gaps_fit(scene, d, scale) && shapes_fit(scene, d, scale) && bodies_fit(scene, d, view);
+  return gaps_fit(scene, d, scale) && shapes_fit(scene, d, view, scale) && bodies_fit(scene, d, view);
 }
 
 // The next of ... 1, 2, 5, 10, 20 ... below.

@@ -2,11 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 namespace {
 
 constexpr size_t kMostSources = 400; // of a zone; of more every second, third, ... is taken
+constexpr double kBeside = 100.0;    // of the outline over the length of a zone
+
+// Distance from `from` along the unit vector `along` to the nearest place of an outline, at most `most` in either direction;
+// not finite if there is none.
+double distance_along(const BodyScene& body, Point from, Point along, double most) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::vector<OutlinePoint>& curve : body.curves)
+    for (size_t i = 0; i < curve.size(); ++i) {
+      const Point a = curve[i].at, b = curve[(i + 1) % curve.size()].at;
+      const double aside = along.x * (a.y - from.y) - along.y * (a.x - from.x);
+      const double bside = along.x * (b.y - from.y) - along.y * (b.x - from.x);
+      if (aside == bside || (aside > 0.0) == (bside > 0.0)) continue;
+      const double part = aside / (aside - bside);
+      const double far = along.x * (a.x + part * (b.x - a.x) - from.x) + along.y * (a.y + part * (b.y - a.y) - from.y);
+      if (std::fabs(far) <= most && std::fabs(far) < std::fabs(nearest)) nearest = far;
+    }
+  return nearest;
+}
 
 } // namespace
 
@@ -21,7 +40,36 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
     pairs[p] = {scene.pairs[p].on[1], {gap * n.x, gap * n.y}};
     largest_ = std::max(largest_, std::fabs(gap));
   }
+  for (const ZoneScene& zone : scene.zones) beside_.push_back(beside(scene, zone));
   place(scene, pairs);
+}
+
+// Beside a zone, up to its length from either end, the sides have a gap as well: along the normal of the end, from places of
+// side 2 to the outline of body 1. Without it the shape would have a notch where the zone ends.
+std::vector<GapLift::Source> GapLift::beside(const Scene& scene, const ZoneScene& zone) {
+  const BodyScene& one = scene.bodies[static_cast<size_t>(zone.body[0]) - 1];
+  const BodyScene& two = scene.bodies[static_cast<size_t>(zone.body[1]) - 1];
+  std::vector<Source> found;
+  if (zone.tied || zone.pairs < 2 || one.platen) return found;
+  const PairScene* const pairs = scene.pairs.data() + zone.first;
+  const double length = distance(pairs[0].on[1], pairs[zone.pairs - 1].on[1]);
+  for (const size_t end : {size_t{0}, zone.pairs - 1}) {
+    const Point at = pairs[end].on[1], next = pairs[end == 0 ? 1 : end - 1].on[1], n = pairs[end].normal;
+    const auto take = [&](Point p) {
+      const double off = distance(p, at);
+      if (!(off < length) || off >= distance(p, next) || off < 0.5 * distance(at, next)) return;
+      const double gap = -distance_along(one, p, n, length);
+      if (std::isfinite(gap) && gap >= 0.0) found.push_back({p, {gap * n.x, gap * n.y}});
+    };
+    for (const std::vector<OutlinePoint>& curve : two.curves)
+      for (size_t i = 0; i < curve.size(); ++i) {
+        const Point from = curve[i].at, way = curve[(i + 1) % curve.size()].at - from;
+        if (distance(from, at) > length + app::length(way)) continue;
+        const int parts = static_cast<int>(std::min(kBeside, std::ceil(kBeside * app::length(way) / length)));
+        for (int k = 0; k < parts; ++k) take(from + (static_cast<double>(k) / parts) * way);
+      }
+  }
+  return found;
 }
 
 // From body 1 on, each body against those that stand already.
@@ -36,12 +84,14 @@ void GapLift::place(const Scene& scene, const std::vector<Source>& pairs) {
       if (one == two || before[one] == before[two]) continue;
       const size_t moved = before[one] ? two : one, fixed = before[one] ? one : two;
       const double sign = before[one] ? 1.0 : -1.0;
+      const auto add = [&](const Source& source) {
+        const Point base = at(fixed, source.at);
+        const Point by{base.x + sign * source.by.x, base.y + sign * source.by.y};
+        for (const Image& image : scene.images) of_[moved].push_back({image.place(source.at), image.direction(by)});
+      };
       const size_t every = zone.pairs / kMostSources + 1;
-      for (size_t p = zone.first; p < zone.first + zone.pairs; p += every) {
-        const Point base = at(fixed, pairs[p].at);
-        const Point by{base.x + sign * pairs[p].by.x, base.y + sign * pairs[p].by.y};
-        for (const Image& image : scene.images) of_[moved].push_back({image.place(pairs[p].at), image.direction(by)});
-      }
+      for (size_t p = zone.first; p < zone.first + zone.pairs; p += every) add(pairs[p]);
+      for (const Source& source : beside_[static_cast<size_t>(&zone - scene.zones.data())]) add(source);
       stands[moved] = 1;
       more = true;
     }

@@ -8,7 +8,7 @@
 
 namespace app {
 
-// Initial normal gaps of the pairs between a body and those that were placed before it, as vectors that move the body; a
+// Initial normal gaps of the pairs, and of the sides beside a zone, between a body and those that were placed before it, as vectors that move the body; a
 // field over the plane that takes their values at the pairs and is smooth elsewhere.
 class GapLift {
 public:
@@ -23,8 +23,10 @@ private:
   struct Source {
     Point at, by;
   };
+  static std::vector<Source> beside(const Scene& scene, const ZoneScene& zone);
   void place(const Scene& scene, const std::vector<Source>& pairs);
-  std::vector<std::vector<Source>> of_; // per body
+  std::vector<std::vector<Source>> of_;     // per body
+  std::vector<std::vector<Source>> beside_; // per zone
   double largest_ = 0.0;
 };
 

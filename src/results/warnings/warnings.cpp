@@ -373,7 +373,7 @@ void warn_contact(Session& session, Moment moment) {
   warn_friction(session);
   const double ratio = tension_ratio(session);
   if (ratio < s->tension_ratio) s->tension_ratio = ratio;
-  if (ratio < -0.01)
+  if (ratio < -0.01 && moment != Moment::between)
     warn(session, C2D_WARN_TENSION, 0, 0,
          "the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions "
          "are enforced at nodes only; refine, or use linear functions");
