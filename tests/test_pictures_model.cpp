@@ -254,7 +254,8 @@ TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") 
   const std::vector<Element> frames = with(shown.figures["tractions"], "rect", "height", "210");
   REQUIRE(frames.size() >= 2);
   const double bottom = number_of(frames[0], "y") + 210.0;
-  CHECK(bottom - height_at(pressure, 0.5 * (pressure.front().x + pressure.back().x)) > 0.05 * 210.0); // the middle stands clear of the axis
+  CHECK(bottom - height_at(pressure, 0.5 * (pressure.front().x + pressure.back().x)) >
+        0.05 * 210.0); // the middle stands clear of the axis
 }
 
 TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {

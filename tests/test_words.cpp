@@ -172,8 +172,9 @@ TEST_CASE("words: every shell completes every command and option") {
   if (!has_command("bash")) return;
   const auto completed = [](const std::string& words, int at) {
     const Folder folder;
-    write_file(folder / "go", "cd '" + paths::root() + "'\neval \"$('" + paths::program() + "' completion bash)\"\nCOMP_WORDS=(" + words +
-                                  ") COMP_CWORD=" + std::to_string(at) + "\n_contact2d\necho \"${COMPREPLY[@]}\"\n");
+    write_file(folder / "go", "cd '" + paths::root() + "'\neval \"$('" + paths::program() +
+                                  "' completion bash)\"\nCOMP_WORDS=(" + words + ") COMP_CWORD=" + std::to_string(at) +
+                                  "\n_contact2d\necho \"${COMPREPLY[@]}\"\n");
     return run_shell("bash '" + (folder / "go") + "'").out;
   };
   CHECK(completed("contact2d m", 1) == "mesh make\n");

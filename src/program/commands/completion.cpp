@@ -34,7 +34,8 @@ std::string bash() {
   std::string out = "# contact2d, for bash: source this file, or copy it to the folder of bash completions.\n_contact2d() {\n"
                     "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}\n"
                     "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W '" +
-                    joined(command_names()) + " --version --help' -- \"$word\"))\n    [ -n \"$word\" ] && COMPREPLY+=($(compgen -f -- \"$word\"))\n"
+                    joined(command_names()) +
+                    " --version --help' -- \"$word\"))\n    [ -n \"$word\" ] && COMPREPLY+=($(compgen -f -- \"$word\"))\n"
                     "    return\n  fi\n  case $before in\n";
   for (const OptionRow& option : all_options()) {
     if (option.value == nullptr) continue;
@@ -87,7 +88,8 @@ std::string zsh() {
                     "  local -a commands\n  commands=(\n";
   for (const CommandRow& command : all_commands())
     out += "    " + quoted(std::string(command.name) + ":" + command.help) + "\n";
-  out += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    [[ -n $PREFIX ]] && _files\n    return\n  fi\n  local command=$words[2]\n"
+  out += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    [[ -n $PREFIX ]] && _files\n    return\n  "
+         "fi\n  local command=$words[2]\n"
          "  shift words; (( CURRENT-- ))\n  case $command in\n";
   for (const CommandRow& command : all_commands()) {
     out += std::string("  ") + command.name + ") _arguments -S '--help[print the help of this command]'";

@@ -92,8 +92,10 @@ bool shapes_fit(const Scene& scene, const Deformation& d, const Chart& view, dou
         const Point from = curve[i].at, to = curve[(i + 1) % curve.size()].at, at = view.at(from);
         const Point a = d.lifted(b, from), c = d.lifted(b, to);
         const double more = distance(a, c);
-        if (more <= kMostDistortion * distance(from, to) || !view.is_near(at)) change = 0.0;
-        else if ((change += scale * more) > kSeen) return false;
+        if (more <= kMostDistortion * distance(from, to) || !view.is_near(at))
+          change = 0.0;
+        else if ((change += scale * more) > kSeen)
+          return false;
       }
     }
   return true;

@@ -8,8 +8,8 @@
 
 namespace app {
 
-// Initial normal gaps of the pairs, and of the sides beside a zone, between a body and those that were placed before it, as vectors that move the body; a
-// field over the plane that takes their values at the pairs and is smooth elsewhere.
+// Initial normal gaps of the pairs, and of the sides beside a zone, between a body and those that were placed before it, as
+// vectors that move the body; a field over the plane that takes their values at the pairs and is smooth elsewhere.
 class GapLift {
 public:
   GapLift() = default;
