@@ -163,6 +163,7 @@ TEST_CASE("random decks: rates of forces on a body without any are judged by its
   is_solved(Kind::symmetric, 526);
   is_solved(Kind::any, 401601);
   for (const uint64_t seed : {51u, 169u, 256u, 572u}) is_solved(Kind::lifted, seed);
+  for (const uint64_t seed : {7093u, 7367u}) is_solved(Kind::lifted, seed); // a body loaded only through another slender one
 }
 
 TEST_CASE("random decks: punches of Spence stick up to where the half plane says") {

@@ -127,6 +127,35 @@ TEST_CASE("slender: layers that go along have no pressure" * doctest::skip(c2d::
   }
 }
 
+// The load is in the equations of the strip that it moves, the support in those of the other one.
+TEST_CASE("slender: a strip that drags another one away from its support" * doctest::skip(c2d::kSmallCode)) {
+  for (const int32_t nodes : {2, 3, 4})
+    for (const bool mirrored : {false, true}) {
+      CAPTURE(nodes);
+      CAPTURE(mirrored);
+      Model m;
+      m.function_nodes = nodes;
+      for (const double y : {0.0, 0.1}) m.add(rectangle(0, y, 4, y + 0.1, {8, 2, 8, 2}, 1000, 0.3));
+      for (Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * nodes), End());
+      const int32_t dragged = mirrored ? 2 : 1, held = 3 - dragged;
+      m.set(dragged, mirrored ? 3 : 1, end_of(kHeld, 0, 0, 1e-3, 0));
+      const int32_t first = nodes * (m.side(held, 4).first - 1); // in the middle of its end, along x
+      m.body(held).ends[static_cast<size_t>(first + nodes - 1)] = end_of("0001");
+      m.body(held).ends[static_cast<size_t>(first + nodes)] = end_of("1001");
+      m.join(C2D_ZONE_MATCHING + C2D_ZONE_TIED, 1, 3, 2, 1);
+      const Result r = solve(m);
+      REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+      REQUIRE(r.outcome == C2D_REACHED);
+      double support = 0, stuck = 0;
+      for (const EndResult& end : r.boundary[static_cast<size_t>(held - 1)])
+        if (std::fabs(end.x) < 1e-9) support = std::max(support, std::fabs(end.tx));
+      for (const Row& row : r.last().rows) stuck = std::max(stuck, std::fabs(row[C2D_TT]));
+      CHECK(support > 0.1);
+      CHECK(stuck > 0.01);
+      CHECK(imbalance(m, r) < 1e-10);
+    }
+}
+
 TEST_CASE("slender: layers take more than the least memory, by a number that is reported" * doctest::skip(c2d::kSmallCode)) {
   Model m = layered(5, 1e-3, 4, Joint::matching);
   m.bytes = 1;

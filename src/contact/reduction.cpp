@@ -417,18 +417,38 @@ c2d_status only_moves(const Bordered& s, const Real* h, bool* out) {
   return status;
 }
 
-// The same where slender bodies bend too easily for that to show in h: is what the tractions make of the equations nothing
-// against h?
-c2d_status only_bends(const Bordered& s, int32_t k, const Real* tau, bool* out) {
+// The largest term that displacements of bodies for which they are unknowns make of the pairs' equations.
+c2d_status largest_term(const Bordered& s, const Real* solution, double* out) {
+  const Reduction& r = s.r;
   Real* const column = s.strip(3);
-  double most = 0.0;
-  c2d_status status = C2D_OK;
+  *out = 0.0;
+  return for_bodies(r, is_unknown, [&](int b) {
+    const Real* const x = solution + s.first_displacement(b);
+    c2d_status status = C2D_OK;
+    for_ranges(r.model, b, [&](const UnknownRange& range) {
+      const bool kept = keeps_equations(r, range.other);
+      for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+        if (kept) status = read_column(r.tape, range.other, BodyMatrix::displacement, range.other_own + i, column);
+        const double factor = kept ? largest_of(column, r.model.body[range.other].contact) : 1.0;
+        *out = fmax(*out, factor * fabs(static_cast<double>(x[range.own + i])));
+      }
+    });
+    return status;
+  });
+}
+
+// The same where slender bodies bend too easily for that to show in h, or their loads are not in it: is what the tractions make
+// of the equations nothing against h, or against what the displacements make of them?
+c2d_status only_bends(const Bordered& s, int32_t k, const Real* tau, bool loaded, bool* out) {
+  Real* const column = s.strip(3);
+  double most = 0.0, term = 0.0;
+  c2d_status status = loaded ? largest_term(s, tau, &term) : c2d_status{C2D_OK};
   for (int32_t j = 0; j < s.m && status == C2D_OK; ++j) {
     status = read_column(s.r.tape, ContactMatrix::compliance, j, column);
     most = fmax(most, largest_of(column, s.m));
   }
   if (status == C2D_OK) status = read_column(s.r.tape, ContactMatrix::closing, k, column);
-  *out = most * largest_of(tau, s.m) <= kNothing * largest_of(column, s.m);
+  *out = most * largest_of(tau, s.m) <= kNothing * fmax(term, largest_of(column, s.m));
   return status;
 }
 
@@ -444,11 +464,11 @@ c2d_status form_rates(const Reduction& r) {
     if (status == C2D_OK) status = only_moves(s, b, &moves);
     if (status == C2D_OK) status = read_given(s, k, b + s.m);
     if (status != C2D_OK) break;
-    const bool unloaded = all_zero(given, free_motions(r.tape)) && all_zero(b + s.m, s.border);
-    moves = moves && all_zero(given, free_motions(r.tape));
+    const bool pushed = !all_zero(given, free_motions(r.tape)), loaded = !all_zero(b + s.m, s.border);
+    moves = moves && !pushed && !loaded;
     for (int32_t i = 0; i < s.rows(); ++i) b[i] = -b[i];
     lu_solve(r.engine, s.rows(), 1, r.first, s.n(), r.pivots, b, s.n());
-    if (unloaded && s.border > s.motions) status = only_bends(s, k, b, &moves);
+    if (!pushed && s.border > s.motions) status = only_bends(s, k, b, loaded, &moves);
     for (int32_t i = 0; i < s.m && moves; ++i) b[i] = 0;
     if (s.motions > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
     if (status == C2D_OK)
