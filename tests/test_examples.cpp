@@ -21,9 +21,14 @@ const std::map<std::string, std::vector<std::string>> kOfDissertation = {
     {"hertz_fine.dat", {"the normals of the two surfaces differ", "has closed", "strains reach"}},
     {"hertz_frictionless.dat", {"strains reach"}}};
 const std::map<std::string, std::vector<std::string>> kOnPurpose = {
-    {"roller.dat", {"coarse contact: the slip zone"}},           {"roller_fine.dat", {"coarse contact: the slip zone"}},
-    {"families/bimaterial.c2s", {"joins unlike materials"}},     {"families/dovetail.c2s", {"at a corner of the contact"}},
-    {"families/lap_joint.c2s", {"the surfaces stay far apart"}}, {"tutorial/t13_o_ring.c2s", {"strains reach 0.07"}}};
+    {"roller.dat", {"coarse contact: the slip zone"}},
+    {"roller_fine.dat", {"coarse contact: the slip zone"}},
+    {"families/bimaterial.c2s", {"joins unlike materials"}},
+    {"families/dovetail.c2s", {"at a corner of the contact"}},
+    {"families/lap_joint.c2s", {"the surfaces stay far apart"}},
+    {"tutorial/t13_o_ring.c2s", {"strains reach 0.07"}},
+    {"revolution/round_punch.c2s", {"at a corner of the contact"}},
+    {"revolution/washer.c2s", {"at a corner of the contact"}}};
 // Files that are not to be solved as they are, with their exit status.
 const std::map<std::string, int> kWrong = {{"tutorial/t3_mistakes.c2s", 2}, {"tutorial/t12_sliding.c2s", 1}};
 
@@ -65,7 +70,7 @@ TEST_CASE("examples: decks warn of nothing but what they show") {
 }
 
 TEST_CASE("examples: sketches warn of nothing but what they show") {
-  for (const char* folder : {"", "tutorial/", "families/"})
+  for (const char* folder : {"", "tutorial/", "families/", "revolution/"})
     for (const std::string& name : models_in(folder))
       if (fs::path(name).extension() == ".c2s") check_warnings(name);
 }
@@ -79,4 +84,21 @@ TEST_CASE("examples: those that warn on purpose say so in their first lines") {
     for (size_t i = 0; i < 6; ++i) said = said || contains(lines.at(i), "arn");
     CHECK(said);
   }
+}
+
+// `name` in the first column of a table, and behind it whether it warns: (W).
+TEST_CASE("examples: the table of examples marks those that warn, and no others") {
+  const std::string page = read_file(kExamples + "README.md");
+  size_t marks = 0, listed = 0;
+  for (size_t at = page.find("` (W)"); at != std::string::npos; at = page.find("` (W)", at + 1)) ++marks;
+  for (const auto* table : {&kOfDissertation, &kOnPurpose})
+    for (const auto& each : *table) {
+      const bool family = each.first.rfind("families/", 0) == 0; // their table names the folder once
+      const std::string name = family ? each.first.substr(9) : "examples/" + each.first;
+      if (!contains(page, "`" + name + "`")) continue;
+      ++listed;
+      CAPTURE(name);
+      CHECK((contains(page, "`" + name + "` (W)") || contains(page, "`" + name + "`, `examples/roller_fine.dat` (W)")));
+    }
+  CHECK(marks + 1 == listed); // one mark for both decks of the roller
 }

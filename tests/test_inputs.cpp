@@ -219,8 +219,8 @@ TEST_CASE("check: bounds of the memory of a search, which ends with status 5 whe
   const size_t at = check.out.find("memory, search of run       minimum ");
   REQUIRE(at != std::string::npos);
   long long least = 0, most = 0;
-  REQUIRE(std::sscanf(check.out.c_str() + at, "memory, search of run       minimum %lld to %lld bytes (estimate", &least,
-                      &most) == 2);
+  REQUIRE(std::sscanf(check.out.c_str() + at, "memory, search of run       minimum %lld to %lld, all in RAM", &least, &most) ==
+          2);
   CHECK((least > 10000 && most > 4 * least));
   CHECK_FALSE(test::contains(test::run_shell(in + "check off.c2s").out, "search of run"));
   const test::Result run = test::run_shell(in + "run a.c2s --memory " + std::to_string(least) + " --json j 2>&1");

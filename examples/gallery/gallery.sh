@@ -61,7 +61,9 @@ entry() { # sketch, picture
   "$program" run --quiet --no-progress --listing "$work/listing" --summary "$work/summary.csv" --figures "$work/figures" "examples/$1.c2s" >&2
   cp "$work/figures/$2.svg" "$folder/$name.svg"
   title=$(sed -n 's/^title  *//p' "examples/$1.c2s" | head -1)
-  printf '\n## %s\n\n`examples/%s.c2s`\n\n![%s](%s.svg)\n\n' "$title" "$1" "$title" "$name"
+  units=$(sed -n 's/^units  */, in /p' "examples/$1.c2s" | head -1)
+  caption=$(sed -n 's/^<desc>\(.*\)<\/desc>$/\1/p' "$folder/$name.svg" | head -1)
+  printf '\n## %s\n\n`examples/%s.c2s`%s\n\n![%s](%s.svg)\n\n%s\n\n' "$title" "$1" "$units" "$title" "$name" "$caption"
   numbers "$work/summary.csv"
   cracks "$work/listing"
   printf '\n<details><summary>The sketch</summary>\n\n```\n'
@@ -79,8 +81,9 @@ mkdir -p "$folder"
 
 The problems of users and the families of the [examples](../README.md) as the program solves them: a picture of `--figures`, and
 key numbers at the end of the load history, each with its stated error. The value of an edge is the distance along the second side
-of the contact statement. The sketches of a half or a quarter give forces of that part. `make gallery` makes this page and its
-pictures; a test reports when they are older than the sketches.
+of the contact statement. A picture shows the largest pressure of a pair, the numbers the largest also between pairs. The sketches
+of a half or a quarter give forces of that part. `make gallery` makes this page and its pictures; a test reports when they are
+older than the sketches.
 END
   entries | while read -r sketch picture; do entry "$sketch" "$picture"; done
   printf '\n<!-- made from\n'

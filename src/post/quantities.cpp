@@ -476,6 +476,10 @@ double RoundOff::of(Measure what) const {
   return unit == Unit::kLength ? 1e-15 * size : 0.0;
 }
 
+double RoundOff::shown(Measure what, double value, double error) const {
+  return std::fabs(value) <= of(what) || std::fabs(value) <= 0.01 * error ? 0.0 : value;
+}
+
 double shown_value(Measure what, double value, double along) {
   const bool is_place = what == Measure::kContactEdge || what == Measure::kStickBorder;
   return is_place && std::isfinite(along) ? along : value;

@@ -46,6 +46,8 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
 struct RoundOff {
   double force, size;
   double of(Measure what) const; // numbers of at most this size
+  // The value to show: 0 if it is round-off, or less than a hundredth of its stated error (NaN: none).
+  double shown(Measure what, double value, double error = NAN) const;
 };
 RoundOff round_off(const std::vector<Quantity>& all, double size);
 

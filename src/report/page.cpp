@@ -152,13 +152,14 @@ const char* meaning_of(Measure what) {
 
 using Numbers = std::vector<Quantity>;
 
-void append_number_row(std::string& out, const Scene& scene, const Quantity& q, const Numbers& all, bool stated) {
-  const double noise = round_off(all, size_of(scene)).of(q.what);
-  const auto without_noise = [&](double value) { return std::fabs(value) <= noise ? 0.0 : value; };
-  const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : "";
-  std::vector<std::string> row{"<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
-                               figure(without_noise(shown_value(q.what, q.value, q.along)), unit_of(q.what, scene), 6)};
-  if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(without_noise(q.error), 2) : none);
+void append_number_row(std::string& out, const Scene& scene, const TableNumber& number, const Numbers& all, bool stated) {
+  const Quantity& q = number.is;
+  const RoundOff noise = round_off(all, size_of(scene));
+  const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : number.of;
+  std::vector<std::string> row{
+      "<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
+      figure(noise.shown(q.what, shown_value(q.what, q.value, q.along), q.error), unit_of(q.what, scene), 6)};
+  if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(noise.shown(q.what, q.error), 2) : none);
   for (const double at : {q.at[0], q.at[1], q.along})
     row.push_back(std::isfinite(at) && std::isfinite(q.at[0]) ? figure(told_place(at, size_of(scene)), 6) : none);
   append_row(out, row);
@@ -182,18 +183,20 @@ void append_numbers(std::string& out, const Scene& scene) {
     const CoefficientRecord& c = scene.record->coefficients[i];
     if (c.steps.empty()) continue;
     const Numbers& all = c.steps.back().quantities;
-    for (size_t k = 0; k < all.size(); ++k) {
-      if (k == 0 || all[k].zone != all[k - 1].zone) {
-        const std::string group = all[k].zone > 0 ? zone_title(scene, i, static_cast<size_t>(all[k].zone) - 1)
-                                                  : "All zones, &#956; = " + figure(c.mu);
+    int32_t zone = -1;
+    for (const TableNumber& number : with_wholes(all, scene.summary)) {
+      if (number.is.zone != zone) {
+        zone = number.is.zone;
+        const std::string group =
+            zone > 0 ? zone_title(scene, i, static_cast<size_t>(zone) - 1) : "All zones, &#956; = " + figure(c.mu);
         out += "<tr><th class=\"group\" colspan=\"" + std::to_string(heading.size()) + "\">" + group + "</th></tr>\n";
       }
-      append_number_row(out, scene, all[k], all, stated);
+      append_number_row(out, scene, number, all, stated);
     }
   }
   out += "</table></div>\n";
-  if (scene.summary.plane == C2D_AXISYMMETRIC) out += "<p>Forces are those of the whole circumference.</p>\n";
-  if (mirror_lines(scene.summary) != 0) out += "<p>Forces and moments are those of the modelled part.</p>\n";
+  if (const std::string whose = whose_forces(scene.summary); !whose.empty())
+    out += "<p>Forces, moments and dissipated work are those " + whose + ".</p>\n";
   out += "</section>\n";
 }
 

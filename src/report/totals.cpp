@@ -47,6 +47,31 @@ std::vector<BodyTotal> totals_of(const Summary& s, int32_t body) {
   return out;
 }
 
+std::vector<TableNumber> with_wholes(const std::vector<Quantity>& all, const Summary& s) {
+  std::vector<TableNumber> out;
+  for (const Quantity& q : all) {
+    out.push_back({q, ""});
+    const int k = q.what == Measure::kForceX ? 0 : q.what == Measure::kForceY ? 1 : -1;
+    if (k < 0 || q.zone <= 0 || static_cast<size_t>(q.zone) > s.zone.size()) continue;
+    const int32_t body = s.zone[static_cast<size_t>(q.zone) - 1].side2.body;
+    const int32_t lines = lines_that_cut(s, body);
+    if (lines == 0 || (lines >> k & 1) != 0) continue; // what is normal to a line has an opposite image
+    double part[3] = {0, 0, 0}, error[3] = {0, 0, 0};
+    part[k] = q.value, error[k] = q.error;
+    Quantity whole = q;
+    whole.value = whole_of(s, body, part).force[k];
+    whole.error = whole_of(s, body, error).force[k];
+    out.push_back({whole, ", whole"});
+  }
+  return out;
+}
+
+std::string whose_forces(const Summary& s) {
+  std::string out = s.plane == C2D_AXISYMMETRIC ? "of the whole circumference" : "";
+  if (mirror_lines(s) != 0) out += out.empty() ? "of the modelled part" : " of the modelled part";
+  return out;
+}
+
 const char* words_of_totals(const Summary& s) {
   return mirror_lines(s) == 0 ? ""
                               : "totals of a body that a line of symmetry cuts cover the modelled part, whose balance the line "

@@ -159,6 +159,7 @@ class Solve(unittest.TestCase):
         self.assertAlmostEqual(self.result.quantity("peak pressure", mu=0.4), 212.8, delta=0.1)
         self.assertEqual(self.result.quantity("peak pressure", part="x"), 0)
         self.assertGreaterEqual(self.result.quantity("peak pressure", part="along"), 0)
+        self.assertEqual(self.result.quantity("peak pressure x"), 0)
         with self.assertRaisesRegex(KeyError, "has no 'z'; it has zone, quantity"):
             self.result.quantity("peak pressure", part="z")
         with self.assertRaisesRegex(KeyError, "no quantity 'peak'; there are peak pressure, "):
@@ -322,7 +323,7 @@ class Solve(unittest.TestCase):
         for wrong, kind, said in (([], ValueError, "there are no values"),
                                   ({"push": [1, 2], "mu": [1, 2, 3]}, ValueError, "'push' has 2 values, expected 1 or 3"),
                                   ([{"push": 1}, {"mu": 1}], ValueError, "a row has the parameters mu, expected push"),
-                                  ({"pusj": [1]}, contact2d.InputError, "no parameter pusj, did you mean 'push'")):
+                                  ({"pusj": [1]}, contact2d.UsageError, "^no parameter pusj, did you mean 'push'")):
             with self.assertRaisesRegex(kind, said):
                 contact2d.sweep(text, wrong, "peak pressure")
 

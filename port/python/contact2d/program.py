@@ -214,7 +214,11 @@ class Result:
         """
         found = [each for run in self.summary["runs"] if mu is None or run["mu"] == mu for each in run.get("quantities", [])
                  if each["quantity"] == name and zone in (None, each["zone"]) and item in (None, each["item"])]
-        if not found and name in self.quantities():
+        response = re.fullmatch(r"(.*?)(?: (\d+))?(?: (x|y|along|error))?", name)  # "contact edge 1 x", as responses are named
+        if not found and response is not None and response.group(1) in self.quantities():
+            if response.group(1) != name:
+                return self.quantity(response.group(1), zone, int(response.group(2)) if response.group(2) else item, mu,
+                                     response.group(3) or part)
             raise KeyError("there is no quantity %r with zone %s, item %s, mu %s" % (name, zone, item, mu))
         if not found:
             raise KeyError("there is no quantity %r%s" % (name, offer(name, self.quantities())))
@@ -387,7 +391,13 @@ def sweep(source: Source, values: Any, responses: Union[str, Iterable[str]], opt
         table.write_text(text.getvalue(), encoding="utf-8")
         words = ["sweep", "--response=" + (responses if isinstance(responses, str) else "; ".join(responses)),
                  "--results", results] + option_words(options)
-        run_program(*words, "--", table, word, *settings(parameters), text=deck, legal=(0, 1, 5), progress=progress)
+        try:
+            run_program(*words, "--", table, word, *settings(parameters), text=deck, legal=(0, 1, 5), progress=progress)
+        except InputError as fault:
+            if any(message.name == str(table) for message in fault.messages):  # of the values, whose file is not the caller's
+                source_name = None if word == "-" else word
+                raise UsageError([Message("error", message.text, name=source_name) for message in fault.messages]) from None
+            raise
         return Table.of_csv(results.read_text(encoding="utf-8"))
 
 

@@ -65,26 +65,30 @@ std::string elimination_text(const Session& session, int32_t wanted) {
   return chosen + " by size (compressed from " + std::to_string(C2D_COMPRESSED_FROM(session.limits.pairs)) + " nodes per body)";
 }
 
-// The smallest workspace for a deck; 0: unknown.
-uint64_t minimum_of(const std::string& text) {
+// The smallest workspace for a deck, and the one with all in RAM; 0: unknown.
+struct Need {
+  uint64_t minimum = 0, in_core = 0;
+};
+Need need_of(const std::string& text) {
   DeckFile deck;
   deck.replace(text);
   std::vector<c2d_body_limits> bodies = room_for_bodies(deck);
   c2d_limits limits = C2D_INIT(c2d_limits);
   limits.bodies = static_cast<int32_t>(bodies.size()), limits.body = bodies.data();
-  uint64_t minimum = 0, in_core = 0;
+  Need need;
   const bool sound = c2d_scan_deck(DeckFile::read_line, &deck, &limits, nullptr) == C2D_OK &&
-                     c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK;
-  return sound ? minimum : 0;
+                     c2d_memory_need(&limits, &need.minimum, &need.in_core, nullptr) == C2D_OK;
+  return sound ? need : Need();
 }
 
 // Of a sketch `run` seeks a mesh. `expected`: the decks of a coarse and a fine one.
 void append_search(std::string& out, const std::vector<std::string>& expected) {
   if (expected.size() != 2) return;
-  const uint64_t least = minimum_of(expected[0]), most = minimum_of(expected[1]);
-  if (least == 0 || most == 0) return;
+  const Need least = need_of(expected[0]), most = need_of(expected[1]);
+  if (least.minimum == 0 || most.minimum == 0) return;
+  const auto range = [](uint64_t from, uint64_t to) { return std::to_string(from) + " to " + std::to_string(to); };
   append_line(out, "memory, search of run",
-              "minimum " + std::to_string(least) + " to " + std::to_string(most) +
+              "minimum " + range(least.minimum, most.minimum) + ", all in RAM " + range(least.in_core, most.in_core) +
                   " bytes (estimate for 1 %; the other lines: mesh of this check)");
 }
 

@@ -15,6 +15,7 @@
 #include "program/sweep/parameters.hpp"
 #include "program/voice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -45,19 +46,53 @@ bool find_text(const std::vector<NamedText>& files, const std::string& name, std
   return false;
 }
 
+// Numbers of one kind and zone whose errors are too large: how many, and the one with the largest error.
+struct Misses {
+  const Stated* worst;
+  size_t count;
+};
+
+bool is_worse(const Stated& a, const Stated& b) {
+  const double error = a.relative_error(), other = b.relative_error();
+  return std::isnan(error) ? !std::isnan(other) : error > other;
+}
+
+std::vector<Misses> misses_of(const MeshLoop& loop) {
+  std::vector<Misses> out;
+  for (const Stated& s : loop.stated) {
+    if (s.is_met()) continue;
+    const auto same = std::find_if(out.begin(), out.end(), [&](const Misses& m) {
+      return m.worst->what == s.what && m.worst->of == s.of && m.worst->zone == s.zone && m.worst->body == s.body;
+    });
+    if (same == out.end()) {
+      out.push_back({&s, 1});
+      continue;
+    }
+    ++same->count;
+    if (is_worse(s, *same->worst)) same->worst = &s;
+  }
+  return out;
+}
+
 // Prints the results whose tolerances were not met.
 void print_misses(const DeckFile& deck, const MeshLoop& loop) {
   if (loop.stopped.empty()) return;
   const Messages messages(deck);
   if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
-  for (const Stated& s : loop.stated) {
-    if (s.is_met()) continue;
+  for (const Misses& m : misses_of(loop)) {
+    const Stated& s = *m.worst;
     std::string text = s.name();
+    if (m.count == 1 && s.item > 0) text += " " + std::to_string(s.item);
     if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
-    char numbers[120] = ": its error is unknown";
-    if (!std::isnan(s.relative_error()))
-      std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%", 100 * s.relative_error());
-    text += numbers;
+    if (m.count > 1) text += ", " + std::to_string(m.count) + " of them, the worst";
+    char numbers[120];
+    if (std::isfinite(s.at[0]) && std::isfinite(s.at[1])) {
+      std::snprintf(numbers, sizeof numbers, " at (%.6g, %.6g)", s.at[0], s.at[1]);
+      text += numbers;
+    }
+    text += ": its error is ";
+    std::snprintf(numbers, sizeof numbers, "about %.2g %%", 100 * s.relative_error());
+    text += std::isnan(s.relative_error()) ? "unknown" : numbers;
     std::snprintf(numbers, sizeof numbers, ", the tolerance is %.2g %%", 100 * s.tolerance);
     messages.note(text + numbers + ", " + loop.stopped);
   }

@@ -175,7 +175,12 @@ void draw_axes(Svg& svg, const Chart& chart, bool labels_x) {
     svg.line(chart.at(chart.x.low, 0.0), chart.at(chart.x.high, 0.0), zero);
   svg.rectangle(f, "none", edge);
   if (labels_x) svg.text({0.5 * (f.left + f.right), f.bottom + 33.0}, chart.x.name, kNameSize, Anchor::kMiddle);
-  svg.text({f.left - widest - 16.0, 0.5 * (f.top + f.bottom)}, chart.y.name, kNameSize, Anchor::kMiddle, colour::kInk, true);
+  // Where wide labels leave it no room beside them a short name stands above them.
+  const double beside = f.left - widest - 16.0, least = 0.6 * kNameSize;
+  if (beside < least && text_width(chart.y.name, kNameSize) < f.left - 8.0)
+    svg.text({4.0, f.top - 8.0}, chart.y.name, kNameSize);
+  else
+    svg.text({std::max(least, beside), 0.5 * (f.top + f.bottom)}, chart.y.name, kNameSize, Anchor::kMiddle, colour::kInk, true);
 }
 
 void draw_heading(Svg& svg, const Box& frame, const std::string& text) { svg.text({frame.left, frame.top - 8.0}, text, 12.5); }

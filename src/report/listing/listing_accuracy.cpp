@@ -49,18 +49,17 @@ RoundOff round_off_of(const RunRecord& record) {
   return round_off(all, std::max(extent_of(all), extent_of(record.meshes.stated)));
 }
 
-void append_row(std::string& out, const Stated& s, double noise, size_t width) {
+void append_row(std::string& out, const Stated& s, const RoundOff& noise, size_t width) {
   append_number_or(out, s.zone, s.body > 0 ? "-" : "all", 8);
   append_number_or(out, s.body, "-", 7);
   const std::string name = name_of(s);
   out += "   " + name;
   out.append(width - characters_in(name), ' ');
-  const double value = shown_value(s.what, s.value, s.along);
   if (s.has_value())
-    append_general(out, std::fabs(value) <= noise ? 0.0 : value, 14);
+    append_general(out, noise.shown(s.what, shown_value(s.what, s.value, s.along), s.error), 14);
   else
     append_column(out, "-", 14);
-  append_percent(out, s.scale <= noise ? NAN : s.relative_error(), 11);
+  append_percent(out, noise.shown(s.what, s.scale) == 0.0 ? NAN : s.relative_error(), 11);
   append_percent(out, s.tolerance, 14);
   out += std::isnan(s.tolerance) ? "" : s.is_met() ? "   met" : "   not met";
   if (s.is_unbounded()) out += "   unbounded";
@@ -86,7 +85,7 @@ void append_accuracy(std::string& out, const RunRecord& record) {
     out += "\n    zone   body   quantity";
     out.append(width - 8, ' ') += "         value   error, %   requested, %\n";
     const RoundOff noise = round_off_of(record);
-    for (const Stated& s : loop.stated) append_row(out, s, noise.of(s.what), width);
+    for (const Stated& s : loop.stated) append_row(out, s, noise, width);
     out += "\n  errors are estimates, not bounds; errors of edges are relative to the contact length, those of a force to the "
            "total "
            "force of the zone\n";

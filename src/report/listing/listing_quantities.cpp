@@ -3,6 +3,7 @@
 #include "report/listing/key_table.hpp"
 #include "report/listing/listing_items.hpp"
 #include "report/text.hpp"
+#include "report/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +11,19 @@
 namespace app {
 namespace {
 
-void append_row(std::string& out, const Quantity& q, double noise) {
+void append_row(std::string& out, const TableNumber& number, const RoundOff& noise) {
+  const Quantity& q = number.is;
   if (q.zone > 0)
     append_column(out, q.zone, 8);
   else
     append_column(out, "all", 8);
   std::string name = name_of(q.what);
   if (q.item > 0) name += " " + std::to_string(q.item);
-  out += "   " + name;
+  out += "   " + (name += number.of);
   out.append(name.size() < 18 ? 18 - name.size() : 1, ' ');
-  const double value = shown_value(q.what, q.value, q.along);
-  append_general(out, std::fabs(value) <= noise ? 0.0 : value, 14);
+  append_general(out, noise.shown(q.what, shown_value(q.what, q.value, q.along), q.error), 14);
   std::string error;
-  if (std::isfinite(q.error)) append_general(error += "+- ", q.error <= noise ? 0.0 : q.error, 0, 2);
+  if (std::isfinite(q.error)) append_general(error += "+- ", noise.shown(q.what, q.error), 0, 2);
   if (!error.empty() || std::isfinite(q.at[0])) out.append(2, ' ') += error;
   if (std::isfinite(q.at[0])) {
     out.append(error.size() < 14 ? 14 - error.size() : 1, ' ');
@@ -67,12 +68,11 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     out += "\n    zone   quantity                   value    stated error              x             y         along\n";
     const std::vector<Quantity>& all = c.steps.back().quantities;
     const RoundOff noise = round_off(all, extent_of(all));
-    for (const Quantity& q : all) append_row(out, q, noise.of(q.what));
+    for (const TableNumber& number : with_wholes(all, s)) append_row(out, number, noise);
     out += '\n';
   }
-  if (s.plane == C2D_AXISYMMETRIC) out += "  bodies of revolution: forces and dissipated work of the whole circumference\n";
-  if (mirror_lines(s) != 0)
-    out += "  with lines of symmetry: forces, moments and dissipated work of the modelled part, widths of the whole contact\n";
+  if (const std::string whose = whose_forces(s); !whose.empty())
+    out += "  forces, moments and dissipated work: " + whose + '\n';
   out += "  along: distance of a place along the second side of the contact statement from the start of its first curve (of a "
          "deck: along side 2), the same on every mesh; it is the value of an edge or border\n"
          "  widths: of the whole contact; half width and eccentricity: of one stretch\n"

@@ -95,7 +95,16 @@ void GapLift::place(const Scene& scene, const std::vector<Source>& pairs) {
       stands[moved] = 1;
       more = true;
     }
+    for (size_t b = 0; b < stands.size(); ++b)
+      if (stands[b] && !before[b] && scene.bodies[b].rigid) move_as_rigid(of_[b]);
   }
+}
+
+// One translation, the mean, in place of a field that would bend the body.
+void GapLift::move_as_rigid(std::vector<Source>& sources) {
+  Point sum;
+  for (const Source& s : sources) sum = sum + s.by;
+  if (!sources.empty()) sources = {{sources.front().at, (1.0 / static_cast<double>(sources.size())) * sum}};
 }
 
 // Means with the inverse fourth power of the distance as weight.

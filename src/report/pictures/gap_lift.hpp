@@ -9,7 +9,8 @@
 namespace app {
 
 // Initial normal gaps of the pairs, and of the sides beside a zone, between a body and those that were placed before it, as
-// vectors that move the body; a field over the plane that takes their values at the pairs and is smooth elsewhere.
+// vectors that move the body; a field over the plane that takes their values at the pairs and is smooth elsewhere; of a rigid
+// body their mean.
 class GapLift {
 public:
   GapLift() = default;
@@ -24,6 +25,7 @@ private:
     Point at, by;
   };
   static std::vector<Source> beside(const Scene& scene, const ZoneScene& zone);
+  static void move_as_rigid(std::vector<Source>& sources);
   void place(const Scene& scene, const std::vector<Source>& pairs);
   std::vector<std::vector<Source>> of_;     // per body
   std::vector<std::vector<Source>> beside_; // per zone

@@ -321,7 +321,8 @@ std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& presen
       if (k >= present.load[s].size() || !present.load[s][k]) continue;
       const Symbol symbol = static_cast<Symbol>(s);
       const bool all = symbol == Symbol::kRigidForce || symbol == Symbol::kRigidMoment;
-      const std::string text = scene.cases > 1 && !all ? words[s] + (", case " + std::to_string(k + 1)) : words[s];
+      const std::string which = all ? ", largest of the path" : ", case " + std::to_string(k + 1);
+      const std::string text = words[s] + (scene.cases > 1 ? which : "");
       out.push_back({text, stroke_of(symbol, k), Mark::kNone, true, "", head_of(symbol)});
     }
   return out;

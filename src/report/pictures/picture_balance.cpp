@@ -9,6 +9,8 @@
 namespace app {
 namespace {
 
+constexpr double kRoundOff = 1e-12; // of the sum of the sizes of all tractions
+
 // One component of force of one body.
 struct Row {
   std::string name;
@@ -34,14 +36,17 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
 // Contact forces: of two bodies either one, of more every zone.
 std::string contact_text(const Scene& scene) {
   const Summary& s = scene.summary;
-  if (!s.names_bodies())
-    return "; the contact carries " + figure(std::hypot(s.body[0].contact[0], s.body[0].contact[1]), scene.force_unit, 6);
+  const double noise = kRoundOff * sum_of_forces(scene);
+  const auto size = [&](const double* force) {
+    const double is = std::hypot(force[0], force[1]);
+    return figure(is <= noise ? 0.0 : is, scene.force_unit, 6);
+  };
+  if (!s.names_bodies()) return "; the contact carries " + size(s.body[0].contact);
   std::string out;
   c2d_zone_state state = C2D_INIT(c2d_zone_state);
   for (size_t z = 0; z < std::min(scene.zones.size(), kMostCharts); ++z) {
     if (c2d_get_zone_state(scene.solver, static_cast<int32_t>(z) + 1, &state) != C2D_OK) break;
-    out += (z == 0 ? "; the contact carries " : ", ") +
-           figure(std::hypot(state.force[0], state.force[1]), scene.force_unit, 6) + " in " + zone_label(scene, z) + " (" +
+    out += (z == 0 ? "; the contact carries " : ", ") + size(state.force) + " in " + zone_label(scene, z) + " (" +
            bodies_of(scene, scene.zones[z]) + ")";
   }
   return out;
@@ -60,16 +65,13 @@ std::string caption(const Scene& scene, const std::vector<Row>& rows, bool lines
   if (!scene.pairs.empty()) out += lines ? ", contact tractions" : " and contact tractions";
   if (lines) out += " and the lines of symmetry";
   out += scene.pairs.empty() && !lines ? " add up to zero" : " cancel";
-  double largest = 0.0, worst = 0.0;
-  for (const Row& row : rows) {
-    largest = std::max({largest, std::fabs(row.applied), std::fabs(row.contact)});
-    worst = std::max(worst, std::fabs(row.sum()));
-  }
-  if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
+  double worst = 0.0;
+  for (const Row& row : rows) worst = std::max(worst, std::fabs(row.sum()));
+  const double all = sum_of_forces(scene);
+  if (all > 0.0) out += " to within " + figure(worst / all, 2) + " of the sum of the sizes of all tractions";
   if (!scene.pairs.empty()) out += contact_text(scene);
-  if (scene.summary.plane == C2D_AXISYMMETRIC) out += ". They are those of the whole circumference";
-  if (mirror_lines(scene.summary) != 0) out += ". They are those of the part that is modelled";
-  return out + ".";
+  const std::string whose = whose_forces(scene.summary);
+  return out + (whose.empty() ? "." : ". They are those " + whose + ".");
 }
 
 } // namespace
@@ -84,9 +86,13 @@ void draw_balance(const Scene& scene, Pictures& out) {
   const bool contact = !scene.pairs.empty();
   bool lines = false;
   for (int32_t b = 1; b <= s.bodies; ++b) lines = lines || lines_that_cut(s, b) != 0;
-  for (const Row& each : rows)
-    for (const double value : {each.applied, each.contact, each.lines}) range.include(value);
-  const double noise = 1e-12 * std::max(std::fabs(range.low), std::fabs(range.high));
+  const std::string words = caption(scene, rows, lines);
+  const double noise = kRoundOff * sum_of_forces(scene);
+  for (Row& each : rows)
+    for (double* value : {&each.applied, &each.contact, &each.lines}) {
+      if (std::fabs(*value) <= noise) *value = 0.0;
+      range.include(*value);
+    }
   double left = 84.0;
   for (const Row& each : rows) left = std::max(left, 16.0 + text_width(each.name, 12.0));
   const double row = 28.0 + (contact ? 12.0 : 0.0) + (lines ? 14.0 : 0.0), right = kPictureWidth - 112.0, top = 54.0;
@@ -117,7 +123,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
   }
   const double zero = chart.at(0.0, 0.0).x;
   svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});
-  Picture picture{"balance", "Balance of forces", caption(scene, rows, lines), ""};
+  Picture picture{"balance", "Balance of forces", words, ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -86,18 +86,26 @@ double relative_motion(const Contact& c, Point mean, const Chart& view) {
   return most;
 }
 
-// What touches.
-void extent_of(const Contact& c, Range& x, Range& y) {
+// Where side 2 of a pair lies after its motion relative to the mean one, which is what a picture to scale shows.
+Point place_of(const Contact& c, const Image& image, size_t pair, Point mean) {
+  const PairScene& p = c.scene.pairs[pair];
+  return image.place(p.on[1]) + (image.direction(p.moved[1]) - mean);
+}
+
+// What touches: its places on side 2, where the tractions are drawn.
+void extent_of(const Contact& c, Point mean, Range& x, Range& y) {
   for (const Image& image : c.images())
-    for (size_t p = c.zone.first; p < c.zone.first + c.zone.pairs; ++p)
-      for (const Point& on : c.scene.pairs[p].on)
-        if (c.touches(p)) x.include(image.place(on).x), y.include(image.place(on).y);
+    for (size_t p = c.zone.first; p < c.zone.first + c.zone.pairs; ++p) {
+      if (!c.touches(p)) continue;
+      const Point at = place_of(c, image, p, mean);
+      x.include(at.x), y.include(at.y);
+    }
 }
 
 // The contact in the middle, with `margin` pixels around it.
-Chart view_with_margin(const Contact& c, double top, double margin) {
+Chart view_with_margin(const Contact& c, Point mean, double top, double margin) {
   Range x, y;
-  extent_of(c, x, y);
+  extent_of(c, mean, x, y);
   const double size = std::max(x.high - x.low, y.high - y.low), whole = size_of(c.scene);
   const double least = size > 1e-9 * whole ? 0.0 : 0.02 * whole; // of a contact at a point
   for (Range* range : {&x, &y}) {
@@ -116,12 +124,12 @@ double scale_of_diagrams(const Contact& c, double height) {
 }
 
 // Do the diagrams stay in the frame, but for the width of their lines?
-bool holds_diagrams(const Contact& c, const Chart& view, double height) {
+bool holds_diagrams(const Contact& c, Point mean, const Chart& view, double height) {
   const double scale = scale_of_diagrams(c, height);
   for (const Image& image : c.images())
     for (size_t p = c.zone.first; p < c.zone.first + c.zone.pairs; ++p) {
       if (!c.touches(p)) continue;
-      const Point at = view.at(image.place(c.scene.pairs[p].on[1])), n = image.direction(c.scene.pairs[p].normal);
+      const Point at = view.at(place_of(c, image, p, mean)), n = image.direction(c.scene.pairs[p].normal);
       for (const double out : {-scale * c.value(p, C2D_TN), c.friction_scale * scale * std::fabs(c.value(p, C2D_TT))}) {
         const double x = at.x + out * n.x, y = at.y - out * n.y;
         if (x < view.frame.left || x > view.frame.right || y < view.frame.top || y > view.frame.bottom) return false;
@@ -136,10 +144,10 @@ struct FramedContact {
 };
 
 // With room for the diagrams: a flat contact has it above and below, one that goes round needs it on all sides.
-FramedContact view_of_contact(const Contact& c, double top) {
-  const FramedContact flat{view_with_margin(c, top, 62.0), kDiagram};
-  if (holds_diagrams(c, flat.chart, kDiagram)) return flat;
-  return {view_with_margin(c, top, kRound + 22.0), kRound};
+FramedContact view_of_contact(const Contact& c, Point mean, double top) {
+  const FramedContact flat{view_with_margin(c, mean, top, 62.0), kDiagram};
+  if (holds_diagrams(c, mean, flat.chart, kDiagram)) return flat;
+  return {view_with_margin(c, mean, top, kRound + 22.0), kRound};
 }
 
 // The surface of side 2 as it is drawn, with the tractions on it, in pixels: y downwards.
@@ -300,8 +308,9 @@ std::string caption_of(const Contact& c, const Deformation& deformation) {
   const size_t peak = c.peak();
   const std::string two = body_label(scene, c.zone.body[1]), one = body_label(scene, c.zone.body[0]);
   std::string out = std::string("Stresses on ") + two + (c.tied ? " where it is tied to " : " where it touches ") + one +
-                    ", at " + place_at_end(scene) + ": the largest " + (c.tied ? "normal stress" : "pressure") +
-                    " of a pair is " + figure(c.value(peak, C2D_TN), scene.stress_unit, 6) + " at " + c.zone.position + " = " +
+                    ", at " + place_at_end(scene) + ": the largest " +
+                    (c.tied ? "normal stress (pressure is positive)" : "pressure") + " of a pair is " +
+                    figure(c.value(peak, C2D_TN), scene.stress_unit, 6) + " at " + c.zone.position + " = " +
                     figure(scene.pairs[peak].s, scene.length_unit);
   const double friction = c.largest(C2D_TT);
   if (friction > kNoFriction * c.largest(C2D_TN))
@@ -326,9 +335,9 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   c.friction_scale = scale_of_friction(c);
   const std::vector<LegendEntry> entries = legend_of(c);
   const double top = 16.0 + draw_legend(nullptr, {kLeft, 4.0}, kPictureWidth - kLeft - kRight, entries);
-  const FramedContact drawn = view_of_contact(c, top);
-  const Chart& view = drawn.chart;
   const Point mean = mean_motion(c);
+  const FramedContact drawn = view_of_contact(c, mean, top);
+  const Chart& view = drawn.chart;
   const double wanted = wanted_factor(view.x.high - view.x.low, relative_motion(c, mean, view), kDeformed);
   const GapLift lift(scene);
   const Deformation deformation = choose_deformation(scene, lift, wanted, mean, [&](const Deformation&) { return view; });

@@ -161,6 +161,13 @@ std::string tie_text(const Layers& l) {
          " and tt = " + text(most[1], C2D_TT);
 }
 
+// Digits by which both ends of an interval differ in the third at least.
+int digits_of(double low, double high) {
+  const double size = std::max(std::fabs(low), std::fabs(high));
+  const double more = high > low && size > 0.0 ? std::ceil(std::log10(size / (high - low))) : 0.0;
+  return static_cast<int>(std::min(9.0, 4.0 + std::max(0.0, more)));
+}
+
 std::string caption(const Layers& l) {
   const Scene& scene = l.scene;
   const ZoneFacts f = find_facts(scene, l.zone, l.record.table);
@@ -178,7 +185,8 @@ std::string caption(const Layers& l) {
   if (l.zone.symmetric_origin && (f.low == line || f.high == line))
     out += ", contact half width " + figure(size, length) + " (to the last touching node)";
   else
-    out += " between " + std::string(l.zone.position) + " = " + figure(f.low, length) + " and " + figure(f.high, length);
+    out += " between " + std::string(l.zone.position) + " = " + figure(f.low, length, digits_of(f.low, f.high)) + " and " +
+           figure(f.high, length, digits_of(f.low, f.high));
   if (l.mu > 0.0 && f.sticking > 0)
     out += words_of_sticking(l.scene, l.zone, f) + ", " + std::to_string(f.slipping) +
            (f.slipping == 1 ? " pair slips" : " pairs slip");

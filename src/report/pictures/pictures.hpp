@@ -93,6 +93,8 @@ std::string traction_name(const ZoneScene& zone, bool normal);
 std::string place_text(const Scene& scene, Point p, double size);
 // Larger side of the box around all bodies.
 double size_of(const Scene& scene);
+// Sum of the sizes of all tractions on all boundaries: beside it a resultant is round-off or not.
+double sum_of_forces(const Scene& scene);
 // "body 2 on body 3".
 std::string bodies_of(const Scene& scene, const ZoneScene& zone);
 // "body 2 (bolt)", "zone 1 (thread)", ready for markup; the zone from 0.

@@ -29,6 +29,14 @@ double tolerance_of(Statement& s, double value) {
   return value;
 }
 
+// The row that requests the number whose name comes next; null: no such name does.
+const WantRow* row_of_number(Statement& s) {
+  for (const WantRow& row : wants())
+    for (const app::Measure what : row.quantities)
+      if (!s.is_next(row.word) && s.accept_phrase(app::name_of(what))) return &row;
+  return nullptr;
+}
+
 } // namespace
 
 void Reader::steps(Statement& s) {
@@ -56,7 +64,8 @@ void Reader::want_one(Statement& s) {
   Want want;
   want.at = s.at();
   const std::vector<const char*> all = words_of_wants(true), of_body = words_of_wants(false);
-  want.word = all[s.choice(all)];
+  const WantRow* const named = row_of_number(s); // by the name that the number has in tables and responses
+  want.word = named != nullptr ? named->word : all[s.choice(all)];
   want.cycle = want.word == "cycle";
   if (want.cycle) s.choice({"range"}), want.word = of_body[s.choice(of_body)];
   want.of = want_row(want.word).of;

@@ -1,10 +1,12 @@
 #include "program/sketch/read/statement.hpp"
 
+#include "program/near_word.hpp"
 #include "program/sketch/deck/deck_number.hpp"
 
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace sketch {
 
@@ -120,7 +122,19 @@ size_t Statement::choice(const std::vector<const char*>& words) {
     if (word.is(one)) return index;
     ++index;
   }
-  throw Fault{word.at, in_quotes(word.text) + ": expected " + expected};
+  constexpr size_t kTooShort = 3; // two letters make any other word of one that is no longer
+  const std::vector<std::string> known(words.begin(), words.end());
+  const std::string meant = word.text.size() > kTooShort ? app::did_you_mean(word.text, known) : "";
+  throw Fault{word.at, in_quotes(word.text) + ": expected " + expected + meant};
+}
+
+bool Statement::accept_phrase(const std::string& phrase) {
+  std::istringstream in(phrase);
+  size_t ahead = 0;
+  for (std::string word; in >> word; ++ahead)
+    if (!is_next(word.c_str(), ahead)) return false;
+  next_ += ahead;
+  return ahead > 0;
 }
 
 std::string Statement::rest() {

@@ -16,8 +16,9 @@ public:
 
   bool has_more() const { return next_ < words_.size(); }
   bool is_next(const char* word, size_t ahead = 0) const;
-  bool accept(const char* word);          // takes the word if it is next
-  bool is_number(size_t ahead = 0) const; // may the next word, or a later one, begin an expression?
+  bool accept(const char* word);                 // takes the word if it is next
+  bool accept_phrase(const std::string& phrase); // the same of words with blanks between them
+  bool is_number(size_t ahead = 0) const;        // may the next word, or a later one, begin an expression?
   bool accept_number(double& value);
   const Word& take(const std::string& expected);
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
