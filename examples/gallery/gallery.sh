@@ -61,9 +61,9 @@ entry() { # sketch, picture
   "$program" run --quiet --no-progress --listing "$work/listing" --summary "$work/summary.csv" --figures "$work/figures" "examples/$1.c2s" >&2
   cp "$work/figures/$2.svg" "$folder/$name.svg"
   title=$(sed -n 's/^title  *//p' "examples/$1.c2s" | head -1)
-  units=$(sed -n 's/^units  */, in /p' "examples/$1.c2s" | head -1)
+  units=$(sed -n 's/^units  */in /p' "examples/$1.c2s" | head -1)
   caption=$(sed -n 's/^<desc>\(.*\)<\/desc>$/\1/p' "$folder/$name.svg" | head -1)
-  printf '\n## %s\n\n`examples/%s.c2s`%s\n\n![%s](%s.svg)\n\n%s\n\n' "$title" "$1" "$units" "$title" "$name" "$caption"
+  printf '\n## %s\n\n`examples/%s.c2s`\n%s\n\n![%s](%s.svg)\n\n%s\n\n' "$title" "$1" "$units" "$title" "$name" "$caption"
   numbers "$work/summary.csv"
   cracks "$work/listing"
   printf '\n<details><summary>The sketch</summary>\n\n```\n'
