@@ -49,31 +49,75 @@ function mark(status, x, y) {
   return `<path d="M${at}m-3 -3h6v6h-6z" fill="var(--soft)"/>`;
 }
 
-// Rows of one zone and step, in the order of pairs, with `s`: the length along the zone, or x where it is straight along x.
-function drawPressure(rows, others, mu, unit, wide) {
+// ---------------------------------------------------------------- places along a zone
+// As in the pictures of the report: a zone that nowhere rises more than a third is shown over x (or y), any other over the length
+// from its left or lower end, or from a line of symmetry; what ends on such a line goes on beyond it.
+
+// How a zone is measured, from its pairs in their order: `name`, `at` (place of every pair) and `mirror` (that of a line), if any.
+function placesAlong(rows, lines) {
+  const first = rows[0], last = rows[rows.length - 1], steep = Math.abs(last.y - first.y) > 1.001 * Math.abs(last.x - first.x);
+  const [name, across] = steep ? ["y", "x"] : ["x", "y"], way = last[name] < first[name] ? -1 : 1;
+  const straight = rows.every((row, i) => {
+    const step = i > 0 ? way * (row[name] - rows[i - 1][name]) : 0;
+    return i === 0 || step > 0 && Math.abs(row[across] - rows[i - 1][across]) <= step / 3;
+  });
+  const isOn = (line, row) => Math.abs(row[line.axis] - line.at) <= 1e-9 * (Math.abs(row.x) + Math.abs(row.y));
+  const onLine = (row) => lines.some((line) => isOn(line, row));
+  const ends = way > 0 ? [first, last] : [last, first], origin = onLine(ends[1]) && !onLine(ends[0]) ? ends[1] : ends[0];
+  const length = [0];
+  for (let i = 1; i < rows.length; ++i) length.push(length[i - 1] + way * Math.hypot(rows[i].x - rows[i - 1].x, rows[i].y - rows[i - 1].y));
+  const at = rows.map((row, i) => (straight ? row[name] : length[i] - length[rows.indexOf(origin)]));
+  return {name: straight ? name : "along the zone", at, mirror: onLine(origin) ? at[rows.indexOf(origin)] : undefined};
+}
+
+// The rows of a step with their places `s`, and their images beyond the line, where t is reversed; in the order of s.
+function alongZone(rows, {at, mirror}) {
+  rows.forEach((row, i) => { row.s = at[i]; });
+  const image = (row) => ({...row, s: 2 * mirror - row.s, tt: -row.tt, isImage: true});
+  const images = mirror === undefined ? [] : rows.filter((row) => row.s !== mirror).map(image);
+  return [...rows, ...images].sort((p, q) => p.s - q.s);
+}
+
+const tractionNames = (tied) => (tied ? ["normal stress", "shear stress"] : ["pressure", "friction"]);
+
+// `rows`: of one zone and step, in the order of their places s along it, images included; `place`: what s is called. A tie has no
+// Coulomb bounds, and its tractions are neither pressure nor friction.
+function drawPressure(rows, others, {mu, tied, place}, unit, wide) {
   const width = wide, height = 330, box = {left: 62, right: width - 14, top: 46, bottom: height - 42};
-  const bound = rows.map((row) => (Number.isFinite(mu) ? mu * Math.max(row.tn, 0) : 0));
+  const bounded = !tied && Number.isFinite(mu);
+  const bound = rows.map((row) => (bounded ? mu * Math.max(row.tn, 0) : 0));
   const values = [0, ...rows.flatMap((row, i) => [row.tn, row.tt, bound[i], -bound[i]]), ...others.flatMap((each) => each.map((row) => row.tn))];
   const x = scale(Math.min(...rows.map((row) => row.s)), Math.max(...rows.map((row) => row.s)), box.left, box.right);
   const y = scale(Math.min(...values), Math.max(...values), box.bottom, box.top);
-  const xs = rows.map((row) => x(row.s)), out = [axes(x, y, box, `along the zone${unit.length}`, `tractions${unit.stress}`)];
+  const xs = rows.map((row) => x(row.s)), out = [axes(x, y, box, `${place}${unit.length}`, `tractions${unit.stress}`)];
   const band = [...xs.map((at, i) => `${at.toFixed(1)},${y(bound[i]).toFixed(1)}`), ...xs.map((at, i) => `${at.toFixed(1)},${y(-bound[i]).toFixed(1)}`).reverse()];
-  out.push(`<polygon points="${band.join(" ")}" fill="var(--band)"/>`);
+  if (bounded && mu > 0) out.push(`<polygon points="${band.join(" ")}" fill="var(--band)"/>`);
   for (const each of others) out.push(line(each.map((row) => x(row.s)), each.map((row) => y(row.tn)), 'stroke="var(--soft)" stroke-width="0.8" stroke-dasharray="3 3"'));
   out.push(line(xs, rows.map((row) => y(row.tt)), 'stroke="var(--friction)" stroke-width="2"'),
     line(xs, rows.map((row) => y(row.tn)), 'stroke="var(--pressure)" stroke-width="2"'),
     rows.map((row, i) => mark(row.status, xs[i], y(row.tn))).join(""));
-  const peak = rows.reduce((best, row) => (row.tn > best.tn ? row : best), rows[0]);
-  out.push(`<text x="${box.left}" y="16" style="fill:var(--pressure);font-weight:600">pressure</text><text x="${box.left + 68}" y="16" style="fill:var(--friction);font-weight:600">friction</text>`,
-    `<g>${mark("stick", box.left + 130, 12)}${mark("slip", box.left + 182, 12)}${mark("open", box.left + 228, 12)}<text x="${box.left + 138}" y="16">stick</text><text x="${box.left + 190}" y="16">slip</text><text x="${box.left + 236}" y="16">open</text></g>`);
-  const counts = ["stick", "slip", "open", "tied"].map((status) => [rows.filter((row) => row.status === status).length, status]).filter(([n]) => n > 0);
-  return picture(width, height, `Pressure and friction: largest pressure ${short(peak.tn)} at ${short(peak.s)}; ${counts.map(([n, status]) => `${n} ${status}`).join(", ")}`, out.join(""));
+  const peak = rows.reduce((best, row) => (row.tn > best.tn ? row : best), rows[0]), names = tractionNames(tied);
+  let at = box.left;
+  const word = (text, colour, room) => {
+    out.push(`<text x="${at}" y="16"${colour ? ` style="fill:var(--${colour});font-weight:600"` : ""}>${text}</text>`);
+    at += room;
+  };
+  word(names[0], "pressure", tied ? 116 : 68), word(names[1], "friction", tied ? 106 : 62);
+  for (const status of tied ? ["tied"] : ["stick", "slip", "open"]) {
+    out.push(mark(status, at, 12)), at += 8;
+    word(status, "", 44);
+  }
+  const own = rows.filter((row) => !row.isImage), count = (status) => own.filter((row) => row.status === status).length;
+  const counts = ["stick", "slip", "open", "tied"].map((status) => [count(status), status]).filter(([n]) => n > 0);
+  const label = tied ? "Normal and shear stress" : "Pressure and friction";
+  const words = counts.map(([n, status]) => `${n} ${status}`).join(", ");
+  return picture(width, height, `${label}: largest ${names[0]} ${short(peak.tn)} at ${short(peak.s)}; ${words}`, out.join(""));
 }
 
 const STATUS_FILL = {open: "none", stick: "var(--pressure)", slip: "var(--friction)", tied: "var(--soft)"};
 
 // Statuses: across the zone, upwards the steps.
-function drawStatus(steps, now, unit, wide) {
+function drawStatus(steps, now, tied, wide) {
   const width = wide, box = {left: 62, right: width - 14, top: 26, bottom: 26 + Math.min(260, Math.max(90, steps.length * 9))};
   const rows = steps[0], edges = rows.map((row, i) => (i === 0 ? row.s : (row.s + rows[i - 1].s) / 2)).concat(rows[rows.length - 1].s);
   const x = scale(Math.min(...edges), Math.max(...edges), box.left, box.right), y = scale(0.5, steps.length + 0.5, box.bottom, box.top);
@@ -86,19 +130,25 @@ function drawStatus(steps, now, unit, wide) {
       if (fill !== "none") out.push(`<rect x="${a.toFixed(1)}" y="${top.toFixed(1)}" width="${(b - a).toFixed(1)}" height="${(bottom - top).toFixed(1)}" fill="${fill}"${step[i].status === "slip" ? ' fill-opacity="0.75"' : ""}/>`);
     }
   });
+  const word = (status, colour) => `<tspan style="fill:var(--${colour});font-weight:600">${status}</tspan>`;
+  const legend = tied ? word("tied", "soft") : `${word("stick", "pressure")} ${word("slip", "friction")} open (blank)`;
   out.push(`<rect x="${box.left}" y="${box.top}" width="${box.right - box.left}" height="${box.bottom - box.top}" fill="none" stroke="var(--line)"/>`,
     `<rect x="${box.left}" y="${y(now + 1.5).toFixed(1)}" width="${box.right - box.left}" height="${Math.max(2, y(now + 0.5) - y(now + 1.5)).toFixed(1)}" fill="none" stroke="var(--front)" stroke-width="2"/>`,
-    `<text x="${box.left}" y="16">step by step: <tspan style="fill:var(--pressure);font-weight:600">stick</tspan> <tspan style="fill:var(--friction);font-weight:600">slip</tspan> open (blank)</text>`);
+    `<text x="${box.left}" y="16">step by step: ${legend}</text>`);
   for (const value of ticks(y.low, y.high, 4).filter((each) => Number.isInteger(each))) out.push(`<text x="${box.left - 6}" y="${(y(value) + 4).toFixed(1)}" text-anchor="end">${value}</text>`);
-  return picture(width, box.bottom + 8, `Statuses of ${rows.length} pairs over ${steps.length} steps`, out.join(""));
+  const pairs = rows.filter((row) => !row.isImage).length;
+  return picture(width, box.bottom + 8, `Statuses of ${pairs} pairs over ${steps.length} steps`, out.join(""));
 }
 
 // ---------------------------------------------------------------- the deformed shape
 // Displacements and gaps are drawn times one factor: bodies that touch are drawn touching, and none is drawn over another. A gap
 // that was there before any load is magnified by moving the other body, with a field that takes the pairs' values and is smooth
-// elsewhere.
+// elsewhere; a rigid body is moved as one. The rules are those of the report's pictures: gap_lift.cpp and deformation.cpp there.
 
-const MOST_SOURCES = 200; // pairs of a zone that are looked at; of more every second, third, ...
+const MOST_SOURCES = 200; // pairs of a zone that move a body; of more every second, third, ...
+const BESIDE = 100; // places of an outline over the length of a zone
+const MOST_OVERLAP = 0.5, MOST_GAP_ERROR = 0.75, NEAR_GAP = 20; // pixels; gaps that are drawn larger are not compared
+const MOST_DISTORTION = 0.1, SEEN = 1; // of a shape by magnified initial gaps, and in pixels
 
 // Curves of every body: rows of the boundary table, in the order of elements; a jump from one element to the next begins another.
 function shapesOf(ends) {
@@ -150,24 +200,78 @@ function directionsOf(rows, curves) {
   return chords.map(([dx, dy]) => [way * dx, way * dy]);
 }
 
-// Of every body the places of pairs and how far their initial gaps move it, each body against those that stand already.
-function liftsOf(shapes, rows, zones) {
-  const lifts = new Map(), stands = new Set([shapes.keys().next().value]);
-  for (let more = true; more;) {
-    more = false;
-    for (const zone of zones) {
-      const one = zone.body1 || 1, two = zone.body2 || 2;
-      if (stands.has(one) === stands.has(two) || !shapes.has(one) || !shapes.has(two)) continue;
-      const moved = stands.has(one) ? two : one, fixed = moved === two ? one : two, sources = lifts.get(moved) || [];
-      const pairs = rows.filter((each) => each.zone === zone.zone), directions = directionsOf(pairs, shapes.get(two));
-      const every = Math.ceil(pairs.length / MOST_SOURCES);
-      for (let i = 0; i < pairs.length; i += every) {
-        const row = pairs[i], [dx, dy] = directions[i]; // material is on the left, and n points into body 2
-        const gap = (row.gap - row.un2 + row.un1) * (moved === two ? 1 : -1), base = liftAt(lifts.get(fixed), row.x, row.y);
-        sources.push({x: row.x, y: row.y, by: [base[0] - gap * dy, base[1] + gap * dx]});
+// The model and its images beyond lines of symmetry, and what an image makes of a place and of a direction.
+const imagesOf = (lines) => lines.reduce((all, line) => [...all, ...all.map((image) => ({...image, [line.axis]: line.at}))], [{}]);
+const turned = (image, p) => ({x: image.x === undefined ? p.x : 2 * image.x - p.x, y: image.y === undefined ? p.y : 2 * image.y - p.y});
+const turnedBy = (image, [x, y]) => [image.x === undefined ? x : -x, image.y === undefined ? y : -y];
+
+// Distance from a place along the unit vector n to the nearest place of curves, at most `most` either way; not finite if there is none.
+function distanceAlong(curves, from, n, most) {
+  let nearest = Infinity;
+  const aside = (p) => n[0] * (p.y - from.y) - n[1] * (p.x - from.x), ahead = (p) => n[0] * (p.x - from.x) + n[1] * (p.y - from.y);
+  for (const curve of curves)
+    for (let i = 0; i + 1 < curve.length; ++i) {
+      const a = aside(curve[i]), b = aside(curve[i + 1]);
+      if (a === b || (a > 0) === (b > 0)) continue;
+      const far = ahead(curve[i]) + a / (a - b) * (ahead(curve[i + 1]) - ahead(curve[i]));
+      if (Math.abs(far) <= most && Math.abs(far) < Math.abs(nearest)) nearest = far;
+    }
+  return nearest;
+}
+
+// Of the pairs of a zone: their places on side 2, normals from body 1 to body 2, and gaps before any load.
+function pairsOf(rows, curves) {
+  const directions = directionsOf(rows, curves);
+  return rows.map((row, i) => {
+    const n = [-directions[i][1], directions[i][0]], initial = row.gap - (row.un2 - row.un1); // material is on the left
+    return {x: row.x + initial * n[0], y: row.y + initial * n[1], n, initial, gap: row.gap, isTied: row.status === "tied"};
+  });
+}
+
+// Beside a zone, up to its length from either end, the sides have a gap as well: along the normal of the end, from places of side 2
+// to the outline of body 1. Without it the shape would have a notch where the zone ends.
+function besideZone(pairs, one, two) {
+  const found = [], apart = (p, q) => Math.hypot(p.x - q.x, p.y - q.y), last = pairs.length - 1;
+  if (last < 1 || pairs.every((pair) => pair.isTied)) return found;
+  const length = apart(pairs[0], pairs[last]);
+  for (const [at, next] of [[pairs[0], pairs[1]], [pairs[last], pairs[last - 1]]])
+    for (const curve of two)
+      for (let i = 0; i + 1 < curve.length; ++i) {
+        const from = curve[i], to = curve[i + 1], size = apart(from, to), parts = Math.min(BESIDE, Math.ceil(BESIDE * size / length));
+        for (let k = 0; apart(from, at) <= length + size && k < parts; ++k) {
+          const p = {x: from.x + k / parts * (to.x - from.x), y: from.y + k / parts * (to.y - from.y), n: at.n}, off = apart(p, at);
+          if (!(off < length) || off >= apart(p, next) || off < 0.5 * apart(at, next)) continue;
+          p.initial = -distanceAlong(one, p, at.n, length);
+          if (Number.isFinite(p.initial) && p.initial >= 0) found.push(p);
+        }
       }
+  return found;
+}
+
+// Of every body the places of pairs and how far their initial gaps move it, each body against those that stand already. A rigid one
+// keeps its shape: all of it is moved by the mean over its pairs.
+function liftsOf(shapes, zones, rigid, images) {
+  const lifts = new Map();
+  let stands = new Set([shapes.keys().next().value]);
+  for (let before = new Set(); stands.size > before.size;) {
+    before = stands, stands = new Set(before);
+    for (const {one, two, pairs} of zones) {
+      if (before.has(one) === before.has(two)) continue;
+      const [moved, fixed, sign] = before.has(one) ? [two, one, 1] : [one, two, -1], sources = lifts.get(moved) || [];
+      const add = ({x, y, n, initial}) => {
+        const base = liftAt(lifts.get(fixed), x, y), by = [base[0] + sign * initial * n[0], base[1] + sign * initial * n[1]];
+        for (const image of images) sources.push({...turned(image, {x, y}), by: turnedBy(image, by)});
+      };
+      const every = Math.ceil(pairs.length / MOST_SOURCES);
+      pairs.filter((_, i) => i % every === 0).forEach(add);
+      if (!rigid.has(moved)) besideZone(pairs, shapes.get(one), shapes.get(two)).forEach(add);
       lifts.set(moved, sources), stands.add(moved);
-      more = true;
+    }
+    for (const body of stands) {
+      const sources = lifts.get(body);
+      if (before.has(body) || !rigid.has(body) || sources.length === 0) continue;
+      const mean = [0, 1].map((k) => sources.reduce((sum, source) => sum + source.by[k], 0) / sources.length);
+      lifts.set(body, [{x: 0, y: 0, by: mean}]);
     }
   }
   return lifts;
@@ -194,59 +298,81 @@ function isInside(curves, x, y) {
   return inside;
 }
 
-// Where pairs touch or are tied: the end of an element of body 1 nearest to the pair, by curve and number, and body 2.
-function meetingPlaces(shapes, rows, zones) {
-  const out = [], every = Math.ceil(rows.length / MOST_SOURCES);
-  for (let k = 0; k < rows.length; k += every) {
-    const row = rows[k], zone = zones.find((each) => each.zone === row.zone) || {}, one = zone.body1 || 1, two = zone.body2 || 2;
-    if (!shapes.has(one) || !shapes.has(two)) continue; // a platen
-    let best = {distance: Infinity};
-    shapes.get(one).forEach((curve, i) => curve.forEach((end, j) => {
-      const distance = Math.hypot(end.x - row.x, end.y - row.y);
-      if (distance < best.distance) best = {distance, one, two, i, j};
-    }));
-    out.push(best);
-  }
-  return out;
-}
-
-// All that is drawn of a result but the factor. `whole`: the model, not its contact. `rows`: of the last step.
-function deformation(ends, rows, zones, whole) {
-  const shapes = shapesOf(ends), joined = rows.filter((row) => row.status !== "open"), lifts = liftsOf(shapes, rows, zones);
+// All that is drawn of a result but the factor. `whole`: the model, not its contact. `rows`: of the last step. `rigid`: which bodies
+// are. `lifted`: the factors with which initial gaps have to be magnified by moving bodies; with others it makes no difference.
+function deformation(ends, rows, zones, rigid, symmetry, whole) {
+  const shapes = shapesOf(ends), joined = rows.filter((row) => row.status !== "open");
+  const sides = zones.map(({zone, body1 = 1, body2 = 2}) => ({one: body1, two: body2, rows: rows.filter((row) => row.zone === zone)}))
+    .filter(({one, two, rows: of}) => shapes.has(one) && shapes.has(two) && of.length > 0); // no platens
+  for (const side of sides) side.pairs = pairsOf(side.rows, shapes.get(side.two));
+  const lifts = liftsOf(shapes, sides, rigid, imagesOf(symmetry));
   const touching = joined.some((row) => row.status !== "tied") ? joined.filter((row) => row.status !== "tied") : joined;
   for (const [body, curves] of shapes)
     for (const end of curves.flat()) end.lift = liftAt(lifts.get(body), end.x, end.y);
+  // how far the moved bodies are from the initial gap of a pair
+  const pairs = sides.flatMap(({one, two, pairs: of}) => of.map(({x, y, n, initial, gap}) => {
+    const [a, b] = [one, two].map((body) => liftAt(lifts.get(body), x, y));
+    return {gap, initial, miss: (b[0] - a[0]) * n[0] + (b[1] - a[1]) * n[1] - initial};
+  }));
   const near = whole || touching.length === 0 ? ends : touching, size = Math.max(spread(near, "x"), spread(near, "y"));
   const middle = (name) => Math.min(...near.map((each) => each[name])) + spread(near, name) / 2;
   const least = 0.02 * Math.max(spread(ends, "x"), spread(ends, "y")), half = 0.75 * Math.max(size, near === ends ? 0 : least);
-  const met = meetingPlaces(shapes, joined, zones);
-  const out = {shapes, met, whole: near === ends, x: middle("x"), y: middle("y"), half, reference: [0, 0]};
+  const closed = new Map([...shapes].map(([body, curves]) => [body, closedBy(symmetry, curves, half)]));
+  const out = {shapes, closed, pairs, lifted: new Set(), whole: near === ends, x: middle("x"), y: middle("y"), half, reference: [0, 0]};
   const seen = ends.filter((end) => Math.abs(end.x - out.x) <= half && Math.abs(end.y - out.y) <= half);
   const shown = seen.length > 0 && !out.whole ? seen : ends;
-  if (!out.whole) out.reference = ["ux", "uy"].map((name) => shown.reduce((sum, end) => sum + end[name], 0) / shown.length);
+  // images beyond a line in view are drawn where that line is, which does not move
+  const moves = (axis) => !symmetry.some((line) => line.axis === axis && isInView(line, out[axis], half));
+  const mean = (name) => shown.reduce((sum, end) => sum + end[name], 0) / shown.length;
+  if (!out.whole) out.reference = ["x", "y"].map((axis) => (moves(axis) ? mean(`u${axis}`) : 0));
   const moved = Math.max(...shown.map((end) => Math.hypot(end.ux - out.reference[0], end.uy - out.reference[1])));
   out.wanted = moved > 0 ? half / 6 / moved : 1;
   return out;
 }
 
-const placed = (d, curves, factor) => curves.map((curve) => curve.map((end) => ({
-  x: end.x + factor * (end.ux - d.reference[0]) + (factor - 1) * end.lift[0],
-  y: end.y + factor * (end.uy - d.reference[1]) + (factor - 1) * end.lift[1]})));
+function placed(d, curves, factor) {
+  const more = d.lifted.has(factor) ? factor - 1 : 0;
+  return curves.map((curve) => curve.map((end) => ({
+    x: end.x + factor * (end.ux - d.reference[0]) + more * end.lift[0],
+    y: end.y + factor * (end.uy - d.reference[1]) + more * end.lift[1]})));
+}
 
-// Do bodies that touch touch as they are drawn, and does no other reach into one, to a pixel of `wide`?
-function fits(d, factor, wide) {
-  const pixel = 2 * d.half / wide, drawn = new Map([...d.shapes].map(([body, curves]) => [body, placed(d, curves, factor)]));
-  for (const {one, two, i, j, distance} of d.met) {
-    const p = drawn.get(one)[i][j];
-    if (nearestOn(drawn.get(two), p.x, p.y).distance > Math.max(pixel, 1.5 * distance)) return false;
+// Are gaps of pairs drawn as large as they are, times the factor?
+function gapsFit(d, factor, pixel) {
+  return d.pairs.every(({gap, initial, miss}) => {
+    const is = factor * gap, error = (factor - 1) * (d.lifted.has(factor) ? miss : -initial);
+    return is + error >= -MOST_OVERLAP * pixel && (is >= NEAR_GAP * pixel || Math.abs(error) <= MOST_GAP_ERROR * pixel);
+  });
+}
+
+// Do magnified initial gaps leave the bodies their shape, or are they too small to be seen?
+function shapesFit(d, factor, pixel) {
+  const more = d.lifted.has(factor) ? factor - 1 : 0;
+  for (const curve of [...d.shapes.values()].flat()) {
+    let change = 0; // since the last place without distortion
+    for (let i = 0; i + 1 < curve.length; ++i) {
+      const a = curve[i], b = curve[i + 1], length = Math.hypot(b.x - a.x, b.y - a.y);
+      if (length === 0) continue;
+      const by = more * Math.hypot(b.lift[0] - a.lift[0], b.lift[1] - a.lift[1]);
+      if (by <= MOST_DISTORTION * length || Math.abs(a.x - d.x) > d.half || Math.abs(a.y - d.y) > d.half) change = 0;
+      else if ((change += by) > SEEN * pixel) return false;
+    }
   }
-  const closed = new Map([...drawn].map(([body, curves]) => [body, curves.map((curve) => [...curve, curve[0]])]));
-  for (const [other, around] of closed) {
+  return true;
+}
+
+// Has what is drawn its gaps and shapes, and does no body reach into another, to a part of a pixel of `wide`?
+function fits(d, factor, wide) {
+  const pixel = 2 * d.half / wide;
+  if (!gapsFit(d, factor, pixel) || !shapesFit(d, factor, pixel)) return false;
+  const drawn = new Map([...d.shapes].map(([body, curves]) => [body, placed(d, curves, factor)]));
+  for (const [other, outlines] of d.closed) {
+    const around = placed(d, outlines, factor).map((curve) => [...curve, curve[0]]);
     const box = ["x", "y"].map((name) => [Math.min(...around.flat().map((p) => p[name])), Math.max(...around.flat().map((p) => p[name]))]);
     const isNear = (p) => Math.abs(p.x - d.x) <= d.half && Math.abs(p.y - d.y) <= d.half &&
       p.x > box[0][0] && p.x < box[0][1] && p.y > box[1][0] && p.y < box[1][1];
-    for (const [body, curves] of drawn)
-      if (body !== other && curves.flat().some((p) => isNear(p) && isInside(around, p.x, p.y) && nearestOn(around, p.x, p.y).distance > 0.5 * pixel)) return false;
+    const isDeep = (p) => isNear(p) && isInside(around, p.x, p.y) && nearestOn(around, p.x, p.y).distance > MOST_OVERLAP * pixel;
+    for (const [body, curves] of drawn) if (body !== other && curves.flat().some(isDeep)) return false;
   }
   return true;
 }
@@ -256,7 +382,11 @@ function factorsOf(d, wide) {
   const out = [1];
   for (let i = 1; ; ++i) {
     const factor = [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3);
-    if (factor > 10 * d.wanted || !fits(d, factor, wide)) break;
+    if (factor > 10 * d.wanted) break;
+    if (!fits(d, factor, wide)) {
+      d.lifted.add(factor);
+      if (!fits(d, factor, wide)) break;
+    }
     out.push(factor);
   }
   return {factors: out, automatic: out.filter((factor) => factor <= d.wanted).length - 1};
@@ -293,11 +423,12 @@ function closedBy(lines, curves, size) {
   return out;
 }
 
-// `symmetry`: lines with images beyond them, and the axis of bodies of revolution, which has none.
-function drawDeformed(d, factor, symmetry, unit, wide) {
-  const lines = symmetry.filter((line) => !line.isAxis);
-  const ends = [...d.shapes.values()].flat(2), images = lines.reduce((all, line) => [...all, ...all.map((image) => ({...image, [line.axis]: line.at}))], [{}]);
-  const turned = (image, p) => ({x: image.x === undefined ? p.x : 2 * image.x - p.x, y: image.y === undefined ? p.y : 2 * image.y - p.y});
+// Is a view moved and widened to a line of symmetry, to show as much beyond it?
+const isInView = (line, middle, half) => Math.abs(middle - line.at) < 2 * half;
+
+// `lines`: with images beyond them; of bodies of revolution the axis is one.
+function drawDeformed(d, factor, lines, unit, wide) {
+  const ends = [...d.shapes.values()].flat(2), images = imagesOf(lines);
   // the view: the contact in the middle, or the whole with its images
   let [midX, midY, halfX, halfY] = [d.x, d.y, d.half, d.half];
   if (d.whole) {
@@ -305,8 +436,8 @@ function drawDeformed(d, factor, symmetry, unit, wide) {
     [halfX, halfY] = [0.55 * spread(all, "x"), 0.55 * spread(all, "y")];
     [midX, midY] = [Math.min(...all.map((p) => p.x)) + halfX / 1.1, Math.min(...all.map((p) => p.y)) + halfY / 1.1];
   } else {
-    for (const line of lines) if (line.axis === "x" && Math.abs(midX - line.at) < 2 * halfX) halfX += Math.abs(midX - line.at), midX = line.at;
-    for (const line of lines) if (line.axis === "y" && Math.abs(midY - line.at) < 2 * halfY) halfY += Math.abs(midY - line.at), midY = line.at;
+    for (const line of lines) if (line.axis === "x" && isInView(line, midX, halfX)) halfX += Math.abs(midX - line.at), midX = line.at;
+    for (const line of lines) if (line.axis === "y" && isInView(line, midY, halfY)) halfY += Math.abs(midY - line.at), midY = line.at;
   }
   const box = {left: 62, right: wide - 14, top: 24, bottom: 0}, room = box.right - box.left;
   box.bottom = box.top + Math.min(460, Math.max(0.5 * room, room * halfY / halfX));
@@ -320,8 +451,8 @@ function drawDeformed(d, factor, symmetry, unit, wide) {
   const out = [axes(x, y, box, `x${unit.length}`, `y${unit.length}`),
     `<clipPath id="deformed-box"><rect x="${box.left}" y="${box.top}" width="${room}" height="${high}"/></clipPath><g clip-path="url(#deformed-box)">`];
   let number = 0;
-  for (const curves of d.shapes.values()) {
-    const fill = `var(--fill${1 + number++ % 2})`, drawn = placed(d, curves, factor), filled = placed(d, closedBy(symmetry, curves, d.half), factor);
+  for (const [body, curves] of d.shapes) {
+    const fill = `var(--fill${1 + number++ % 2})`, drawn = placed(d, curves, factor), filled = placed(d, d.closed.get(body), factor);
     for (const image of images) out.push(`<path d="${path(filled, image)}" fill="${fill}" fill-rule="evenodd"/>`);
     for (const image of images) out.push(`<path d="${path(drawn, image)}" fill="none" stroke="var(--front)" stroke-width="1.3"/>`);
     if (d.whole) for (const image of images) out.push(`<path d="${path(curves, image)}" fill="none" stroke="var(--soft)" stroke-width="0.7" stroke-dasharray="3 3"/>`);

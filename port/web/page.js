@@ -274,11 +274,12 @@ async function solveOnce(whole) {
   showChoices();
   show();
   if (pictures) showPictures(run.files);
-  const peak = page.result.rows.reduce((most, row) => Math.max(most, row.tn), 0);
+  const peak = page.result.rows.reduce((most, row) => (row.status === "tied" ? most : Math.max(most, row.tn)), 0);
   const outcome = page.result.json.outcome;
   const stated = ((page.result.json.accuracy || {}).stated || []).filter((each) => each.relative_error !== undefined && each.tolerance !== undefined);
   const errors = stated.map((each) => `${each.name} ${short(100 * each.relative_error, 2)} %${each.met === false ? " (not met)" : ""}`).join(", ");
-  state(`${run.status === 0 ? "Solved" : `Ended early: ${outcome}`} in ${run.seconds < 0.1 ? Math.max(1, Math.round(run.seconds * 1000)) + " ms" : run.seconds.toFixed(1) + " s"}` +
+  const time = run.seconds < 0.1 ? `${Math.max(1, Math.round(run.seconds * 1000))} ms` : `${run.seconds.toFixed(1)} s`;
+  state((run.status === 0 ? `Solved in ${time}` : `Ended early (${outcome}); ${time}`) +
     `${peak > 0 ? `; largest pressure of a pair ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : errors ? `; stated errors: ${errors}` : ""}.`, run.status !== 0);
 }
 
@@ -347,24 +348,47 @@ function table(text) {
 }
 
 function read(run) {
-  const rows = table(run.files["csv.csv"] || "mu\n"), json = JSON.parse(run.files["json.json"]);
-  return {rows, ends: table(run.files["boundary.csv"] || "body\n"), json, mus: [...new Set(rows.map((row) => row.mu))], zones: [...new Set(rows.map((row) => row.zone))]};
+  const rows = table(run.files["csv.csv"] || "mu\n"), ends = table(run.files["boundary.csv"] || "body\n");
+  const json = JSON.parse(run.files["json.json"]);
+  const ties = new Set(rows.filter((row) => row.status === "tied").map((row) => row.zone));
+  return {rows, ends, json, ties, mus: [...new Set(rows.map((row) => row.mu))], zones: [...new Set(rows.map((row) => row.zone))],
+    size: ends.length > 0 ? Math.max(spread(ends, "x"), spread(ends, "y")) : 0};
 }
 
-function options(select, values, words, holder) {
-  const before = select.value;
+// What is chosen stays chosen while it is there under its name; `preferred` else, and of another problem.
+function options(select, values, words, holder, preferred) {
+  const before = page.drawn === null || select.selectedIndex < 0 ? null : select.selectedOptions[0].text;
   select.replaceChildren(...values.map((value) => new Option(words(value), String(value))));
-  if (values.map(String).includes(before)) select.value = before;
+  select.value = String(values.find((value) => words(value) === before) ?? preferred);
   holder.hidden = values.length < 2;
 }
 
-function showChoices() {
-  const {mus, zones} = page.result;
-  options($("mu"), mus, (mu) => `mu ${mu}`, $("mu-choice"));
-  options($("zone"), zones, (zone) => `zone ${zone}`, $("zone-choice"));
+const zoneOf = (zone) => (page.result.json.zones || []).find((each) => each.zone === zone) || {};
+
+// "top on toe"; with the number where there is no name, or it is not the only one.
+function zoneName(zone) {
+  const {name} = zoneOf(zone);
+  if (name === undefined) return `zone ${zone}`;
+  return page.result.json.zones.filter((each) => each.name === name).length > 1 ? `${name} (zone ${zone})` : name;
 }
 
-// Steps of the zone and coefficient chosen, each a list of pairs with their place s along the zone.
+function showChoices() {
+  const {mus, zones, ties} = page.result;
+  options($("mu"), mus, (mu) => `mu ${mu}`, $("mu-choice"), mus[0]);
+  options($("zone"), zones, zoneName, $("zone-choice"), zones.find((zone) => !ties.has(zone)) ?? zones[0]);
+}
+
+// Of a zone with one of its own it is that, whatever the run's is. (Infinite: null in the JSON.)
+function frictionOf(zone, mu) {
+  const {mus} = page.result, own = zoneOf(zone).mu;
+  return own === undefined || own === mus[0] ? mu : own ?? Infinity;
+}
+
+// Lines beyond which images go on; bodies of revolution are drawn on both sides of their axis.
+const linesOf = (json) => [...(json.symmetry || []), ...(json.plane === "axisymmetric" ? [{axis: "x", at: 0}] : [])];
+
+// Steps of the zone and coefficient chosen, each a list of pairs and of their images in the order of their places along the zone,
+// and what a place is called.
 function stepsShown() {
   const mu = Number($("mu").value), zone = Number($("zone").value), steps = new Map();
   for (const row of page.result.rows) {
@@ -372,29 +396,41 @@ function stepsShown() {
     if (!steps.has(row.step)) steps.set(row.step, []);
     steps.get(row.step).push(row);
   }
-  const all = [...steps.values()];
-  if (all.length === 0) return all;
-  const first = all[0], spread = (name) => Math.max(...first.map((row) => row[name])) - Math.min(...first.map((row) => row[name]));
-  const straight = spread("y") < 0.2 * spread("x");
-  const length = [0];
-  for (let i = 1; i < first.length; ++i) length.push(length[i - 1] + Math.hypot(first[i].x - first[i - 1].x, first[i].y - first[i - 1].y));
-  for (const step of all) step.forEach((row, i) => { row.s = straight ? row.x : length[i]; });
+  if (steps.size === 0) return {steps: [], place: ""};
+  const places = placesAlong([...steps.values()][0], linesOf(page.result.json));
+  const all = [...steps.values()].map((rows) => alongZone(rows, places));
   // what ever touches, and as much again around it
-  const touched = first.map((_, i) => i).filter((i) => all.some((step) => step[i].status !== "open"));
-  if (touched.length === 0) return all;
+  const first = all[0], touched = first.map((_, i) => i).filter((i) => all.some((step) => step[i].status !== "open"));
+  if (touched.length === 0) return {steps: all, place: places.name};
   const begin = touched[0], end = touched[touched.length - 1], more = Math.max(3, Math.ceil((end - begin) / 2));
-  const margin = Math.max(0.5 * Math.abs(length[end] - length[begin]), Math.abs(length[Math.min(end + 1, length.length - 1)] - length[end]));
-  const near = (i) => i >= begin - more && i <= end + more && length[i] >= length[begin] - margin && length[i] <= length[end] + margin;
-  return all.map((step) => step.filter((_, i) => near(i)));
+  const margin = Math.max(0.5 * (first[end].s - first[begin].s), first[Math.min(end + 1, first.length - 1)].s - first[end].s);
+  const near = (i) => i >= begin - more && i <= end + more && first[i].s >= first[begin].s - margin && first[i].s <= first[end].s + margin;
+  return {steps: all.map((step) => step.filter((_, i) => near(i))), place: places.name};
 }
 
-function units() {
-  const found = $("editor").value.match(/^\s*units\s+(\S+)\s+(\S+)/m);
-  return found ? {length: ` (${found[1]})`, stress: ` (${found[2]}/${found[1]}²)`} : {length: "", stress: ""};
+// Names of units, as in the report: forces of the whole circumference, or per unit thickness.
+function unitNames() {
+  const text = $("editor").value;
+  const found = text.match(isSketch(text) ? /^\s*units[\s,]+([^\s,]+)[\s,]+([^\s,]+)/m : /^\*UNITS\s+(\S+)\s+(\S+)/mi);
+  if (found === null) return {length: "", stress: "", force: "", work: ""};
+  const [, length, force] = found, stress = `${force}/${length}\u00b2`;
+  if (page.result.json.plane === "axisymmetric") return {length, stress, force, work: `${force} ${length}`};
+  return {length, stress, force: `${force}/${length}`, work: force};
+}
+
+function units() { // as axes have them
+  const {length, stress} = unitNames();
+  return {length: length && ` (${length})`, stress: stress && ` (${stress})`};
+}
+
+// Factors of all load cases.
+function loadText(row) {
+  const loads = Object.keys(row).filter((name) => /^load\d*$/.test(name)).map((name) => short(row[name]));
+  return `${loads.length > 1 ? "loads" : "load"} ${loads.join(", ")}`;
 }
 
 function show() {
-  const steps = stepsShown(), wide = Math.max(340, Math.min(900, $("pressure").clientWidth || 640));
+  const {steps, place} = stepsShown(), wide = Math.max(340, Math.min(900, $("pressure").clientWidth || 640));
   $("step").max = Math.max(1, steps.length);
   const fresh = page.drawn !== steps.length; // another path: its end is shown
   if (fresh) $("step").value = steps.length;
@@ -403,12 +439,13 @@ function show() {
   $("step").parentElement.hidden = steps.length < 2;
   if (steps.length > 0) {
     const now = Number($("step").value) - 1, rows = steps[now];
-    $("step-text").textContent = `step ${now + 1} of ${steps.length}, load ${short(rows[0].load)}`;
+    $("step-text").textContent = `step ${now + 1} of ${steps.length}, ${loadText(rows[0])}`;
     $("step").setAttribute("aria-valuetext", $("step-text").textContent);
     const others = [0.25, 0.5, 0.75].map((share) => steps[Math.floor(share * (steps.length - 1))]).filter((each) => each !== rows && steps.length > 4);
-    $("pressure").innerHTML = drawPressure(rows, others, Number($("mu").value), units(), wide);
-    $("status-map").innerHTML = drawStatus(steps, now, units(), wide);
-    showPairs(rows);
+    const zone = Number($("zone").value), tied = page.result.ties.has(zone), mu = frictionOf(zone, Number($("mu").value));
+    $("pressure").innerHTML = drawPressure(rows, others, {mu, tied, place}, units(), wide);
+    $("status-map").innerHTML = drawStatus(steps, now, tied, wide);
+    showPairs(rows.filter((row) => !row.isImage).sort((p, q) => p.pair - q.pair), tied);
   }
   showDeformed(wide);
   showNumbers();
@@ -421,7 +458,10 @@ function showDeformed(wide) {
   const key = [$("view").value, wide].join(" ");
   if (page.shape === null || page.shape.of !== page.result || page.shape.key !== key) {
     const step = last.length > 0 ? last[last.length - 1].step : 0;
-    const d = deformation(ends, last.filter((row) => row.step === step), json.zones || [], $("view").value === "whole");
+    const bodies = ((json.steps_detail || []).slice(-1)[0] || {}).bodies || []; // rigid ones have a motion
+    const rigid = new Set(bodies.map((body, i) => (body.motion === undefined ? 0 : i + 1)));
+    const at = last.filter((row) => row.step === step);
+    const d = deformation(ends, at, json.zones || [], rigid, linesOf(json), $("view").value === "whole");
     page.shape = {of: page.result, key, d, ...factorsOf(d, wide)};
   }
   const {d, factors, automatic} = page.shape;
@@ -430,13 +470,15 @@ function showDeformed(wide) {
   $("magnify").disabled = factors.length < 2;
   $("magnify-text").textContent = factors[now] === 1 ? "to scale" : `times ${short(factors[now], 3)}`;
   $("magnify").setAttribute("aria-valuetext", $("magnify-text").textContent);
-  const axis = json.plane === "axisymmetric" ? [{axis: "x", at: 0, isAxis: true}] : [];
-  $("deformed").innerHTML = drawDeformed(d, factors[now], [...(json.symmetry || []), ...axis], units(), wide);
+  $("deformed").innerHTML = drawDeformed(d, factors[now], linesOf(json), units(), wide);
 }
 
+// Rows of cells; one that is a word is a heading of those below.
 function htmlTable(names, rows) {
+  const row = (cells) => (typeof cells === "string" ? `<th class="group" colspan="${names.length}">${escaped(cells)}</th>`
+    : cells.map((cell) => `<td>${escaped(cell)}</td>`).join(""));
   return `<table><thead><tr>${names.map((name) => `<th scope="col">${escaped(name)}</th>`).join("")}</tr></thead><tbody>` +
-    `${rows.map((row) => `<tr>${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`).join("")}</tbody></table>`;
+    `${rows.map((cells) => `<tr>${row(cells)}</tr>`).join("")}</tbody></table>`;
 }
 
 // Of an edge or border its distance along the second side, the same on every mesh.
@@ -444,13 +486,64 @@ function shownValue(each) {
   return /^(contact edge|stick border)$/.test(each.quantity) && each.along !== undefined ? each.along : each.value;
 }
 
-function showNumbers() {
-  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(shownValue(each), 6), each.error === undefined ? "" : `± ${short(each.error, 2)}`, each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
-  $("numbers").innerHTML = htmlTable(["quantity", "zone", "mu", "value", "stated error", "x", "y"], rows);
+// The unit of a contact number, and the size below which it is round-off, shown as 0.
+function unitOf(quantity, names, size, force) {
+  if (/^(peak|mean) pressure$/.test(quantity)) return [names.stress, 0];
+  if (/^(force [xy]|friction force)$/.test(quantity)) return [names.force, 1e-10 * force];
+  if (quantity === "moment") return [names.work, 1e-10 * force * size];
+  if (quantity === "dissipated") return [names.work, 0];
+  if (quantity === "rotation") return ["rad", 0];
+  if (quantity === "edge pressure") return [names.stress && `${names.stress}/\u221a${names.length}`, 0];
+  if (quantity === "edge friction") return [names.stress && `${names.stress} \u221a${names.length}`, 0];
+  return [names.length, 1e-15 * size];
 }
 
-function showPairs(rows) {
-  $("pairs").innerHTML = htmlTable(["pair", "x", "y", "status", "pressure", "friction", "gap", "slip"], rows.map((row) => [row.pair, short(row.x), short(row.y), row.status, short(row.tn, 6), short(row.tt, 6), short(row.gap), short(row.slip)]));
+const withUnit = (name, unit) => (unit ? `${name}, ${unit}` : name);
+
+// Is it a force along a line of symmetry that cuts the body on side 2? The whole contact has twice that.
+function isHalf({quantity, zone}) {
+  const {json, ends, size} = page.result, body = zoneOf(zone).body2 ?? 2;
+  const isOn = (line) => ends.some((end) => end.body === body && Math.abs(end[line.axis] - line.at) <= 1e-9 * size);
+  const cut = (json.symmetry || []).filter(isOn);
+  return zone > 0 && /^force [xy]$/.test(quantity) && cut.length > 0 && cut.every((line) => line.axis !== quantity.slice(-1));
+}
+
+// The table of the report: by coefficient and zone.
+function showNumbers() {
+  const {json, size, ties} = page.result, names = unitNames(), none = "\u2013", places = ["x", "y", "along"], rows = [];
+  const stated = json.runs.some((run) => (run.quantities || []).some((each) => each.error !== undefined));
+  const zero = (value, noise, error = 0) => (Math.abs(value) <= noise || Math.abs(value) <= 0.01 * error ? 0 : value);
+  const muText = (mu) => `mu ${mu === Infinity ? "infinite" : short(mu)}`;
+  for (const {quantities = [], mu: infinite} of json.runs) {
+    const mu = infinite ?? Infinity, forces = quantities.filter((each) => each.quantity.startsWith("force "));
+    const force = Math.max(0, ...forces.map((each) => Math.abs(each.value)));
+    let before;
+    for (const each of quantities) {
+      const {zone} = each, [unit, noise] = unitOf(each.quantity, names, size, force);
+      if (zone !== before && zone === 0) rows.push(`all zones, ${muText(mu)}`);
+      else if (zone !== before) rows.push(`${zoneName(zone)}, ${ties.has(zone) ? "tied" : muText(frictionOf(zone, mu))}`);
+      before = zone;
+      const where = places.map((name) => (each[name] === undefined ? none : short(zero(each[name], 1e-10 * size), 6)));
+      const add = (name, times) => {
+        const value = short(times * zero(shownValue(each), noise, each.error), 6);
+        const error = each.error === undefined ? none : `\u00b1 ${short(times * zero(each.error, noise), 2)}`;
+        rows.push([name, unit ? `${value} ${unit}` : value, ...(stated ? [error] : []), ...where]);
+      };
+      add(each.quantity + (each.item ? ` ${each.item}` : ""), 1);
+      if (isHalf(each)) add(`${each.quantity}, whole`, 2);
+    }
+  }
+  const head = ["quantity", "value", ...(stated ? ["stated error"] : []), ...places.map((name) => withUnit(name, names.length))];
+  const whole = json.plane === "axisymmetric" ? " of the whole circumference" : "";
+  const whose = whole + ((json.symmetry || []).length > 0 ? " of the modelled part" : "");
+  $("numbers").innerHTML = htmlTable(head, rows) + (whose ? `<p>Forces, moments and dissipated work are those${whose}.</p>` : "");
+}
+
+function showPairs(rows, tied) {
+  const {length, stress} = unitNames(), lengths = (names) => names.map((name) => withUnit(name, length));
+  const tractions = tractionNames(tied).map((name) => withUnit(name, stress)), six = (...values) => values.map((value) => short(value, 6));
+  $("pairs").innerHTML = htmlTable(["pair", ...lengths(["x", "y"]), "status", ...tractions, ...lengths(["gap", "slip"])],
+    rows.map((row) => [row.pair, ...six(row.x, row.y), row.status, ...six(row.tn, row.tt, row.gap, row.slip)]));
 }
 
 // Pictures stand in the page, as in the report, whose colours for dark screens are theirs here too.
@@ -547,6 +640,13 @@ function showSaving() {
 }
 
 // ---------------------------------------------------------------- the beginning
+// Of a deck it is the last of its heading lines, whose number stands before them.
+function titleOf(text, isDeck) {
+  if (!isDeck) return (text.match(/^\s*title\s+(.*?)\s*(!.*)?$/m) || ["", ""])[1];
+  const lines = text.split("\n").filter((each) => !/^(\*FREE|!)/i.test(each));
+  return (lines[parseInt(lines[0], 10)] || "").trim();
+}
+
 async function begin() {
   showSaving();
   page.module = await loadContact2d($("program").textContent);
@@ -561,14 +661,16 @@ async function begin() {
     for (const [value, word] of values) out.append(new Option(word, value));
     $("example").append(out);
   };
-  const title = (text) => (text.match(/^\s*title\s+(.*?)\s*(!.*)?$/m) || ["", ""])[1];
+  const title = (name) => titleOf(page.examples[name], name.endsWith(".dat")) || name;
   const lesson = (name) => Number((name.match(/^t(\d+)_/) || [0, 0])[1]), all = Object.keys(page.examples).sort();
   const names = all.filter((name) => !lesson(name)), lessons = all.filter(lesson).sort((a, b) => lesson(a) - lesson(b));
   group("Tutorial", lessons.map((name) => [`${name.endsWith(".dat") ? "deck" : "sketch"}:${name}`,
-    `${lesson(name)} ${title(page.examples[name]) || name}`]));
-  group("Sketches", names.filter((name) => name.endsWith(".c2s")).map((name) => [`sketch:${name}`, title(page.examples[name]) || name]));
+    `${lesson(name)} ${title(name)}`]));
+  group("Sketches", names.filter((name) => name.endsWith(".c2s")).map((name) => [`sketch:${name}`, title(name)]));
   group("Families of problems", [...page.families.values()].map((family) => [`family:${family.name}`, `${family.name}: ${family.summary}`]));
-  group("Decks", names.filter((name) => name.endsWith(".dat")).map((name) => [`deck:${name}`, name]));
+  const decks = names.filter((name) => name.endsWith(".dat"));
+  const isAlone = (name) => decks.filter((each) => title(each) === title(name)).length === 1;
+  group("Decks", decks.map((name) => [`deck:${name}`, isAlone(name) ? title(name) : `${title(name)} (${name})`]));
   $("example").onchange = $("reset").onclick = () => choose($("example").value);
   let typing = 0;
   $("editor").oninput = () => {

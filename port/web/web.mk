@@ -33,13 +33,13 @@ $(WEB)/contact2d.wasm: $(foreach s,$(WEB_CORE) $(WEB_REST),$(call web_object,$(s
 	  -lwasi-emulated-signal -lwasi-emulated-mman
 
 # ---------------------------------------------------------------- packed into text
-WEB_EXAMPLES := $(wildcard examples/tutorial/t*) $(wildcard examples/*.c2s) $(wildcard examples/*.dat) \
+WEB_EXAMPLES := $(wildcard examples/tutorial/t*) $(wildcard examples/*.c2s examples/revolution/*.c2s examples/*.dat) \
   examples/gear_pinion.csv examples/gear_wheel.csv examples/rough_profile.csv
 # (lines that any awk takes)
 pack = gzip -9n | base64 -w 4096
 $(WEB)/contact2d.b64: $(WEB)/contact2d.wasm
 	cat $< | $(pack) > $@
-$(WEB)/examples.b64: port/web/examples.sh $(WEB_EXAMPLES)
+$(WEB)/examples.b64: port/web/examples.sh port/web/web.mk $(WEB_EXAMPLES)
 	@mkdir -p $(@D)
 	sh port/web/examples.sh $(WEB_EXAMPLES) | $(pack) > $@
 # `@include FILE` on a line of its own: that file, of port/web or of what was packed.

@@ -360,8 +360,154 @@ class PageTest(unittest.TestCase):
         self.assertIn("step 18 of 28", self.text("step-text"))
         self.assertNotEqual(self.browser.run("return $('pressure').innerHTML"), last)
         self.assertEqual(self.browser.run("return $('mu').options.length"), 2)
-        label = self.browser.run("return $('pressure').querySelector('svg').getAttribute('aria-label')")
-        self.assertRegex(label, "largest pressure .*stick")
+        self.assertRegex(self.label_of("pressure"), "largest pressure .*stick")
+
+    def label_of(self, name):
+        return self.browser.run("return $(arguments[0]).querySelector('svg').getAttribute('aria-label')", name)
+
+    def words_of(self, name):
+        return self.browser.run("return [...$(arguments[0]).querySelectorAll('text, tspan')].map((each) => each.textContent)", name)
+
+    def test_a_tie_has_stresses_and_no_bounds_and_is_not_the_first_zone_shown(self):
+        for value, contact, tie in (("sketch:t9_shoe.c2s", "top on toe", "bond on bond"), ("family:crack", "crack on crack",
+                                                                                            "ahead on ahead (zone 2)")):
+            self.choose(value)
+            names = self.browser.run("return [...$('zone').options].map((each) => each.textContent)")
+            self.assertEqual(self.browser.run("return $('zone').selectedOptions[0].textContent"), contact)
+            self.assertLessEqual({"pressure", "friction", "stick", "slip", "open"}, set(self.words_of("pressure")))
+            self.browser.run("$('zone').selectedIndex = arguments[0]; $('zone').onchange()", names.index(tie))
+            words = self.words_of("pressure") + self.words_of("status-map")
+            self.assertLessEqual({"normal stress", "shear stress", "tied"}, set(words))
+            self.assertEqual({"pressure", "friction", "stick", "slip", "open"} & set(words), set())
+            self.assertNotIn("open", "".join(words))
+            self.assertEqual(self.browser.run("return $('pressure').querySelectorAll('polygon').length"), 0)
+            self.assertRegex(self.label_of("pressure"), "largest normal stress.* tied$")
+            self.assertIn("normal stress", self.text("pairs"))
+
+    def test_a_zone_has_the_bounds_of_its_own_friction(self):
+        text = (ROOT / "examples" / "tutorial" / "t9_shoe.c2s").read_text()
+        for mu in ("0", "0.1"):
+            self.browser.run("$('editor').value = arguments[0]; $('editor').onchange()", text.replace("mu 0.1", "mu " + mu))
+            self.browser.wait(IDLE)
+            self.assertEqual(self.browser.run("return $('pressure').querySelectorAll('polygon').length"), 1 if mu != "0" else 0)
+
+    def test_factors_of_all_load_cases_are_shown(self):
+        self.choose("sketch:t6_history.c2s")
+        factors = self.browser.run("return page.result.json.steps_detail.map((each) => each.loads)")
+        for step in (1, 15, len(factors)):
+            self.browser.run("$('step').value = arguments[0]; $('step').oninput()", step)
+            shown = re.fullmatch(r"step %d of %d, loads (\S+), (\S+)" % (step, len(factors)), self.text("step-text")).groups()
+            for each, factor in zip(shown, factors[step - 1]):
+                self.assertAlmostEqual(float(each), factor, delta=1e-4)
+
+    def test_an_early_end_is_not_a_time(self):
+        self.choose("sketch:t12_sliding.c2s")
+        self.assertRegex(self.text("state"), r"^Ended early \(gross sliding\); [0-9.]+ m?s;")
+
+    def test_contact_numbers_are_those_of_the_report(self):
+        """The same columns, units, digits and zeros."""
+        table = ("[...%s.querySelectorAll('#numbers tr, #numbers p')].map((row) => "
+                 "row.cells ? [...row.cells].map((cell) => cell.textContent) : [row.textContent])")
+
+        def number(word):  # 4.7e-05 is 0.000047
+            return float(word) if re.fullmatch(r"-?[0-9.]+(e-?[0-9]+)?", word) else word
+
+        for value in ("sketch:roller.c2s", "sketch:t9_shoe.c2s", "sketch:ball_on_flat.c2s", "sketch:press_fit.c2s", "sketch:hub.c2s",
+                      "sketch:coated_roller.c2s", "deck:hertz.dat", "sought"):
+            if value == "sought":
+                self.browser.run("$('example').value = 'sketch:roller.c2s'; $('seek').checked = true; $('example').onchange()")
+                self.browser.wait(IDLE)
+            else:
+                self.choose(value)
+            ours = self.browser.run("return " + table % "document")
+            theirs = self.browser.run("const report = new DOMParser().parseFromString(page.full['report.html'], 'text/html');"
+                                      "return " + table % "report")
+            self.assertEqual(ours[0], theirs[0])
+            self.assertEqual(len(ours), len(theirs))
+            self.assertGreater(len(ours), 10)
+            for mine, other in zip(ours[1:], theirs[1:]):
+                self.assertEqual(len(mine), len(other))
+                if len(mine) == 1:  # the heading of a zone, or what forces are those of
+                    self.assertEqual(mine[0].startswith("Forces"), other[0].startswith("Forces"))
+                    self.assertTrue(mine == other or not mine[0].startswith("Forces"), mine)
+                    continue
+                self.assertEqual(*([[number(word) for word in cell.split(" ")] for cell in row] for row in (mine, other)))
+
+    def test_tables_that_are_cut_on_a_phone_show_it(self):
+        self.size(390, 844)
+        self.choose("sketch:t9_shoe.c2s")
+        self.browser.run("$('pairs').parentElement.open = true")
+        cut = self.browser.run("return ['numbers', 'pairs'].map($).filter((each) => each.scrollWidth > each.clientWidth)"
+                               ".map((each) => getComputedStyle(each).backgroundImage)")
+        self.assertGreater(len(cut), 0)
+        self.assertEqual([each for each in cut if each.count("gradient") != 4], [])
+        self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 390)
+        self.browser.screenshot("tables_390.png")
+
+    def test_every_example_is_there_by_its_title(self):
+        files = [each for place in ("tutorial", "revolution", "") for kind in ("c2s", "dat")
+                 for each in (ROOT / "examples" / place).glob("*." + kind)]
+        options = self.browser.run("return [...$('example').options].map((each) => [each.value, each.textContent])")
+        found = {value.split(":")[1]: text for value, text in options if not value.startswith("family:")}
+        self.assertEqual(set(found), {each.name for each in files})
+        self.assertEqual([name for name, text in found.items() if text == name or re.fullmatch(r"\d+ " + re.escape(name), text)], [])
+        self.assertEqual(found["t11_deck.dat"], "11 TWO BLOCKS")
+        self.assertTrue(found["hertz.dat"].startswith("HERTZ'S PROBLEM."))  # the last of its 14 heading lines
+        decks = [text for name, text in found.items() if name.endswith(".dat")]
+        self.assertEqual(len(decks), len(set(decks)))
+
+    def test_charts_are_over_x_or_y_and_go_on_beyond_a_line_of_symmetry(self):
+        for value, name in (("sketch:roller.c2s", "x (mm)"), ("sketch:hub.c2s", "y (mm)"), ("sketch:press_fit.c2s", "along the zone (mm)"),
+                            ("sketch:ball_on_flat.c2s", "x (mm)"), ("sketch:gear_pair.c2s", "along the zone (mm)")):
+            self.choose(value)
+            self.assertIn(name, self.words_of("pressure"))
+            rows = self.browser.run("return stepsShown().steps.pop().map(({s, tn, tt, isImage, x, y}) => "
+                                    "[s, tn, tt, isImage === true, x, y])")
+            self.assertEqual([row[0] for row in rows], sorted(row[0] for row in rows))
+            images = [row for row in rows if row[3]]
+            if value == "sketch:gear_pair.c2s":
+                self.assertEqual(images, [])
+                continue
+            self.assertIn(len(rows) - 2 * len(images), (0, 1))
+            for one, other in zip(rows, reversed(rows)):
+                self.assertEqual((one[0], one[1]), (-other[0], other[1]))
+                if one[3] != other[3]:
+                    self.assertEqual(one[2], -other[2])
+            if name[0] != "a":
+                self.assertEqual([row[0] for row in rows if not row[3]], [row[4 if name[0] == "x" else 5] for row in rows if not row[3]])
+            counts = re.findall(r"(\d+) (?:stick|slip|open)", self.label_of("pressure"))
+            self.assertEqual(sum(int(each) for each in counts), len(rows) - len(images))  # of the model
+
+    def test_a_rigid_body_is_drawn_rigid(self):
+        lifts = """
+          const lift = (end) => String(end.lift.map((each) => each.toFixed(12)));
+          return [...page.shape.d.shapes].map(([body, curves]) => [body, new Set(curves.flat().map(lift)).size])"""
+        for value, rigid in (("sketch:t9_shoe.c2s", [3]), ("sketch:ball_on_flat.c2s", [1])):
+            self.choose(value)
+            counts = dict(self.browser.run(lifts))
+            self.assertEqual({counts[body] for body in rigid}, {1})
+        self.assertGreater(max(counts.values()), 1)  # the ball
+        # what does not fit then is not offered
+        self.choose("sketch:t9_shoe.c2s")
+        self.assertEqual(self.browser.run("return page.shape.factors.filter((factor) => !fits(page.shape.d, factor, 600))"), [])
+        self.assertFalse(self.browser.run("const d = page.shape.d; d.lifted.add(50); return gapsFit(d, 50, 2 * d.half / 600)"))
+
+    def test_magnified_gaps_leave_no_notch_and_no_distortion(self):
+        # a flat zone of length 2 on an outline that goes on with the slope 0.1; body 1 below
+        found = self.browser.run("""
+          const at = (x, y) => ({x, y}), pairs = [0, 0.5, 1, 1.5, 2].map((x) => ({x, y: 0.5, n: [0, 1], initial: 0.5}));
+          return besideZone(pairs, [[at(9, 0), at(-9, 0)]], [[at(0, 0.5), at(2, 0.5), at(9, 1.2)]])""")
+        self.assertGreater(len(found), 20)
+        for each in found:
+            self.assertTrue(2 < each["x"] < 4)
+            self.assertAlmostEqual(each["initial"], 0.5 + 0.1 * (each["x"] - 2))
+        shape = """
+          const ends = [0, 1, 1, 2].map((x) => ({x, y: 0, lift: [0, arguments[0] * x]}));
+          const d = {shapes: new Map([[1, [ends]]]), lifted: new Set([arguments[2]]), x: 0, y: 0, half: arguments[3]};
+          return shapesFit(d, 5, arguments[1])"""
+        for slope, pixel, lifted, half, fits in ((0.02, 0.01, 5, 3, True), (0.1, 0.01, 5, 3, False), (0.1, 1, 5, 3, True),
+                                                 (0.1, 0.01, 2, 3, True), (0.1, 0.01, 5, -1, True)):
+            self.assertEqual(self.browser.run(shape, slope, pixel, lifted, half), fits, (slope, pixel, lifted, half))
 
     def test_families_are_those_that_make_knows(self):
         listed = subprocess.run([PROGRAM, "make", "--list"], stdout=subprocess.PIPE, check=True).stdout.decode()
@@ -387,7 +533,8 @@ class PageTest(unittest.TestCase):
         self.assertGreater(len([each for each in values if each.startswith("sketch:")]), 8)
         self.assertNotIn("family:usage", values)
         self.assertEqual([re.sub("_.*", "", each.split(":")[1]) for each in values[:12]], ["t%d" % i for i in range(1, 13)])
-        for value in ["sketch:t1_roller.c2s", "deck:t11_deck.dat", "sketch:gear_pair.c2s", "sketch:rough_profile.c2s", "deck:thick_ring.dat", "family:crack"]:
+        for value in ["sketch:t1_roller.c2s", "deck:t11_deck.dat", "sketch:gear_pair.c2s", "sketch:rough_profile.c2s",
+                      "deck:thick_ring.dat", "family:crack", "sketch:washer.c2s"]:
             self.choose(value)
             self.assertRegex(self.text("state"), "^(Solved|Ended early)", value)
 
