@@ -35,9 +35,10 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
   Real* column = panel.column(panel.range.right + load_case);
   for (int l = 0; l < m.head->function_nodes; ++l)
     for (int c = 0; c < 2; ++c) {
-      if (want_h && t.h[l][c].known)
+      if (want_h && t.h[l][c].known && given_displacement(m, panel.b, t.node[l], c, load_case) != 0.0)
         out.add(&blocks.h[l][0][c], column, known_displacement(m, panel.b, t.node[l], c, load_case));
-      if (want_g && t.g[l][c].known && t.g[l][c].contact == contact)
+      if (want_g && t.g[l][c].known && t.g[l][c].contact == contact &&
+          given_traction(m, panel.b, element * m.head->function_nodes + l, c, load_case) != 0.0)
         out.add(&blocks.g[l][0][c], column, known_traction(m, panel.b, element, l, c, load_case));
     }
 }
@@ -62,14 +63,14 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
       if (want_h) add_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
       if (want_g && t.g[l][c].contact == contact) add_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
     }
-  // The first load case shares the pass over the sources with the unknowns; each further one has a pass of its own. The list of
-  // deposits is then bounded, however many load cases there are.
-  const int32_t passes = panel.range.has_right() ? m.head->load_cases : 1;
-  for (int32_t pass = 0; pass < passes; ++pass) {
-    if (pass > 0) deposits.count = 0;
-    if (panel.range.has_right()) aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
-    if (deposits.count == 0) continue;
-    scatter_sources(system, hole, t.node, want_h, want_g);
+  // The first load cases share the pass over the sources with the unknowns; of further ones as many share a pass as the list of
+  // deposits has room for.
+  const int32_t cases = panel.range.has_right() ? m.head->load_cases : 0;
+  for (int32_t next = 0; next == 0 || next < cases; deposits.count = 0) {
+    do
+      if (cases > 0) aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
+    while (++next < cases && deposits.count <= kMostDeposits - 4 * nf);
+    if (deposits.count > 0) scatter_sources(system, hole, t.node, want_h, want_g);
   }
 }
 

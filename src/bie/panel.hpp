@@ -28,13 +28,17 @@ struct Panel {
     for (const Target& target : d.target)
       if (target.column >= 0) add(row, target.column, target.factor * integral);
     if (!d.known || !range.has_right()) return;
-    for (int32_t k = 0; k < m.head->load_cases; ++k) add(row, range.right + k, value(k) * integral);
+    for (int32_t k = 0; k < m.head->load_cases; ++k)
+      if (const double given = value(k); given != 0.0) add(row, range.right + k, given * integral);
   }
   void send_h(const Destination& d, int32_t node, int c, int32_t row, double integral) const {
     send(d, row, integral, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
   }
   void send_g(const Destination& d, int32_t element, int l, int c, int32_t row, double integral) const {
-    send(d, row, integral, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+    send(d, row, integral, [&](int32_t k) {
+      const int32_t end = element * m.head->function_nodes + l;
+      return given_traction(m, b, end, c, k) == 0.0 ? 0.0 : known_traction(m, b, element, l, c, k);
+    });
   }
 };
 

@@ -222,10 +222,12 @@ void add_overlaps(const Model& m, int b, Real* out) {
 // s - S_u v of a body that keeps its equations, v of the bodies that it meets, to their places in h. What is left of a load
 // that moves all pairs as a rigid body, on a body that is free to go along, is round-off, and set to zero: or its last digits
 // would be the load.
-c2d_status close_equations(const Bordered& s, int b, int32_t k, Real* h) {
+//
+// With `held` S_u stands in r.second, and the largest number of each column in the last strip: it is read once for all loads.
+c2d_status close_equations(const Bordered& s, int b, int32_t k, bool held, Real* h) {
   const Reduction& r = s.r;
   const int32_t n = r.model.body[b].contact;
-  Real *own = s.strip(1), *v = s.strip(2), *column = s.strip(3);
+  Real *own = s.strip(1), *v = s.strip(2), *column = held ? own : s.strip(3);
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < n; ++i) v[i] = 0;
   for (int other = 0; other < r.model.head->bodies && status == C2D_OK; ++other) {
@@ -239,9 +241,10 @@ c2d_status close_equations(const Bordered& s, int b, int32_t k, Real* h) {
   double terms = largest_of(own, n), most = 0.0;
   for (int32_t j = 0; j < n && status == C2D_OK; ++j) {
     if (v[j] == 0) continue;
-    status = read_column(r.tape, b, BodyMatrix::displacement, j, column);
-    most = fmax(most, largest_of(column, n));
-    for (int32_t i = 0; i < n; ++i) own[i] -= v[j] * column[i];
+    const Real* of_u = held ? r.second + static_cast<int64_t>(j) * n : column;
+    if (!held) status = read_column(r.tape, b, BodyMatrix::displacement, j, column);
+    most = fmax(most, held ? static_cast<double>(s.strip(3)[j]) : largest_of(column, n));
+    for (int32_t i = 0; i < n; ++i) own[i] -= v[j] * of_u[i];
   }
   terms += most * size;
   for (int32_t i = 0; i < n && largest_of(own, n) <= kNothing * terms; ++i) own[i] = 0;
@@ -269,14 +272,29 @@ c2d_status close_pairs(const Bordered& s, int32_t k, Real* h) {
   return status;
 }
 
+// S_u, and the largest number of each of its columns, where many loads need it: of the only body that keeps its equations.
+c2d_status hold_displacements(const Bordered& s, bool* held) {
+  const Reduction& r = s.r;
+  int32_t bodies = 0, b = 0;
+  for (int32_t i = 0; i < r.model.head->bodies; ++i)
+    if (keeps_equations(r, i)) ++bodies, b = i;
+  *held = !kSmallCode && bodies == 1 && r.model.head->load_cases > 2;
+  if (!*held) return C2D_OK;
+  const int32_t n = r.model.body[b].contact;
+  const c2d_status status = read_matrix(r.tape, b, BodyMatrix::displacement, r.second, n);
+  for (int32_t j = 0; j < n; ++j) s.strip(3)[j] = static_cast<Real>(largest_of(r.second + static_cast<int64_t>(j) * n, n));
+  return status;
+}
+
 c2d_status form_closing(const Reduction& r) {
   const Bordered s = bordered(r);
   Real* h = s.strip(0);
-  c2d_status status = C2D_OK;
+  bool held = false;
+  c2d_status status = hold_displacements(s, &held);
   for (int32_t k = 0; k < r.model.head->load_cases && status == C2D_OK; ++k) {
     for (int32_t i = 0; i < s.m; ++i) h[i] = 0;
     status = close_pairs(s, k, h);
-    if (status == C2D_OK) status = for_bodies(r, keeps_equations, [&](int b) { return close_equations(s, b, k, h); });
+    if (status == C2D_OK) status = for_bodies(r, keeps_equations, [&](int b) { return close_equations(s, b, k, held, h); });
     if (status == C2D_OK) status = write_column(r.tape, ContactMatrix::closing, k, h);
   }
   return status;

@@ -69,7 +69,7 @@ c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real
 // back_substitute.
 c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work);
 // The same of several functionals in one pass: f[i], w[i] of each.
-constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 16;
+constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 32;
 c2d_status transposed_functionals(const EliminationPlan& plan, Tapes& tapes, int32_t count, Real* const* f, Real* const* w,
                                   void* work);
 

@@ -17,12 +17,29 @@ struct Adjoint {
   Real* coefficient; // of its trailing columns
   Real* side[2];     // [m] each, of the displacements on the sides of the pairs
   bool touched;      // outer is not all zero
+  int32_t number;    // of the functional in the books: U of case 0, R of case 0, U of case 1, ...
+  // Case 0 may prescribe values on the element at hand, and others from ... end - 1; where `cases` is null these are all. It
+  // has two numbers for each element of the body.
+  int32_t from, end;
+  const Real* cases;
   const Model& model() const { return session->model; }
 };
 
 enum class TractionKind { contact, solved, given };
 // `unknown`: of the end's node in the direction at hand, from unknowns_at.
 TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown);
+
+// visit(k) for the load cases that may prescribe something where the functional is being put together.
+template <class Visit> inline void for_cases(const Adjoint& a, Visit visit) {
+  visit(0);
+  for (int32_t k = a.from; k < a.end; ++k) visit(k);
+}
+inline void visit_all_cases(Adjoint& a) {
+  a.from = 1;
+  a.end = a.model().head->load_cases;
+}
+// Does load case k prescribe tractions, or displacements, of an element that are not zero?
+bool prescribes(const Model& m, int b, int32_t element, int32_t k, bool displacements);
 
 void add_outer(Adjoint& a, int32_t column, double factor);
 // factor times a displacement component, in the length unit.

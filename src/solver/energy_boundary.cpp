@@ -34,8 +34,7 @@ void add_displacement(Adjoint& a, int32_t node, int c, const Unknown& unknown, d
   } else if (unknown.kind == UnknownKind::displacement) {
     add_outer(a, outer_column(m, a.b, node, c), factor);
   } else {
-    for (int32_t k = 0; k < m.head->load_cases; ++k)
-      a.lambda[k] += factor * given_displacement(m, a.b, node, c, k) / m.head->length_unit;
+    for_cases(a, [&](int32_t k) { a.lambda[k] += factor * given_displacement(m, a.b, node, c, k) / m.head->length_unit; });
   }
 }
 
@@ -61,15 +60,25 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, TractionKind kind, 
   } else if (kind == TractionKind::solved) {
     add_outer(a, outer_column(m, a.b, functional_node(m, a.b, element, l), c), factor);
   } else {
-    for (int32_t k = 0; k < m.head->load_cases; ++k) // most cases load other ends
+    for_cases(a, [&](int32_t k) { // most cases load other ends
       if (const double value = given_traction(m, a.b, end, c, k); value != 0.0) a.lambda[k] += factor * value / modulus;
+    });
   }
+}
+
+bool prescribes(const Model& m, int b, int32_t element, int32_t k, bool displacements) {
+  for (int l = 0; l < m.head->function_nodes; ++l)
+    for (int c = 0; c < 2; ++c)
+      if ((displacements ? given_displacement(m, b, functional_node(m, b, element, l), c, k)
+                         : given_traction(m, b, element * m.head->function_nodes + l, c, k)) != 0.0)
+        return true;
+  return false;
 }
 
 void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
   for (int32_t element = 0; element < m.body[a.b].elements; ++element) {
-    if (!is_integrated(m, a.b, element)) continue;
+    if (!prescribes(m, a.b, element, k, reactions) || !is_integrated(m, a.b, element)) continue;
     EndResultant weight[kElementNodes];
     bool known = false;
     for (int l = 0; l < m.head->function_nodes; ++l)

@@ -89,20 +89,34 @@ void gather_displacements(Adjoint& a) {
   });
 }
 
+// The functionals of a body's displacements that are not all zero.
+struct Touched {
+  int32_t count = 0;
+  Adjoint* a[kFunctionalsAtOnce];
+  const Real* u[kFunctionalsAtOnce];
+  explicit Touched(const Functionals& all) {
+    for (Adjoint& one : all) {
+      if (!one.touched) continue;
+      a[count] = &one;
+      u[count++] = one.u;
+    }
+  }
+};
+
 // tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
 c2d_status add_compliance(const Functionals& all, Session& session, int b) {
   const Model& m = session.model;
   Real* column = session.area.column;
-  const Real* u[kFunctionalsAtOnce];
   double sum[kFunctionalsAtOnce];
-  for (int32_t k = 0; k < all.count; ++k) u[k] = all.a[k].u;
+  const Touched touched(all);
   c2d_status status = C2D_OK;
   for_ranges(m, b, [&](const UnknownRange& range) {
     for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
       status = read_column(session.tape, b, BodyMatrix::flexibility, range.own + i, column);
       if (status != C2D_OK) return;
-      dots(m.body[b].contact, column, all.count, u, sum);
-      for (int32_t k = 0; k < all.count; ++k) all.a[k].tau[range.all + i] += static_cast<Real>(signed_on(range.side, sum[k]));
+      dots(m.body[b].contact, column, touched.count, touched.u, sum);
+      for (int32_t k = 0; k < touched.count; ++k)
+        touched.a[k]->tau[range.all + i] += static_cast<Real>(signed_on(range.side, sum[k]));
     }
   });
   return status;
@@ -153,13 +167,12 @@ c2d_status remove_displacements(const Functionals& all, Session& session, int b)
   c2d_status status = is_rigid(m, b)            ? c2d_status{C2D_OK}
                       : has_displacements(m, b) ? add_unknowns(all, session, b)
                                                 : add_compliance(all, session, b);
-  const Real* u[kFunctionalsAtOnce];
   double sum[kFunctionalsAtOnce];
-  for (int32_t i = 0; i < all.count; ++i) u[i] = all.a[i].u;
+  const Touched touched(all);
   for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
     status = read_column(session.tape, b, BodyMatrix::response, k, column);
-    if (status == C2D_OK) dots(body.contact, column, all.count, u, sum);
-    for (int32_t i = 0; i < all.count && status == C2D_OK; ++i) all.a[i].lambda[k] += sum[i]; // (untouched ones: 0)
+    if (status == C2D_OK) dots(body.contact, column, touched.count, touched.u, sum);
+    for (int32_t i = 0; i < touched.count && status == C2D_OK; ++i) touched.a[i]->lambda[k] += sum[i];
   }
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) {
     status = read_column(session.tape, b, BodyMatrix::motions, j, column);
@@ -184,6 +197,7 @@ c2d_status add_given(Adjoint& a, int32_t k) {
 void add_loads(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
   a.touched = false;
+  visit_all_cases(a);
   for (int32_t j = 0; j < m.body[a.b].contact; ++j) a.u[j] = 0;
   for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
   add_boundary(a, k, reactions);
@@ -192,11 +206,11 @@ void add_loads(Adjoint& a, int32_t k, bool reactions) {
   if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
 }
 
-// What functional `number` of the books has of the body: U of case 0, R of case 0, U of case 1, ...
-c2d_status add_body(Adjoint& a, int32_t number) {
+// What a functional has of the body.
+c2d_status add_body(Adjoint& a) {
   const Model& m = a.model();
-  const int32_t k = number / 2;
-  const bool reactions = number % 2 == 1;
+  const int32_t k = a.number / 2;
+  const bool reactions = a.number % 2 == 1;
   a.touched = false;
   if (is_rigid(m, a.b)) {
     if (reactions)
@@ -210,12 +224,39 @@ c2d_status add_body(Adjoint& a, int32_t number) {
                                       : c2d_status{C2D_OK};
 }
 
-c2d_status add_bodies(const Functionals& all, Session& session, int32_t first) {
+Real* room_of_cases(const Session& session, int b) { return session.area.traction + 2 * session.model.body[b].first_end; }
+
+// Of a body with point loads. Null: nobody looks there.
+const Real* cases_on(const Session& session, int b) {
+  const Model& m = session.model;
+  bool loaded = false;
+  for (int32_t i = 0; i < m.head->point_loads; ++i) loaded = loaded || m.point_load[i].body == b;
+  return kSmallCode || !loaded || is_on_demand(m) || m.head->load_cases < 3 ? nullptr : room_of_cases(session, b);
+}
+
+// For each element the first case after case 0 that prescribes something there, and the last one plus 1: of loads that move
+// over a body these are few. They lie among the results, which nothing needs yet.
+void find_cases(const Session& session, int b) {
+  const Model& m = session.model;
+  Real* const cases = room_of_cases(session, b);
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+    const auto is_given = [&](int32_t k) { return prescribes(m, b, element, k, false) || prescribes(m, b, element, k, true); };
+    int32_t from = 1, end = m.head->load_cases;
+    while (from < end && !is_given(from)) ++from;
+    while (from < end && !is_given(end - 1)) --end;
+    cases[2 * element] = static_cast<Real>(from);
+    cases[2 * element + 1] = static_cast<Real>(end);
+  }
+}
+
+c2d_status add_bodies(const Functionals& all, Session& session) {
   for (int b = 0; b < session.model.head->bodies; ++b) {
     c2d_status status = C2D_OK;
-    for (int32_t i = 0; i < all.count && status == C2D_OK; ++i) {
-      all.a[i].b = b;
-      status = add_body(all.a[i], first + i);
+    const Real* const cases = cases_on(session, b);
+    for (Adjoint& a : all) {
+      a.b = b;
+      a.cases = cases;
+      if (status == C2D_OK) status = add_body(a);
     }
     if (status == C2D_OK) status = solve_outer(all, session, b);
     if (status != C2D_OK) return status;
@@ -288,18 +329,37 @@ bool place_arrays(Session& session, int32_t number, Adjoint& a) {
   return true;
 }
 
-// Functionals `first` ... of the books, as many as fit; how many.
-int32_t open_functionals(Session& session, const EnergyBook& book, int32_t first, Adjoint* a) {
+// Nothing of this kind is prescribed on any body: the functional is zero. (Most load cases prescribe no displacements.)
+bool is_zero(const Model& m, int32_t number) {
+  const int32_t k = number / 2;
+  const bool reactions = number % 2 == 1;
+  bool zero = !reactions || k + 1 != m.head->interference;
+  for (int b = 0; b < m.head->bodies && zero; ++b) {
+    zero = !is_rigid(m, b) && (reactions || !has_body_force(m, b));
+    const int64_t count = 2 * (reactions ? static_cast<int64_t>(m.body[b].nodes)
+                                         : static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes);
+    const double* const given = reactions ? m.node_disp[b] : m.end_traction[b];
+    for (int64_t i = 0; i < count && zero; ++i) zero = given[k * count + i] == 0.0;
+  }
+  for (int32_t i = 0; i < m.head->point_loads && zero && !reactions; ++i) zero = m.point_load[i].load_case != k;
+  return zero;
+}
+
+// Functionals *next ... of the books, as many as fit, without those that are zero; how many. *next: the one after them.
+int32_t open_functionals(Session& session, const EnergyBook& book, int32_t* next, Adjoint* a) {
   const ModelHeader& head = *session.model.head;
   int32_t count = 0;
-  while (count < kFunctionalsAtOnce && first + count < 2 * book.cases && place_arrays(session, count, a[count])) {
+  for (; count < kFunctionalsAtOnce && *next < 2 * book.cases && place_arrays(session, count, a[count]); ++*next) {
     Adjoint& one = a[count];
-    const int64_t number = first + count++;
+    const int64_t number = *next;
+    one.number = *next;
     one.tau = book.of_contact + 2 * number * book.m;
     one.jump = one.tau + book.m;
     one.lambda = book.of_loads + number * book.cases;
     for (int32_t i = 0; i < 2 * head.contact; ++i) one.tau[i] = 0;
     for (int32_t i = 0; i < head.load_cases; ++i) one.lambda[i] = 0.0;
+    if (!kSmallCode && is_zero(session.model, one.number)) continue;
+    ++count;
     for (int32_t i = 0; i < (is_on_demand(session.model) ? head.motions : head.border); ++i) one.motion[i] = 0;
     for (Real* u : one.side)
       for (int32_t i = 0; i < head.contact; ++i) u[i] = 0;
@@ -308,9 +368,9 @@ int32_t open_functionals(Session& session, const EnergyBook& book, int32_t first
   return count;
 }
 
-c2d_status build_functionals(const Functionals& all, Session& session, int32_t first) {
+c2d_status build_functionals(const Functionals& all, Session& session) {
   const ModelHeader& head = *session.model.head;
-  c2d_status status = add_bodies(all, session, first);
+  c2d_status status = add_bodies(all, session);
   for (int b = 0; b < head.bodies && status == C2D_OK; ++b) {
     if (!keeps_equations(session.model, b)) continue;
     for (Adjoint& a : all) {
@@ -331,7 +391,8 @@ void add_demanded(Session& session, int b, const DemandedColumns& columns) {
   const PathArea& area = session.area;
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     // What the loads do without the solution has been counted: that goes where it is of no use.
-    Adjoint a{&session, b, area.u[0], area.u[1], book.r, area.motion, area.own, area.outer, area.coefficient, {}, false};
+    Adjoint a{&session,         b,  area.u[0], area.u[1], book.r, area.motion, area.own, area.outer,
+              area.coefficient, {}, false,     k,         1,      book.cases,  nullptr};
     add_loads(a, k / 2, k % 2 == 1);
     Real* const of_tau = book.of_contact + 2 * static_cast<int64_t>(k) * book.m;
     const int32_t unknowns = outer_columns(session.model, b);
@@ -358,14 +419,15 @@ c2d_status build_energy(c2d_solver* s) {
   Session session;
   open_session(s, session);
   const EnergyBook book = energy_book(s);
-  for (int32_t first = 0; first < 2 * book.cases;) {
-    tell_progress(s, C2D_PHASE_REDUCE, 0, first, 2 * static_cast<int64_t>(book.cases));
+  for (int b = 0; b < s->model.bodies; ++b)
+    if (cases_on(session, b)) find_cases(session, b);
+  for (int32_t next = 0; next < 2 * book.cases;) {
+    tell_progress(s, C2D_PHASE_REDUCE, 0, next, 2 * static_cast<int64_t>(book.cases));
     if ((kSmallCode || s->state == C2D_STATE_MODEL) && asked_to_stop(s)) return C2D_ERR_CANCELLED; // (allow_friction)
     Adjoint a[kFunctionalsAtOnce];
-    const Functionals all = {a, open_functionals(session, book, first, a)};
-    const c2d_status status = build_functionals(all, session, first);
+    const Functionals all = {a, open_functionals(session, book, &next, a)};
+    const c2d_status status = all.count > 0 ? build_functionals(all, session) : c2d_status{C2D_OK};
     if (status != C2D_OK) return status;
-    first += all.count;
   }
   return C2D_OK;
 }

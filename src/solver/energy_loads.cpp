@@ -22,6 +22,10 @@ namespace {
 [[gnu::noinline]] void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2],
                                       const double factor[2]) {
   const Model& m = a.model();
+  if (!kSmallCode && a.cases) {
+    a.from = static_cast<int32_t>(a.cases[2 * element]);
+    a.end = static_cast<int32_t>(a.cases[2 * element + 1]);
+  }
   Integrator integrator;
   make_integrator(m, a.b, element, Quadrature::accurate, measure, integrator);
   const bool own = measure == Measure::own_length;
@@ -39,6 +43,7 @@ namespace {
     }
   }
   if (own && has_body_force(m, a.b)) kBodyForcePart.take_particular(a, element, blocks, factor);
+  visit_all_cases(a);
 }
 
 // The field of all point loads of the body.

@@ -218,21 +218,6 @@ void find_moments(const Model& m, int b, Real* const moment[2]) {
   }
 }
 
-// Of all floating bodies: work of each load case on each free motion, and the sum of the magnitudes of what it prescribes.
-void find_load_work(Session& session, const Book& book, int b) {
-  const Model& m = session.model;
-  const int32_t cases = m.head->load_cases;
-  for (int32_t k = 0; k < cases; ++k) book.work[k] = 0.0;
-  for (int32_t k = 0; k < cases; ++k) {
-    double* const out = m.load_work[b] + 4 * static_cast<int64_t>(k);
-    book.work[k] = 1.0; // as a direction, one case after another
-    out[3] = 0.0;
-    for (int32_t j = 0; j < m.body[b].free_motions; ++j)
-      out[j] = load_work(session, b, book.work, m.body[b].free_motion[j], &out[3]);
-    book.work[k] = 0.0;
-  }
-}
-
 } // namespace
 
 c2d_status note_demanded(Session& session, const Form& form, int32_t count, const int32_t* dof, const Real* columns) {
@@ -288,7 +273,7 @@ c2d_status build_judge(c2d_solver* s) {
       status = add_terms(session, b, book.equation_w, book.equation_terms);
     if (!floats(body)) continue;
     find_moments(session.model, b, book.moment);
-    find_load_work(session, book, b);
+    find_load_work(session, b);
   }
   return status;
 }

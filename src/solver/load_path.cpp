@@ -136,39 +136,37 @@ bool all_zero(const double* numbers, int32_t count) {
   return true;
 }
 
-// Force and moment about the body's centre of what a load case prescribes on a body; *size: sum of magnitudes.
-void case_resultant(const Model& m, int b, int32_t load_case, double out[3], double* size) {
+// Resultant of a load case on a body: force and moment about its centre; sum of magnitudes. Part of an element's tractions.
+void add_tractions(const Model& m, int b, int32_t element, const EndResultant* weight, int32_t load_case, double out[4]) {
+  const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t end = element * m.head->function_nodes + l;
+    const double t[2] = {given_traction(m, b, end, 0, load_case), given_traction(m, b, end, 1, load_case)};
+    if (t[0] == 0.0 && t[1] == 0.0) continue; // most cases load other ends
+    const EndResultant& w = weight[l];
+    out[0] += w.w * unit * t[0];
+    out[1] += w.w * unit * t[1];
+    out[2] += unit * ((w.wx - cx * w.w) * t[1] - (w.wy - cy * w.w) * t[0]);
+    out[3] += w.w * unit * (fabs(t[0]) + fabs(t[1]));
+  }
+}
+
+void add_point_load(const Model& m, int b, const PointLoad& p, double out[4]) {
+  const double unit = m.head->length_unit;
+  out[0] += p.fx;
+  out[1] += p.fy;
+  out[2] += (p.x - m.body[b].centre[0]) / unit * p.fy - (p.y - m.body[b].centre[1]) / unit * p.fx;
+  out[3] += fabs(p.fx) + fabs(p.fy);
+}
+
+// What acts on a rigid body, and body forces.
+void add_whole_body(const Model& m, int b, int32_t load_case, double out[4]) {
   const Body& body = m.body[b];
   const double unit = m.head->length_unit;
-  const int nf = m.head->function_nodes;
-  const int64_t ends = static_cast<int64_t>(body.elements) * nf;
-  const double cx = body.centre[0] / unit, cy = body.centre[1] / unit;
-  out[0] = out[1] = out[2] = *size = 0.0;
-  for (int32_t element = 0; element < body.elements && !is_rigid(m, b); ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    EndResultant weight[kElementNodes];
-    end_resultants(m, b, element, Measure::own_length, weight);
-    for (int l = 0; l < nf; ++l) {
-      const double* t = m.end_traction[b] + (load_case * ends + static_cast<int64_t>(element) * nf + l) * 2;
-      const EndResultant& w = weight[l];
-      out[0] += w.w * unit * t[0];
-      out[1] += w.w * unit * t[1];
-      out[2] += unit * ((w.wx - cx * w.w) * t[1] - (w.wy - cy * w.w) * t[0]);
-      *size += w.w * unit * (fabs(t[0]) + fabs(t[1]));
-    }
-  }
-  for (int32_t i = 0; i < m.head->point_loads; ++i) {
-    const PointLoad& p = m.point_load[i];
-    if (p.body != b || p.load_case != load_case) continue;
-    out[0] += p.fx;
-    out[1] += p.fy;
-    out[2] += (p.x - body.centre[0]) / unit * p.fy - (p.y - body.centre[1]) / unit * p.fx;
-    *size += fabs(p.fx) + fabs(p.fy);
-  }
   if (is_rigid(m, b)) {
     const double* load = m.rigid_motion[b][load_case].load;
     for (int i = 0; i < 3; ++i) out[i] += (body.free_rigidly >> i & 1) == 0 ? 0.0 : load[i] / (i < 2 ? 1.0 : unit);
-    *size += fabs(out[0]) + fabs(out[1]) + fabs(out[2]);
+    out[3] += fabs(out[0]) + fabs(out[1]) + fabs(out[2]);
     return;
   }
   if (!has_body_force(m, b)) return;
@@ -176,7 +174,25 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   kBodyForcePart.body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
   for (int i = 0; i < 2; ++i) out[i] += force[i];
   out[2] += force[2] / unit;
-  *size += fabs(force[0]) + fabs(force[1]);
+  out[3] += fabs(force[0]) + fabs(force[1]);
+}
+
+// Of load cases first ... last - 1, four numbers each.
+void find_resultants(const Model& m, int b, int32_t first, int32_t last, double* out) {
+  const auto of_case = [&](int32_t k) { return out + 4 * static_cast<int64_t>(k - first); };
+  for (int32_t k = first; k < last; ++k)
+    for (int i = 0; i < 4; ++i) of_case(k)[i] = 0.0;
+  for (int32_t element = 0; element < m.body[b].elements && !is_rigid(m, b); ++element) {
+    if (!is_integrated(m, b, element)) continue;
+    EndResultant weight[kElementNodes];
+    end_resultants(m, b, element, Measure::own_length, weight);
+    for (int32_t k = first; k < last; ++k) add_tractions(m, b, element, weight, k, of_case(k));
+  }
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& p = m.point_load[i];
+    if (p.body == b && p.load_case >= first && p.load_case < last) add_point_load(m, b, p, of_case(p.load_case));
+  }
+  for (int32_t k = first; k < last; ++k) add_whole_body(m, b, k, of_case(k));
 }
 
 // Work of loads on a motion of the free body; zero if it is no more than round-off.
@@ -215,12 +231,25 @@ double load_work(const Session& session, int b, const double* direction, const d
   *size = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
     if (direction[k] == 0.0) continue; // of many cases a segment of a path moves two
-    double force[3], magnitude;
-    case_resultant(session.model, b, k, force, &magnitude);
+    double force[4];
+    find_resultants(session.model, b, k, k + 1, force);
     for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * motion[i];
-    *size += fabs(direction[k]) * magnitude;
+    *size += fabs(direction[k]) * force[3];
   }
   return work;
+}
+
+void find_load_work(const Session& session, int b) {
+  const Model& m = session.model;
+  const Body& body = m.body[b];
+  find_resultants(m, b, 0, m.head->load_cases, m.load_work[b]);
+  for (int32_t k = 0; k < m.head->load_cases; ++k) {
+    double* const out = m.load_work[b] + 4 * static_cast<int64_t>(k);
+    double work[3] = {0.0, 0.0, 0.0};
+    for (int32_t j = 0; j < body.free_motions; ++j)
+      for (int i = 0; i < 3; ++i) work[j] += out[i] * body.free_motion[j][i];
+    for (int i = 0; i < 3; ++i) out[i] = work[i];
+  }
 }
 
 namespace {

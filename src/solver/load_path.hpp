@@ -14,6 +14,8 @@ c2d_status advance_path(Session& session, const double* target);
 void note_open_pairs(Session& session);
 // Work of the loads along `direction` on a rigid motion of body b; *size: sum of its magnitudes.
 double load_work(const Session& session, int b, const double* direction, const double motion[3], double* size);
+// Of a floating body, to Model::load_work: of each load case that work, and the sum of the magnitudes of what it prescribes.
+void find_load_work(const Session& session, int b);
 constexpr double kNoPressure = 1e-9; // of the largest on the path; so with forces
 
 } // namespace c2d
