@@ -28,6 +28,8 @@ C2D_USES(HolePart);
 
 namespace {
 
+constexpr int32_t kManyCases = 16;
+
 // Prescribed values of one element in one load case. They multiply the same integrals as unknowns do.
 void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case, bool want_h,
                          bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
@@ -63,14 +65,19 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
       if (want_h) add_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
       if (want_g && t.g[l][c].contact == contact) add_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
     }
-  // The first load cases share the pass over the sources with the unknowns; of further ones as many share a pass as the list of
-  // deposits has room for.
+  // The first load case shares the pass over the sources with the unknowns. Of further ones each has a pass of its own; where
+  // there are many, as many share one as the list of deposits has room for. (Few have the digits that they always had.)
   const int32_t cases = panel.range.has_right() ? m.head->load_cases : 0;
+  const bool many = !kSmallCode && cases > kManyCases, shared = t.shared;
   for (int32_t next = 0; next == 0 || next < cases; deposits.count = 0) {
-    do
-      if (cases > 0) aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
-    while (++next < cases && deposits.count <= kMostDeposits - 4 * nf);
-    if (deposits.count > 0) scatter_sources(system, hole, t.node, want_h, want_g);
+    if (cases > 0) aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
+    const bool alone = next++ == 0 || !many;
+    for (; !alone && next < cases && deposits.count <= kMostDeposits - 4 * nf; ++next)
+      aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
+    if (deposits.count == 0) continue;
+    system.scratch->targets.shared = shared || !alone; // a component goes to the columns of several cases
+    scatter_sources(system, hole, t.node, want_h, want_g);
+    system.scratch->targets.shared = shared;
   }
 }
 

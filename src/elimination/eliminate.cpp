@@ -483,14 +483,65 @@ c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Rea
 
 // f . x = f . (U^-1 Y c) = w . c with w = Y^T U^-T f. The chunks of U come first and turn f into U^-T f by forward
 // substitution (U^T is lower triangular). The chunks of Y that follow give w.
+namespace {
+
+// Of columns first ... first + width - 1 of the factors the products of their first `rows` numbers with each functional:
+// sum[j] of column j.
+struct Products {
+  const FunctionalTiles& tiles;
+  int32_t count, rows;
+  Real* const* f;
+  Real sum[kWidestTile][kFunctionalsAtOnce];
+
+  void find(const Real* data, int64_t ld, int32_t columns, int32_t n) {
+    const Kernel* const kernel = tiles.kernel;
+    if (kSmallCode || !kernel || columns != kernel->cols) {
+      for (int32_t j = 0; j < columns; ++j) dots(n, data + j * ld, count, f, sum[j]);
+      return;
+    }
+    Real* const packed = tiles.room + static_cast<int64_t>(rows) * kFunctionalsAtOnce;
+    kernel->to_rows(n, data, ld, packed);
+    for (int32_t j = 0; j < columns; ++j)
+      for (int32_t k = 0; k < kFunctionalsAtOnce; ++k) sum[j][k] = 0;
+    for (int32_t k = 0; k < count; k += kernel->rows)
+      kernel->tile(n, tiles.room + k, kFunctionalsAtOnce, packed, sum[0] + k, kFunctionalsAtOnce);
+    for (int32_t j = 0; j < columns; ++j)
+      for (int32_t k = 0; k < count; ++k) sum[j][k] = -sum[j][k];
+  }
+  // f[k][i] is known.
+  void keep(int32_t k, int32_t i) const {
+    if (!kSmallCode && tiles.kernel) tiles.room[static_cast<int64_t>(i) * kFunctionalsAtOnce + k] = f[k][i];
+  }
+};
+static_assert(kSmallCode || kFunctionalsAtOnce % 24 == 0, "whole tiles of every kernel");
+
+// Columns i ... i + columns - 1 of U, in which the sums over the rows above i are known.
+void solve_columns(const Products& products, const Real* data, int64_t ld, int32_t i, int32_t columns) {
+  for (int32_t j = 0; j < columns; ++j) {
+    const Real* const column = data + j * ld + i; // column i + j of U is row i + j of U^T
+    for (int32_t k = 0; k < products.count; ++k) {
+      Real sum = products.sum[j][k];
+      Real* const f = products.f[k] + i;
+      for (int32_t p = 0; p < j; ++p) sum += column[p] * f[p];
+      f[j] = column[j] == Real(0) ? Real(0) : (f[j] - sum) / column[j];
+      products.keep(k, i + j);
+    }
+  }
+}
+
+} // namespace
+
 c2d_status transposed_functionals(const EliminationPlan& uncut, Tapes& tapes, int32_t count, Real* const* f, Real* const* w,
-                                  void* work) {
+                                  void* work, const FunctionalTiles& tiles) {
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
     for (int32_t k = 0; k < count && w != nullptr; ++k)
       for (int32_t j = 0; j < plan.trailing; ++j) w[k][j] = 0;
     return C2D_OK;
   }
+  Products products = {tiles, count, plan.pivots, f, {}};
+  for (int64_t i = 0; i < plan.pivots * int64_t{kFunctionalsAtOnce} && !kSmallCode && tiles.kernel; ++i) tiles.room[i] = 0;
+  const int32_t width = !kSmallCode && tiles.kernel ? tiles.kernel->cols : 1;
   Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
   Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + (w != nullptr ? plan.trailing : 0));
   for (;;) {
@@ -500,17 +551,14 @@ c2d_status transposed_functionals(const EliminationPlan& uncut, Tapes& tapes, in
     if (status != C2D_OK || chunk.count == 0) return finish_all(buffers, status);
     const bool trailing = chunk.first >= plan.pivots;
     const int32_t rows = trailing ? plan.pivots : chunk.first + chunk.count;
-    for (int32_t j = 0; j < chunk.count; ++j) {
-      const Real* column = data + static_cast<int64_t>(j) * rows;
-      const int32_t i = chunk.first + j; // column i of U is row i of U^T
-      Real sum[kFunctionalsAtOnce];
-      dots(trailing ? rows : i, column, count, f, sum);
-      for (int32_t k = 0; k < count; ++k) {
-        if (trailing)
-          w[k][i - plan.pivots] = sum[k];
-        else
-          f[k][i] = column[i] == Real(0) ? Real(0) : (f[k][i] - sum[k]) / column[i];
-      }
+    for (int32_t j = 0, columns; j < chunk.count; j += columns) {
+      columns = chunk.count - j < width ? chunk.count - j : width;
+      const Real* const first = data + static_cast<int64_t>(j) * rows;
+      const int32_t i = chunk.first + j;
+      products.find(first, rows, columns, trailing ? rows : i);
+      if (!trailing) solve_columns(products, first, rows, i, columns);
+      for (int32_t c = 0; c < columns && trailing; ++c)
+        for (int32_t k = 0; k < count; ++k) w[k][i + c - plan.pivots] = products.sum[c][k];
     }
   }
 }

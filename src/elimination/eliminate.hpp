@@ -68,9 +68,17 @@ c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real
 // return f[0 .. pivots) is U^-T f. Reads every block of UPPER once. Without w it stops at U^-T f. `work` and errors as for
 // back_substitute.
 c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work);
-// The same of several functionals in one pass: f[i], w[i] of each.
-constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 32;
+// The same of several functionals in one pass: f[i], w[i] of each. With `tiles` their sums are formed by its kernel; their last
+// digits are then those of its instruction set.
+struct FunctionalTiles {
+  const Kernel* kernel; // null: none
+  Real* room;           // functional_tiles(pivots)
+};
+constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 24; // whole tiles of every kernel
 c2d_status transposed_functionals(const EliminationPlan& plan, Tapes& tapes, int32_t count, Real* const* f, Real* const* w,
-                                  void* work);
+                                  void* work, const FunctionalTiles& tiles = {nullptr, nullptr});
+// Numbers: all functionals, entry by entry, and beside them as many columns of the factors as a tile is wide.
+constexpr int32_t kWidestTile = 8;
+inline int64_t functional_tiles(int64_t pivots) { return pivots * (kFunctionalsAtOnce + kWidestTile); }
 
 } // namespace c2d

@@ -54,6 +54,8 @@ void add_point_load(Adjoint& a, const PointLoad& load);
 // Of a point load's displacement: what the tractions do to it that free zones hand over to the body (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
+// Where the room of the tableau has FunctionalTiles, behind arrays of kFunctionalsAtOnce functionals; -1: nowhere.
+int64_t place_of_tiles(const Session& session);
 // Moves what functionals f[i] have of the body's outer unknowns to its trailing columns, w[i], by its transposed factors.
 // Errors: the block store's.
 c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w);

@@ -299,6 +299,16 @@ c2d_status remove_motions(const Functionals& all, Session& session) {
   return C2D_OK;
 }
 
+int64_t most_outer(const PhaseSizes& sizes) {
+  int64_t outer = 0;
+  for (int b = 0; b < sizes.bodies; ++b)
+    if (sizes.of(b).outer > outer) outer = sizes.of(b).outer;
+  return outer;
+}
+int64_t numbers_of_functional(const PhaseSizes& sizes) {
+  return 4 * sizes.widest + 2 * sizes.m + most_outer(sizes) + sizes.cases;
+}
+
 // The arrays that a functional is put together in: the first has those of the path area, others take theirs from the room of
 // the tableau, which is made later. False: there is no room left.
 bool place_arrays(Session& session, int32_t number, Adjoint& a) {
@@ -314,12 +324,8 @@ bool place_arrays(Session& session, int32_t number, Adjoint& a) {
   }
   if (kSmallCode || is_on_demand(session.model)) return false;
   const PhaseSizes sizes = model_sizes(session.model);
-  int64_t outer = 0;
-  for (int b = 0; b < sizes.bodies; ++b)
-    if (sizes.of(b).outer > outer) outer = sizes.of(b).outer;
-  const int64_t each = 4 * sizes.widest + 2 * sizes.m + outer + sizes.cases;
-  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
-  if (number * each > room) return false;
+  const int64_t outer = most_outer(sizes), each = numbers_of_functional(sizes);
+  if (number * each > sizes.m * (sizes.columns + 1 + sizes.cases)) return false;
   a.motion = area.tableau + (number - 1) * each;
   a.u = a.motion + sizes.widest;
   a.outer = a.u + sizes.widest;
@@ -384,6 +390,17 @@ c2d_status build_functionals(const Functionals& all, Session& session) {
 }
 
 } // namespace
+
+// With more load cases kernels form the sums. (Few have the digits that they always had.)
+constexpr int32_t kManyFunctionals = 32;
+
+int64_t place_of_tiles(const Session& session) {
+  const PhaseSizes sizes = model_sizes(session.model);
+  if (kSmallCode || is_on_demand(session.model) || 2 * sizes.cases <= kManyFunctionals) return -1;
+  const int64_t first = (kFunctionalsAtOnce - 1) * numbers_of_functional(sizes);
+  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
+  return first + functional_tiles(most_outer(sizes)) <= room ? first : -1;
+}
 
 void add_demanded(Session& session, int b, const DemandedColumns& columns) {
   if (kSmallCode) return;
