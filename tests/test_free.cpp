@@ -174,6 +174,51 @@ TEST_CASE("coefficients of friction on as many cards as one likes") {
   check_fault(14, "2 0.5 -.3", 7, 9, "coefficient of friction is -0.3");
 }
 
+TEST_CASE("coefficients of a zone go on over fields and lines of any number") {
+  constexpr int kCount = 70;
+  std::string row = std::to_string(kCount), zone = "1", broken = "1 &\n";
+  std::vector<double> expected;
+  for (int i = 1; i <= kCount; ++i) {
+    row += i % 20 == 0 ? " &\n0.5" : " 0.5";
+    zone += " " + std::to_string(i);
+    broken += std::to_string(i) + (i % 9 == 0 ? " &\n" : " ");
+    expected.push_back(i);
+  }
+  const auto read_with = [&](const std::string& cards) {
+    List deck = free_squares();
+    deck[13] = row;
+    deck.insert(deck.end(), {"*FRICTION", cards, "*UNITS mm N"});
+    return read(joined(deck));
+  };
+  for (const std::string& cards : {zone, broken}) {
+    const Reading r = read_with(cards);
+    for (const Fault& f : r.faults) MESSAGE(f.line << ": " << f.text);
+    REQUIRE(r.status == C2D_OK);
+    std::vector<double> found;
+    for (const Call& call : r.model.calls)
+      if (call.name == "zone friction") found.push_back(call.numbers[2]);
+    CHECK(found == expected);
+  }
+  const auto fault_with = [&](const std::string& cards) {
+    const Reading r = read_with(cards);
+    REQUIRE(r.faults.size() == 1);
+    return r.faults[0];
+  };
+  const int first = static_cast<int>(free_squares().size()) + 3 + 2; // the coefficients take 3 lines more
+  Fault f = fault_with("1 0.1 &\n0.2 x");
+  CHECK(f.text == "column 5 contains 'x', expected a number: coefficient of friction");
+  CHECK(f.line == first + 1);
+  f = fault_with(broken + "&\n 7"); // one too many
+  CHECK(f.text == "the card goes on, expected its end after 70 coefficients of friction");
+  CHECK(f.column == 2);
+  f = fault_with("1 0.1 &\n-0.2" + zone.substr(5));
+  CHECK(f.text.find("the coefficient of friction is negative") == 0);
+  CHECK(f.line == first + 1);
+  f = fault_with("2 0.1 &\n0.2 &\n0.3"); // the rest of a card with a fault is no card
+  CHECK(f.text.find("contact zone") != std::string::npos);
+  CHECK(f.line == first);
+}
+
 TEST_CASE("polar and generated nodes, generated conditions") {
   List fixed = squares(), free = free_squares();
   fixed.erase(fixed.begin() + 13, fixed.begin() + 15); // nodes 2 and 3 of body 1

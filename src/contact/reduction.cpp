@@ -247,7 +247,8 @@ c2d_status close_equations(const Bordered& s, int b, int32_t k, bool held, Real*
     for (int32_t i = 0; i < n; ++i) own[i] -= v[j] * of_u[i];
   }
   terms += most * size;
-  for (int32_t i = 0; i < n && largest_of(own, n) <= kNothing * terms; ++i) own[i] = 0;
+  const bool nothing = largest_of(own, n) <= kNothing * terms;
+  for (int32_t i = 0; i < n && nothing; ++i) own[i] = 0;
   add_in_place(r, b, own, 1.0, h);
   return status;
 }

@@ -154,29 +154,56 @@ void read_path(Deck& deck, const Words& keyword_card) {
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;
 }
 
+namespace {
+
+// The field after field i of a card that may go on: on this line, or the first of the next.
+int32_t next_field(Cards& cards, Words& words, int32_t i) {
+  return i + 1 < words.count || !next_words(cards, words) ? i + 1 : 0;
+}
+
+// The coefficients behind the zone. False: the deck is not read on.
+bool read_coefficients(Deck& deck, Words& words, int32_t zone) {
+  Cards& cards = deck.cards;
+  int32_t at = next_field(cards, words, 0);
+  for (int32_t i = 1; i <= deck.sizes.coefficients && !cards.ended; ++i) {
+    double mu = HUGE_VAL;
+    if (!word_is(words, at, "INF") && !real_word(cards, words, at, "coefficient of friction", &mu)) return true;
+    if (mu < 0.0) word_fault(cards, words, at, "the coefficient of friction is negative, expected 0 or more, or INF");
+    if (mu >= 0.0 && deck.sink != nullptr) {
+      place_words(deck, words);
+      if (!accept(deck, deck.sink->set_zone_friction(deck.sink->solver, zone, i, mu))) return false;
+    }
+    at = next_field(cards, words, at);
+  }
+  if (cards.ended) return true;
+  if (at == deck.sizes.coefficients + 1)
+    end_of_words(cards, words, at);
+  else if (at < words.count) // of a card on several lines
+    word_fault(cards, words, at, "the card goes on, expected its end after ", deck.sizes.coefficients,
+               " coefficients of friction");
+  return true;
+}
+
+} // namespace
+
 void read_friction(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
   const int32_t line = cards.line;
   bool any = false;
   NumbersSeen seen = NumbersSeen();
-  for (Words words; next_data_card(deck, words);) {
+  for (Words words; next_data_card(deck, words, FieldList::allowed);) {
     int32_t zone = 0;
     any = true;
-    if (!integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone)) continue;
-    if (seen.again(zone)) {
+    bool sound = integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone);
+    if (sound && seen.again(zone)) {
       word_fault(cards, words, 0, "zone ", zone, " appears twice below *FRICTION, expected it once");
-      continue;
+      sound = false;
     }
-    for (int32_t i = 1; i <= deck.sizes.coefficients; ++i) {
-      double mu = HUGE_VAL;
-      if (!word_is(words, i, "INF") && !real_word(cards, words, i, "coefficient of friction", &mu)) break;
-      if (mu < 0.0) word_fault(cards, words, i, "the coefficient of friction is negative, expected 0 or more, or INF");
-      if (mu < 0.0 || deck.sink == nullptr) continue;
-      place_words(deck, words);
-      if (!accept(deck, deck.sink->set_zone_friction(deck.sink->solver, zone, i, mu))) return;
-    }
-    end_of_words(cards, words, deck.sizes.coefficients + 1);
+    if (sound && !read_coefficients(deck, words, zone)) return;
+    while (!cards.ended && next_words(cards, words)) {
+    } // what a card with a fault still has
+    if (cards.ended) break;
   }
   if (!any) no_cards(cards, line, "*FRICTION without cards, expected at least one: zone mu ...");
 }

@@ -513,7 +513,6 @@ struct Products {
     if (!kSmallCode && tiles.kernel) tiles.room[static_cast<int64_t>(i) * kFunctionalsAtOnce + k] = f[k][i];
   }
 };
-static_assert(kSmallCode || kFunctionalsAtOnce % 24 == 0, "whole tiles of every kernel");
 
 // Columns i ... i + columns - 1 of U, in which the sums over the rows above i are known.
 void solve_columns(const Products& products, const Real* data, int64_t ld, int32_t i, int32_t columns) {

@@ -71,7 +71,7 @@ c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real
 // The same of several functionals in one pass: f[i], w[i] of each. With `tiles` their sums are formed by its kernel; their last
 // digits are then those of its instruction set.
 struct FunctionalTiles {
-  const Kernel* kernel; // null: none
+  const Kernel* kernel; // null: none; kFunctionalsAtOnce is a multiple of its rows, and its tiles are at most kWidestTile wide
   Real* room;           // functional_tiles(pivots)
 };
 constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 24; // whole tiles of every kernel

@@ -13,8 +13,9 @@ namespace {
 // For many load cases, in the room of the tableau behind the functionals (place_arrays).
 FunctionalTiles tiles_of(const Session& session) {
   const int64_t place = place_of_tiles(session);
-  if (kSmallCode || place < 0) return {nullptr, nullptr};
-  return {kernel_for(session.solver->instructions), session.area.tableau + place};
+  const Kernel* const kernel = kSmallCode || place < 0 ? nullptr : kernel_for(session.solver->instructions);
+  if (!kernel || kFunctionalsAtOnce % kernel->rows != 0 || kernel->cols > kWidestTile) return {nullptr, nullptr};
+  return {kernel, session.area.tableau + place};
 }
 
 } // namespace
