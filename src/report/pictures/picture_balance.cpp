@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr double kRoundOff = 1e-12; // of the sum of the sizes of all tractions
+constexpr double kZeroForce = 1e-12; // of the sum of the sizes of all tractions
 
 // One component of force of one body.
 struct Row {
@@ -36,7 +36,7 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
 // Contact forces: of two bodies either one, of more every zone.
 std::string contact_text(const Scene& scene) {
   const Summary& s = scene.summary;
-  const double noise = kRoundOff * sum_of_forces(scene);
+  const double noise = kZeroForce * sum_of_forces(scene);
   const auto size = [&](const double* force) {
     const double is = std::hypot(force[0], force[1]);
     return figure(is <= noise ? 0.0 : is, scene.force_unit, 6);
@@ -87,7 +87,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
   bool lines = false;
   for (int32_t b = 1; b <= s.bodies; ++b) lines = lines || lines_that_cut(s, b) != 0;
   const std::string words = caption(scene, rows, lines);
-  const double noise = kRoundOff * sum_of_forces(scene);
+  const double noise = kZeroForce * sum_of_forces(scene);
   for (Row& each : rows)
     for (double* value : {&each.applied, &each.contact, &each.lines}) {
       if (std::fabs(*value) <= noise) *value = 0.0;
