@@ -40,7 +40,7 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
     pairs[p] = {scene.pairs[p].on[1], {gap * n.x, gap * n.y}};
     largest_ = std::max(largest_, std::fabs(gap));
   }
-  for (const ZoneScene& zone : scene.zones) beside_.push_back(beside(scene, zone));
+  for (const ZoneScene& zone : scene.zones) beside_.push_back(table.empty() ? std::vector<Source>() : beside(scene, zone));
   place(scene, pairs);
 }
 
