@@ -201,6 +201,38 @@ TEST_CASE("page: coordinates and forces that are round-off are 0") {
   CHECK(contains(caption_of(shown, "stress"), "undeformed"));
 }
 
+// Under moments alone the resultants are round-off, beside the tractions that make them.
+TEST_CASE("page: a body under tractions that cancel is balanced in words and bars") {
+  for (const char* name : {"plate_tension.dat", "families/cantilever.c2s"}) {
+    CAPTURE(name);
+    Shown shown;
+    show(shown, example(name));
+    const std::string caption = caption_of(shown, "balance");
+    const size_t at = caption.find(" to within ");
+    REQUIRE(at != std::string::npos);
+    CHECK(std::strtod(caption.c_str() + at + 11, nullptr) < 1e-12);
+  }
+}
+
+TEST_CASE("page: a rigid body is drawn rigid, whatever the magnification") {
+  Shown shown;
+  show(shown, example("tutorial/t9_shoe.c2s"));
+  const Shapes shapes = shapes_of(shown.figures["deformed"]);
+  REQUIRE(shapes.bodies.size() == 3);
+  CHECK(largest_dent(shapes.bodies[2].front()) < 0.1);
+}
+
+TEST_CASE("page: with a line of symmetry the whole force stands below that of the part") {
+  Shown shown;
+  show(shown, example("tutorial/t1_roller.c2s"), "--json -");
+  for (const char* part : {">force y</a></td><td>100", ">force y</a>, whole</td><td>200", "are those of the modelled part."})
+    CHECK_MESSAGE(contains(shown.page, part), part);
+  CHECK(!contains(shown.page, ">force x</a>, whole")); // its images are opposite
+  const Result listing =
+      run_shell("'" + paths::program() + "' run " + quoted(example("tutorial/t1_roller.c2s")) + " --listing -");
+  CHECK(contains(listing.out, "force y, whole               200"));
+}
+
 TEST_CASE("page: the load path in frames, one of which is shown, with one axis for all") {
   const Folder folder;
   write_file(folder / "deck", read_file(example("sliding_block.dat")) + "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\n"
@@ -297,9 +329,13 @@ TEST_CASE("page: a second view of the model only where it shows something else")
 }
 
 TEST_CASE("page: the diagrams of pressure and friction stay within the frame, all round a contact too") {
-  const std::string files[] = {example("press_fit.c2s"),       example("pin.c2s"),
-                               example("roller.c2s"),          example("fretting_pad.c2s"),
-                               example("families/shrink.c2s"), example("families/disc_in_hole.c2s")};
+  const std::string files[] = {example("press_fit.c2s"),
+                               example("pin.c2s"),
+                               example("roller.c2s"),
+                               example("fretting_pad.c2s"),
+                               example("families/shrink.c2s"),
+                               example("families/disc_in_hole.c2s"),
+                               example("revolution/belleville.c2s")};
   for (const std::string& file : files) {
     CAPTURE(file);
     Shown shown;
@@ -307,6 +343,8 @@ TEST_CASE("page: the diagrams of pressure and friction stay within the frame, al
     size_t diagrams = 0;
     for (const auto& [name, svg] : shown.figures) {
       if (name.compare(0, 7, "contact") != 0) continue;
+      CAPTURE(name);
+      const size_t before = diagrams;
       const app::Box frame = shapes_of(svg).frame;
       const std::string mark = "<g fill-opacity=\"0.3\">\n<path d=\"";
       for (size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1))
@@ -319,6 +357,7 @@ TEST_CASE("page: the diagrams of pressure and friction stay within the frame, al
           CHECK(in == static_cast<ptrdiff_t>(curve.size()));
           ++diagrams;
         }
+      CHECK(diagrams > before); // a contact that is not in its own picture shows nothing
     }
     CHECK(diagrams > 0);
   }

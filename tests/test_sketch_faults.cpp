@@ -205,9 +205,23 @@ TEST_CASE("sketch: tolerances, limits, wants") {
   tells("limit elements 2.5\n" + kHeld, "a whole number");
   tells("steps 0\n" + kHeld, "a whole number");
   tells(kTwo + "want peak\n", "'peak': expected pressure, edges");
+  tells(kTwo + "want presure\n", "hoop or cycle, did you mean 'pressure'?");
+  tells(kTwo + "want contact edges\n", "'contact': expected pressure, edges");
   tells(kTwo + "want stress b 0.5\n", "expected y of a point");
   tells(kTwo + "want hoop b\n", "expected a body, a dot and curves of the body");
   tells(kTwo + "want pressure 1 % 2 %\n", "'2': expected pressure, edges");
+}
+
+TEST_CASE("sketch: the name of a number in tables requests it") {
+  const std::vector<std::pair<std::string, const char*>> names = {
+      {"contact width", "width"}, {"half width 2 %", "width"}, {"stuck width", "stick"},      {"eccentricity", "stick"},
+      {"stick border", "edges"},  {"force x", "forces"},       {"peak pressure", "pressure"}, {"dissipated", "dissipation"}};
+  for (const auto& [name, word] : names) {
+    CAPTURE(name);
+    const Sketch s = sound(kTwo + "want " + name + "  approach\n");
+    REQUIRE(s.wants.size() == 2);
+    CHECK((s.wants[0].word == word && s.wants[1].word == "approach"));
+  }
 }
 
 TEST_CASE("sketch: parts of curves that are not there") {

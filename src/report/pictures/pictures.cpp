@@ -50,12 +50,15 @@ double size_of(const Scene& scene) {
 }
 
 double sum_of_forces(const Scene& scene) {
+  const auto extent = [&](Point a, Point b) { // of bodies of revolution the area, as their forces are whole
+    return distance(a, b) * (scene.is_revolved() ? 3.14159265358979324 * std::fabs(a.x + b.x) : 1.0);
+  };
   double sum = 0.0;
   for (const BodyScene& body : scene.bodies) {
     std::vector<double> length(body.on_line.size(), 0.0);
     for (const auto& curve : body.curves)
       for (size_t i = 0; i < curve.size(); ++i)
-        length[static_cast<size_t>(curve[i].element) - 1] += distance(curve[i].at, curve[(i + 1) % curve.size()].at);
+        length[static_cast<size_t>(curve[i].element) - 1] += extent(curve[i].at, curve[(i + 1) % curve.size()].at);
     const size_t ends = length.empty() ? 0 : body.traction.size() / length.size();
     for (size_t e = 0; e < length.size(); ++e)
       for (size_t l = 0; l < ends; ++l) sum += length[e] * app::length(body.traction[e * ends + l]) / static_cast<double>(ends);
