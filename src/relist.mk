@@ -8,7 +8,7 @@ shape: $(PROGRAM)
 OTHER_PORTS := cortex-m packaging web windows
 FOUND_PORTS := $(filter-out $(OTHER_PORTS:%=port/%/%),$(wildcard port/*/*.cpp port/*/*.c))
 FOUND_CORE := $(filter-out src/post/% src/report/% src/program/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
-FOUND_POST := $(wildcard src/post/*.cpp)
+FOUND_POST := $(wildcard src/post/*.cpp src/post/*/*.cpp)
 FOUND_REPORT := $(wildcard src/report/*.cpp src/report/*/*.cpp)
 FOUND_PROGRAM := $(wildcard src/program/*.cpp src/program/*/*.cpp src/program/*/*/*.cpp)
 FOUND_SOURCES := $(sort $(FOUND_PORTS) $(FOUND_CORE) $(FOUND_POST) $(FOUND_REPORT) $(FOUND_PROGRAM))
