@@ -1,3 +1,4 @@
+#include "effort.hpp"
 #include "gauss_points.hpp"
 
 #include "bie/integrals/integrals.hpp"
@@ -234,7 +235,7 @@ void check_around(const Element& e, double nu, double limit) {
     prepare(in, e, functions, nu, Quadrature::accurate);
     for (const double distance : kDistances) {
       for (const double eta : {-1.0, 1.0}) {
-        for (int side = 0; side < 4; ++side) {
+        for (int side = turn % test::effort(2, 1); side < 4; side += test::effort(2, 1)) {
           // Outwards and sideways: the end is the nearest point.
           const double angle = (eta > 0 ? 0.0 : kPi) + (side - 1.5) * 1.0 + 0.01 * (turn++ % 20);
           check_place(in, nu, eta, place(e, eta, distance, angle), limit);

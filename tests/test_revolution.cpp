@@ -102,7 +102,7 @@ TEST_CASE("revolution: hub on a shaft: another program") {
 TEST_CASE("revolution: washer: in line and smooth it is a column; else a finer mesh of another order") {
   const double force = 50 * kPi * (14 * 14 - 8 * 8);
   const Run column("revolution/washer", "inner=8 outer=14 mu=0"), washer("revolution/washer"),
-      fine("revolution/washer", "", "functions cubic\ntolerance 0.1 %\naxisymmetric");
+      fine("revolution/washer", "", "functions cubic\ntolerance " + effort<std::string>("0.5 %", "0.1 %") + "\naxisymmetric");
   check_number(column.of("force y"), force, 1e-6);
   check_number(column.of("mean pressure"), 50, 1e-6);
   CHECK(std::fabs(column.of("force x").value) < 1e-6 * force);
@@ -114,10 +114,12 @@ TEST_CASE("revolution: washer: in line and smooth it is a column; else a finer m
 }
 
 TEST_CASE("revolution: O-ring: forces balance; far from the axis it is a seal in plane strain") {
-  const Run ring("tutorial/t13_o_ring"), far("tutorial/t13_o_ring", "r=2000"),
-      plane("tutorial/t13_o_ring", "r=2000", effort("plane strain\ntolerance 5 %", "plane strain"));
+  const std::string coarse = effort("\ntolerance 5 %", "");
+  const Run ring("tutorial/t13_o_ring", "", "axisymmetric" + coarse);
   const double carried = ring.of("force y", 0, 1).value + ring.of("force y", 0, 2).value;
   CHECK(carried == doctest::Approx(-ring.of("force y", 0, 3).value).epsilon(1e-6));
+  if (!in_full()) return;
+  const Run far("tutorial/t13_o_ring", "r=2000"), plane("tutorial/t13_o_ring", "r=2000", "plane strain");
   for (int zone : {1, 3}) {
     const Number seal = plane.of("force y", 0, zone);
     check_number(far.of("force y", 0, zone), seal.value * 2 * kPi * 2000, seal.error / std::fabs(seal.value));

@@ -128,7 +128,8 @@ TEST_CASE("threads: factors, solutions and products are the same bits for any nu
   const c2d_port alone = C2D_INIT(c2d_port);
   for (int32_t set = 0; set <= static_cast<int32_t>(best_instructions()); ++set) {
     const Kernel* kernel = kernel_for(static_cast<Instructions>(set));
-    for (int32_t n : {65, 257, 387}) {
+    for (int32_t n : {65, 387, 257}) {
+      if (n == 257 && !test::in_full()) continue;
       const std::vector<Real> one = all_work(kernel, alone, n);
       for (int32_t threads : {2, 3, 7}) {
         Pool pool(threads);
