@@ -220,7 +220,7 @@ TEST_CASE("jobs: those of other versions, that are damaged within, or that anoth
   const std::string store = folder / "contact2d.store";
   fs::create_directory(store);
   std::string error;
-  REQUIRE(app::write_sealed(store + "/job", "contact2d job 4", "junk", error));
+  REQUIRE(app::write_sealed(store + "/job", "contact2d job 5", "junk", error));
   CHECK(resume(folder.path()).exit == 3);
   CHECK(resume(folder.path()).reason == store + "/job: has another version");
   app::Job job;

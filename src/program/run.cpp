@@ -191,6 +191,7 @@ int Run::library_failed(c2d_status status) {
 // A sketch and its files are stored before mesh refinement begins.
 int Run::read_deck() {
   Drawing drawing{options_.settings, true, options_.memory, line_.active()};
+  drawing.tolerances = !is_one_of_many_;
   drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
   if (options_.store.compare(0, 5, "file:") == 0) {
     drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };
@@ -259,7 +260,9 @@ int Run::read_model() {
     estimate::Demand demand;
     demand.memory = options_.memory, demand.symmetry = options_.symmetry, demand.quadrature = options_.quadrature;
     demand.elimination = options_.elimination;
+    ToleranceTable tolerances = session_.meshes.tolerances;
     results_.record.meshes = estimate::estimate_deck(session_.solver, session_.deck.text(), demand);
+    results_.record.meshes.tolerances = std::move(tolerances);
     const std::string& stopped = results_.record.meshes.stopped;
     if (!stopped.empty()) session_.messages.note("no errors are stated: " + stopped);
   }

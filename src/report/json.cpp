@@ -416,6 +416,7 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   append_history(o.key("steps_detail"), record);
   append_corners(o, record.corners, "\n    ");
   if (record.meshes.ran()) append_accuracy(o.key("accuracy"), record.meshes);
+  if (record.meshes.tolerances.any()) append_tolerances(o.key("tolerances"), record.meshes.tolerances);
   if (record.interior != nullptr) append_interior(o.key("interior"), *record.interior);
   append_json_warnings(o.key("warnings"), record);
   out += "\n}\n";

@@ -11,6 +11,8 @@ namespace app {
 
 // How the mesh was found, and the numbers with their stated errors, as an object.
 void append_accuracy(std::string& out, const MeshLoop& loop);
+// The influence of parameters with tolerances, as an object.
+void append_tolerances(std::string& out, const ToleranceTable& table);
 void append_json(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

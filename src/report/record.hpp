@@ -4,8 +4,8 @@
 
 #include "post/corners.hpp"
 #include "post/cracks.hpp"
+#include "post/mesh_loop.hpp"
 #include "post/quantities.hpp"
-#include "post/stated.hpp"
 #include "post/summary.hpp"
 #include "report/inputs.hpp"
 #include "report/interior.hpp"

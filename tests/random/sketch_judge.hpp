@@ -1,6 +1,6 @@
 #pragma once
 // A sketch taken through the loop over meshes, and what it states held against a mesh four times finer, order one higher.
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 
 #include <string>
 #include <vector>

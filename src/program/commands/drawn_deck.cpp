@@ -1,6 +1,7 @@
 #include "program/commands/drawn_deck.hpp"
 
 #include "program/estimate/loop.hpp"
+#include "program/estimate/tolerances.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/sha256.hpp"
@@ -26,13 +27,35 @@ void print(const DeckFile& deck, const sketch::Fault& fault) {
   say(quote(deck, fault_in(fault.at.line, fault.at.column, fault.at.end, fault.text), "error"));
 }
 
-bool read_given(const std::string& word, sketch::Parameters& given) {
+// Values of parameters on the command line, and their tolerances.
+struct Given {
+  sketch::Parameters values, tolerances;
+};
+
+// "0.01", or "1%" of a value.
+bool read_tolerance(std::string_view text, double of, double& size) {
+  const bool percent = !text.empty() && text.back() == '%';
+  if (percent) text.remove_suffix(1);
+  const bool is_read = read_number(text, size) && size >= 0 && std::isfinite(size) && std::isfinite(of);
+  if (percent) size *= std::fabs(of) / 100;
+  return is_read;
+}
+
+std::string expected_tolerance(const std::string& word) {
+  return word.find("+-") == std::string::npos ? "" : ", or a number, +- and a tolerance not below 0, in percent or not";
+}
+
+// "R=50" or "R=50+-0.01".
+bool read_given(const std::string& word, Given& given) {
   const size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0) return false;
+  const std::string name = word.substr(0, equals);
+  const std::string_view text = std::string_view(word).substr(equals + 1);
+  const size_t mark = text.find("+-");
   double value = 0;
-  const bool is_read = read_number(std::string_view(word).substr(equals + 1), value) && !std::isnan(value);
-  given[word.substr(0, equals)] = value;
-  return is_read;
+  if (!read_number(text.substr(0, mark), value) || std::isnan(value)) return false;
+  given.values[name] = value;
+  return mark == std::string_view::npos || read_tolerance(text.substr(mark + 2), value, given.tolerances[name]);
 }
 
 // File names in a sketch are relative to the folder of the sketch.
@@ -105,28 +128,85 @@ void show(const MeshRound& round, size_t number) {
   std::fputc('\n', stderr);
 }
 
+// A valid sketch and what it was read from.
+struct Drawn {
+  const sketch::Sketch& sketch;
+  const std::string text;
+  const Given& given;
+  const std::vector<NamedText>& files;
+  estimate::Redraw redraw(const std::string& name) const; // `name` of the sketch
+};
+
+// Reads the sketch again, from the same files.
+estimate::Redraw Drawn::redraw(const std::string& name) const {
+  return [this, name](const sketch::Parameters& changed) {
+    sketch::Parameters values = given.values;
+    for (const auto& [parameter, value] : changed) values[parameter] = value;
+    return sketch::read_sketch(text, values, [&](const std::string& file, std::string& content) {
+      return find_text(files, beside(name, file), content);
+    });
+  };
+}
+
+// Can the sketch be drawn with its parameters changed? Throws a sketch::Fault at a tolerance with which it cannot.
+void check_tolerances(const Drawn& drawn, const std::string& name) {
+  for (const sketch::Tolerance& t : drawn.sketch.tolerances)
+    for (const double step : {estimate::first_step(t), -estimate::first_step(t)}) {
+      const sketch::Reading reading = drawn.redraw(name)({{t.parameter, t.value + step}});
+      if (reading.faults.empty()) continue;
+      const sketch::Fault& f = reading.faults.front();
+      throw sketch::Fault{t.at, "the tolerance of " + t.parameter + " cannot be used: with the value " +
+                                    sketch::rounded(t.value + step) +
+                                    (f.at.line > 0 ? ", line " + std::to_string(f.at.line) : "") + ": " + f.text};
+    }
+}
+
+// Derivatives by the parameters with tolerances, on the mesh of the results.
+void add_tolerances(const Drawn& drawn, const DeckFile& deck, const estimate::Nominal& at, estimate::Demand demand,
+                    estimate::TrialKeeper* keeper, MeshLoop& loop) {
+  demand.store = nullptr; // has the tapes of the results
+  loop.tolerances = estimate::tolerances_of(at, loop.stated, drawn.redraw(deck.name()), demand, keeper);
+}
+
+// The same on a mesh that was not searched for.
+void add_tolerances(const Drawn& drawn, const DeckFile& deck, const sketch::Mesh& mesh, estimate::Demand demand,
+                    MeshLoop& loop) {
+  estimate::Trial trial;
+  demand.drawn = true, demand.store = nullptr;
+  std::string why;
+  if (estimate::solve(sketch::deck_of(drawn.sketch, mesh), demand, trial, why) == C2D_OK)
+    return add_tolerances(drawn, deck, {drawn.sketch, mesh, trial}, demand, nullptr, loop);
+  for (const sketch::Tolerance& t : drawn.sketch.tolerances)
+    loop.tolerances.parameters.push_back({t.parameter, t.value, t.size, ""});
+  loop.tolerances.why = why;
+}
+
 // Replaces a valid sketch by its deck. Throws a sketch::Fault.
-int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
-                MeshLoop& loop) {
+int mesh_sketch(DeckFile& deck, const Drawn& drawn, const Drawing& drawing, MeshLoop& loop) {
+  const sketch::Sketch& sketch = drawn.sketch;
   constexpr double kCoarser = 0.5, kFiner = 5; // than the mesh without a search, of most problems
   if (drawing.expected != nullptr && sketch.adapts)
     for (const double factor : {kCoarser, kFiner})
       drawing.expected->push_back(sketch::deck_of(sketch, sketch::first_mesh(sketch, factor * sketch::kWithoutSearch)));
-  if (!drawing.adapts || !sketch.adapts) {
-    deck.replace_by_deck(sketch::deck_of(sketch, sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch)
-                                                               : sketch::given_mesh(sketch)));
-    return 0;
-  }
-  if (const int status = drawing.before_search ? drawing.before_search(files) : 0; status != 0) return status;
   estimate::Demand demand;
   demand.memory = drawing.memory;
   demand.store = drawing.store;
   estimate::ask(sketch, demand);
+  const bool toleranced = drawing.tolerances && !sketch.tolerances.empty();
+  if (!drawing.adapts || !sketch.adapts) {
+    const sketch::Mesh mesh = sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch) : sketch::given_mesh(sketch);
+    if (toleranced) add_tolerances(drawn, deck, mesh, demand, loop);
+    deck.replace_by_deck(sketch::deck_of(sketch, mesh));
+    return toleranced && interrupted() ? kExitCancelled : 0;
+  }
+  if (const int status = drawing.before_search ? drawing.before_search(drawn.files) : 0; status != 0) return status;
   size_t meshes = 0;
   const auto on_round = [&](const MeshRound& round) {
     if (drawing.shows) show(round, ++meshes);
   };
   estimate::Adapted adapted = estimate::adapt(sketch, demand, on_round, drawing.keeper);
+  if (toleranced && adapted.loop.ran() && !interrupted())
+    add_tolerances(drawn, deck, {adapted.sketch, adapted.mesh, adapted.trial}, demand, drawing.keeper, adapted.loop);
   if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;
   if (interrupted()) put_off_interrupt();
   if (drawing.keeper != nullptr && !drawing.keeper->error().empty())
@@ -176,7 +256,7 @@ std::vector<Setting> parameters_used(const DeckFile& deck, const std::vector<std
       if (Setting setting; read_setting(word, setting)) out.push_back(setting);
     return values_of_parameters(deck.text(), out);
   }
-  sketch::Parameters given;
+  Given given;
   for (const std::string& word : settings)
     if (!read_given(word, given)) return {};
   const auto file = [&](const std::string& name, std::string& text) {
@@ -184,7 +264,7 @@ std::vector<Setting> parameters_used(const DeckFile& deck, const std::vector<std
     if (!why.empty()) text = why;
     return why.empty();
   };
-  const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
+  const sketch::Reading reading = sketch::read_sketch(deck.text(), given.values, file);
   if (!reading.faults.empty()) return {};
   for (const auto& [name, value] : reading.sketch.parameters) out.emplace_back(name, exact_number(value));
   return out;
@@ -193,10 +273,10 @@ std::vector<Setting> parameters_used(const DeckFile& deck, const std::vector<std
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   deck.inputs.files = {input_file(deck.name(), deck.text())};
   if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
-  sketch::Parameters given;
+  Given given;
   for (const std::string& word : drawing.settings)
     if (!read_given(word, given)) {
-      print(deck, {{}, word + ": expected the name of a parameter, = and a number"});
+      print(deck, {{}, word + ": expected the name of a parameter, = and a number" + expected_tolerance(word)});
       return kExitUsage;
     }
   std::vector<std::string> read;
@@ -210,14 +290,14 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
     files.push_back({read.back(), text});
     return true;
   };
-  const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
+  const sketch::Reading reading = sketch::read_sketch(deck.text(), given.values, file, given.tolerances);
   if (interrupted()) return kExitCancelled; // an interrupted read is not a file error
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
   for (const NamedText& named : files) deck.inputs.files.push_back(input_file(named.name, named.text));
   for (const auto& [name, value] : reading.sketch.parameters) deck.inputs.parameters.emplace_back(name, exact_number(value));
   int exit = 0;
-  for (const auto& [name, value] : given)
+  for (const auto& [name, value] : given.values)
     if (reading.parameters.count(name) == 0) {
       print(deck,
             {{},
@@ -230,7 +310,9 @@ int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
     return kExitUsage;
   }
   try {
-    return mesh_sketch(deck, reading.sketch, files, drawing, loop);
+    const Drawn drawn{reading.sketch, deck.text(), given, files};
+    check_tolerances(drawn, deck.name());
+    return mesh_sketch(deck, drawn, drawing, loop);
   } catch (const sketch::Fault& fault) {
     print(deck, fault);
     return kExitInput;

@@ -1,7 +1,7 @@
 // Sketches given in place of decks: reports their errors with line and column, and replaces the sketch by its deck.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 #include "program/estimate/trial_keeper.hpp"
 #include "program/files/deck_file.hpp"
 #include "program/files/named_text.hpp"
@@ -34,6 +34,7 @@ struct Drawing {
   // for.
   std::vector<std::string>* expected = nullptr;
   StoreChoice* store = nullptr; // for the tapes of the meshes (estimate::Demand)
+  bool tolerances = false;      // find derivatives by parameters with tolerances
 };
 
 // If the text of `deck` is a sketch, replaces it by the deck of the sketch and records the mesh refinement in `loop`. Prints

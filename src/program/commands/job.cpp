@@ -22,7 +22,7 @@ template <class Archive> void members(Archive& a, Inputs& i) { a(i.files), a(i.p
 
 namespace {
 
-const char kName[] = "/job", kJobKind[] = "contact2d job 4";
+const char kName[] = "/job", kJobKind[] = "contact2d job 5";
 
 template <class Archive> void members(Archive& a, Job& job, std::string& meshes) {
   a(job.form), a(job.begun), a(job.deck_name), a(job.deck), a(job.settings), a(job.files), a(job.has_points), a(job.points),

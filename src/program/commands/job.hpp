@@ -1,7 +1,7 @@
 // The job of a run, stored in one file in the folder of its store, so that `resume` can continue after a crash: all inputs.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 #include "program/files/named_text.hpp"
 #include "program/options.hpp"
 #include "report/inputs.hpp"

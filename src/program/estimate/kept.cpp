@@ -12,7 +12,13 @@ template <class Archive> void members(Archive& a, Stated& s) {
 template <class Archive> void members(Archive& a, MeshRound& r) {
   a(r.elements), a(r.pairs), a(r.equations), a(r.seconds), a(r.pressure), a(r.energy), a(r.adapted), a(r.curves), a(r.stated);
 }
-template <class Archive> void members(Archive& a, MeshLoop& l) { a(l.rounds), a(l.taken), a(l.stated), a(l.stopped); }
+template <class Archive> void members(Archive& a, ToleranceOf& t) { a(t.name), a(t.value), a(t.size), a(t.why); }
+template <class Archive> void members(Archive& a, Influence& i) { a(i.derivative), a(i.why); }
+template <class Archive> void members(Archive& a, Toleranced& t) { a(t.number), a(t.by); }
+template <class Archive> void members(Archive& a, ToleranceTable& t) { a(t.parameters), a(t.numbers), a(t.why); }
+template <class Archive> void members(Archive& a, MeshLoop& l) {
+  a(l.rounds), a(l.taken), a(l.stated), a(l.stopped), a(l.tolerances);
+}
 
 } // namespace app
 

@@ -1,7 +1,7 @@
 // The result of mesh refinement as a text, stored beside the deck of its mesh.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 
 #include <string>
 

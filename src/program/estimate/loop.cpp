@@ -88,8 +88,6 @@ private:
   double step_of_rest(const Distance& distance, double pressure) const;
   bool is_near(const Distance& distance) const;
   void tighten(const Distance& distance, bool first);
-  double tolerance(const sketch::WantRow& row) const;
-  double tolerance_of(const app::Stated& s, const Trial& trial) const;
   void take(const Level& level);
 
   Demand demand_;
@@ -242,23 +240,6 @@ bool Loop::solve_level(Level& level, bool adapted) {
   return true;
 }
 
-double Loop::tolerance(const sketch::WantRow& row) const {
-  if (s_.wants.empty()) return row.by_default ? s_.tolerance : NAN;
-  double least = NAN;
-  for (const sketch::Want& want : s_.wants)
-    if (want.word == row.word && want.of == row.of) least = std::fmin(least, want.tolerance.value_or(s_.tolerance));
-  return least;
-}
-
-double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
-  if (s.zone > 0 && trial.tied[static_cast<size_t>(s.zone) - 1] != 0) return NAN;
-  if (s.is_unbounded() && s_.wants.empty()) return NAN; // nobody asked for this one by name
-  for (const sketch::WantRow& row : sketch::wants())
-    if (std::count(row.quantities.begin(), row.quantities.end(), s.what) > 0)
-      return row.of_whole && s.zone > 0 ? NAN : tolerance(row);
-  return NAN;
-}
-
 // Does a tie continue a contact, as at a crack tip? Linear functions have a fixed relative error there on every mesh.
 bool meets_tie(const sketch::Sketch& s) {
   const auto bodies = [](const sketch::Interface& i) { return std::minmax(i.side[0].body, i.side[1].body); };
@@ -286,7 +267,7 @@ void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& 
   std::vector<app::Stated>& stated = out_.loop.stated;
   const Round* before = before_.stated.empty() ? nullptr : &before_;
   stated = state_numbers(coarse.trial, fine.trial, between, before);
-  for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
+  for (app::Stated& s : stated) s.tolerance = tolerance_of(s_, s, fine.trial);
   for (const app::Stated& s :
        state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
@@ -427,6 +408,7 @@ void Loop::tell_endless() {
 
 void Loop::take(const Level& level) {
   out_.mesh = level.mesh;
+  if (!s_.tolerances.empty()) out_.trial = level.trial;
   out_.deck = is_cut_off(level.trial, level.mesh) ? level.deck : app::without_cut_ends(level.deck);
   out_.loop.taken = out_.loop.rounds.size() - 1;
   has_tapes_ = true;

@@ -1,7 +1,7 @@
 // Refines the mesh of a sketch until the stated error of every requested number is below its tolerance.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 #include "program/estimate/trial.hpp"
 #include "program/estimate/trial_keeper.hpp"
 #include "program/sketch/mesh.hpp"
@@ -14,6 +14,7 @@ struct Adapted {
   sketch::Sketch sketch; // referenced by the mesh; with the selected order of functions
   sketch::Mesh mesh;
   std::string deck; // of the mesh
+  Trial trial;      // its solution, kept if parameters have tolerances
   app::MeshLoop loop;
   c2d_status status = C2D_OK; // failure on the first mesh: there is no result
   std::string why;

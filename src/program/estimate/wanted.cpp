@@ -156,6 +156,14 @@ void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t 
   out.back().body = 0;
 }
 
+double tolerance_of(const sketch::Sketch& sketch, const sketch::WantRow& row) {
+  if (sketch.wants.empty()) return row.by_default ? sketch.tolerance : NAN;
+  double least = NAN;
+  for (const Want& want : sketch.wants)
+    if (want.word == row.word && want.of == row.of) least = std::fmin(least, want.tolerance.value_or(sketch.tolerance));
+  return least;
+}
+
 // Points given only by a stress statement, without a tolerance.
 std::vector<sketch::WantedPoint> not_wanted(const sketch::Sketch& sketch) {
   std::vector<sketch::WantedPoint> out;
@@ -184,6 +192,15 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
 }
 
 } // namespace
+
+double tolerance_of(const sketch::Sketch& sketch, const app::Stated& s, const Trial& trial) {
+  if (s.zone > 0 && trial.tied[static_cast<size_t>(s.zone) - 1] != 0) return NAN;
+  if (s.is_unbounded() && sketch.wants.empty()) return NAN; // nobody asked for this one by name
+  for (const sketch::WantRow& row : sketch::wants())
+    if (std::count(row.quantities.begin(), row.quantities.end(), s.what) > 0)
+      return row.of_whole && s.zone > 0 ? NAN : tolerance_of(sketch, row);
+  return NAN;
+}
 
 void ask(const sketch::Sketch& sketch, Demand& demand) {
   for (const Want& want : sketch.wants) {

@@ -13,4 +13,7 @@ void ask(const sketch::Sketch& sketch, Demand& demand);
 // list if the history ended early.
 std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial);
 
+// The requested tolerance of a number of a contact or a body; NaN: it is not requested.
+double tolerance_of(const sketch::Sketch& sketch, const app::Stated& number, const Trial& trial);
+
 } // namespace estimate

@@ -157,10 +157,18 @@ struct Want {
   Place at;
 };
 
+// Of a parameter: its value may be off by `size`, above 0.
+struct Tolerance {
+  std::string parameter;
+  double value = 0, size = 0;
+  Place at;
+};
+
 struct Sketch {
   std::string title;
   std::string units[2];
   Parameters parameters;
+  std::vector<Tolerance> tolerances; // in the order of the parameters
   bool plane_stress = false;
   bool axisymmetric = false;         // bodies of revolution; symmetry[0] is the axis
   bool interference = false;         // drawn overlaps are press fits, closed before the load history begins

@@ -112,6 +112,7 @@ bool is_solved(const RunRecord& record) {
 void append_findings(std::string& out, const RunRecord& record, const Summary& s) {
   append_quantities(out, record, s);
   append_accuracy(out, record);
+  append_tolerances(out, record);
   append_stress_intensity(out, record);
   append_corners(out, record, s);
 }

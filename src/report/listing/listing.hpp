@@ -31,6 +31,8 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
 void append_key_tables(std::string& out, const RunRecord& record, const Summary& summary);
 // The meshes that were tried for a sketch, and the numbers with their stated errors; nothing if there was one mesh alone.
 void append_accuracy(std::string& out, const RunRecord& record);
+// How wanted numbers change with parameters that have tolerances; nothing if none has.
+void append_tolerances(std::string& out, const RunRecord& record);
 // Balance of forces, key numbers of the contact, warnings, and outcome of the run.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 // Its essential part, for a terminal that already shows the warnings.

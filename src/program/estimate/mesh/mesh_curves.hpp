@@ -1,7 +1,7 @@
 // The element ends of a mesh, for pictures.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 #include "program/sketch/mesh.hpp"
 
 namespace estimate {

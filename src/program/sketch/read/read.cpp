@@ -5,6 +5,7 @@
 #include "program/sketch/read/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sketch {
 
@@ -188,10 +189,29 @@ void Reader::parameter(Statement& s) {
     if (name == "pi" || name == "deg" || name == "inf")
       s.fail(in_quotes(name) + " is reserved, expected a name other than pi, deg and inf");
     used_.insert(name);
+    if (s.is_next(kTolerance)) s.missing("the value of " + name + " before its tolerance");
+    s.divide_at(kTolerance);
     const double value = s.number("the value of " + name, true);
     const auto given = given_.find(name);
     s_.parameters[name] = given == given_.end() ? value : given->second;
+    tolerance_of_parameter(s, name);
   } while (s.has_more());
+}
+
+// `+- 0.01`, or `+- 1 %` of the value. One given on the command line takes precedence.
+void Reader::tolerance_of_parameter(Statement& s, const std::string& name) {
+  const double value = s_.parameters[name];
+  Tolerance out{name, value, 0, s.last()};
+  if (s.accept(kTolerance) || s.accept_prefix(kTolerance)) {
+    const std::string expected = "the tolerance of " + name;
+    out.at = s.last();
+    if (!std::isfinite(value)) s.fail(name + " is infinite, expected a finite value before a tolerance");
+    const bool percent = s.is_share();
+    out.size = s.share(expected) * (percent ? std::fabs(value) : 1);
+    if (out.size < 0) s.fail(show(out.size) + ": expected " + expected + ", not below 0");
+  }
+  if (const auto given = given_tolerances_.find(name); given != given_tolerances_.end()) out.size = given->second;
+  if (out.size > 0) s_.tolerances.push_back(out);
 }
 
 // require value text: the text is an error if the value is below 0.
@@ -208,8 +228,8 @@ void Reader::symmetry(Statement& s) {
   s_.symmetry[axis] = s.number("the coordinate of the line");
 }
 
-Reading read_sketch(const std::string& text, const Parameters& given, const Reader::File& file) {
-  Reader reader(given, file);
+Reading read_sketch(const std::string& text, const Parameters& given, const Reader::File& file, const Parameters& tolerances) {
+  Reader reader(given, file, tolerances);
   reader.read(text);
   return reader.take();
 }

@@ -17,8 +17,10 @@ struct Reading {
   std::vector<Fault> faults;        // in the order of the lines; none: the sketch is valid
   std::set<std::string> parameters; // defined by the sketch
 };
-// `given`: parameters that replace those of the text. `file` reads a file of a spline; false if it cannot be read.
+// `given`: parameters that replace those of the text; `tolerances` likewise. `file` reads a file of a spline; false if it
+// cannot be read.
 Reading read_sketch(const std::string& text, const Parameters& given,
-                    const std::function<bool(const std::string& name, std::string& text)>& file);
+                    const std::function<bool(const std::string& name, std::string& text)>& file,
+                    const Parameters& tolerances = {});
 
 } // namespace sketch

@@ -11,7 +11,8 @@ namespace sketch {
 class Reader {
 public:
   using File = std::function<bool(const std::string& name, std::string& text)>;
-  Reader(const Parameters& given, const File& file) : given_(given), file_(file) {}
+  Reader(const Parameters& given, const File& file, const Parameters& tolerances)
+      : given_(given), given_tolerances_(tolerances), file_(file) {}
   void read(const std::string& text);
   static std::vector<std::string> words(); // first words of statements
   Reading take() { return {std::move(s_), std::move(faults_), std::move(used_)}; }
@@ -34,6 +35,7 @@ private:
   void axisymmetric(Statement& s);
   void functions(Statement& s);
   void parameter(Statement& s);
+  void tolerance_of_parameter(Statement& s, const std::string& name);
   void symmetry(Statement& s);
 
   // read_bodies.cpp
@@ -115,7 +117,9 @@ private:
   void elements(Statement& s);
   void require(Statement& s);
 
+  static constexpr const char* kTolerance = "+-";
   const Parameters& given_;
+  const Parameters& given_tolerances_;
   std::set<std::string> once_; // statements allowed once that have been read
   std::set<std::string> used_; // names of parameters defined by statements
   const File& file_;

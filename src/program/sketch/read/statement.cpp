@@ -137,6 +137,34 @@ bool Statement::accept_phrase(const std::string& phrase) {
   return ahead > 0;
 }
 
+bool Statement::accept_prefix(const std::string& mark) {
+  if (!has_more() || words_[next_].quoted || words_[next_].text.compare(0, mark.size(), mark) != 0) return false;
+  words_[next_].text.erase(0, mark.size());
+  words_[next_].at.column += static_cast<int>(mark.size());
+  return true;
+}
+
+void Statement::divide_at(const std::string& mark) {
+  if (!has_more() || words_[next_].quoted) return;
+  const Word whole = words_[next_];
+  int depth = 0;
+  size_t at = 0;
+  for (; at < whole.text.size(); ++at) {
+    const char c = whole.text[at];
+    depth += c == '(' || c == '{' ? 1 : c == ')' || c == '}' ? -1 : 0;
+    if (at > 0 && depth == 0 && whole.text.compare(at, mark.size(), mark) == 0) break;
+  }
+  if (at >= whole.text.size()) return;
+  const int first = whole.at.column + static_cast<int>(at), behind = first + static_cast<int>(mark.size());
+  const int line = whole.at.line;
+  std::vector<Word> parts{{whole.text.substr(0, at), {line, whole.at.column, first - 1}, false},
+                          {mark, {line, first, behind - 1}, false}};
+  const std::string after = whole.text.substr(at + mark.size());
+  if (!after.empty()) parts.push_back({after, {line, behind, whole.at.end}, false});
+  const auto place = words_.erase(words_.begin() + static_cast<std::ptrdiff_t>(next_));
+  words_.insert(place, parts.begin(), parts.end());
+}
+
 std::string Statement::rest() {
   std::string out;
   for (; has_more(); ++next_) out += (out.empty() ? "" : " ") + words_[next_].text;

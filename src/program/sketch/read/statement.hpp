@@ -16,9 +16,11 @@ public:
 
   bool has_more() const { return next_ < words_.size(); }
   bool is_next(const char* word, size_t ahead = 0) const;
-  bool accept(const char* word);                 // takes the word if it is next
-  bool accept_phrase(const std::string& phrase); // the same of words with blanks between them
-  bool is_number(size_t ahead = 0) const;        // may the next word, or a later one, begin an expression?
+  bool accept(const char* word);                             // takes the word if it is next
+  bool accept_prefix(const std::string& mark);               // takes the mark off the next word if more follows it there
+  const Place& last() const { return words_[next_ - 1].at; } // of the last word taken
+  bool accept_phrase(const std::string& phrase);             // the same of words with blanks between them
+  bool is_number(size_t ahead = 0) const;                    // may the next word, or a later one, begin an expression?
   bool accept_number(double& value);
   const Word& take(const std::string& expected);
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
@@ -32,6 +34,8 @@ public:
   Expression field(const std::string& what); // a number or a formula of x and y; parameters of these names take precedence
   // The index of the next word among these.
   size_t choice(const std::vector<const char*>& words);
+  // Divides the next word at a mark inside it, which becomes a word: "50+-0.01" at "+-". Not where the word begins with it.
+  void divide_at(const std::string& mark);
   std::string rest(); // the remaining words, separated by blanks
   void end() const;   // error if words remain
 
