@@ -317,3 +317,31 @@ TEST_CASE("tolerances: listing, JSON and command line") {
   CHECK(test::read_file(errors).find(":1:29: error: the tolerance of n cannot be used: with the value 4.1, line 2: 4.1: "
                                      "expected ") != std::string::npos);
 }
+
+TEST_CASE("tolerances: the page has the table, bars of the shares, and what has no derivative") {
+  const test::Folder folder;
+  const std::string sketch = folder / "bar.c2s", page = folder / "page.html", figures = folder / "figures";
+  test::write_file(sketch, "parameter b 3 +- 0.1  c 1 +- 5 %  d 1 +- 4 %  e 1 +- 3 %  f 1 +- 2 %  g 1 +- 1 %  h 1 +- 0.5 %\n"
+                           "parameter k 1 +- 10 %  E {200*c*d*e*f*g}  p {h*k}  L {2 + 0*floor(b)}" +
+                               std::string(kBar));
+  const auto run = [&](const std::string& more) {
+    return test::run_shell("'" + paths::program() + "' run '" + sketch + "' --quiet --listing /dev/null --report '" + page +
+                           "' --figures '" + figures + "' " + more)
+        .status;
+  };
+  REQUIRE(run("") == 0);
+  const std::string html = test::read_file(page), bars = test::read_file(figures + "/tolerances.svg");
+  CHECK(html.find("<h2>Wanted numbers and tolerances</h2>") != std::string::npos);
+  CHECK(html.find("by k = 1 &#177; 0.1</th>") != std::string::npos);
+  CHECK(html.find("No usable derivative") == std::string::npos);
+  CHECK(html.find("<section id=\"tolerances\">") != std::string::npos);
+  CHECK(bars.find("all others") != std::string::npos);
+  CHECK(bars.find("c &#177; 0.05</text>") != std::string::npos);
+  CHECK(bars.find("h &#177;") == std::string::npos);
+  // Without any derivative there is a table, and no picture.
+  test::write_file(sketch, "parameter b 3 +- 0.1  E 200  L 2  p {3 + floor(b)}" + std::string(kBar));
+  REQUIRE(run("") == 0);
+  const std::string without = test::read_file(page);
+  CHECK(without.find("<li>By b not the approach of points: two steps give ") != std::string::npos);
+  CHECK(without.find("<section id=\"tolerances\">") == std::string::npos);
+}

@@ -22,13 +22,13 @@ void check_formula(const std::string& text, const std::string& written, double v
 
 TEST_CASE("tutorial: its commands run and print what it shows") { run_page(page("examples/TUTORIAL.md"), false); }
 
-TEST_CASE("tutorial: thirteen lessons, each with its file; what it shows of a file is the file's") {
+TEST_CASE("tutorial: fourteen lessons, each with its file; what it shows of a file is the file's") {
   const std::string text = page("examples/TUTORIAL.md");
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(kLessons)) files.push_back(entry.path().filename().string());
-  CHECK(files.size() == 13);
+  CHECK(files.size() == 14);
   for (const std::string& file : files) CHECK_MESSAGE(contains(text, file), file);
-  for (int lesson = 1; lesson <= 13; ++lesson) CHECK(contains(text, "\n## " + std::to_string(lesson) + " "));
+  for (int lesson = 1; lesson <= 14; ++lesson) CHECK(contains(text, "\n## " + std::to_string(lesson) + " "));
   int seen = 0;
   for (const Block& block : blocks_of(text)) {
     if (!block.language.empty()) continue;
@@ -54,6 +54,8 @@ TEST_CASE("tutorial: its formulas") {
   // Lame: shaft 10 to 25, hub 25 to 50, one material, interference 0.01, plane strain.
   const double r2 = 25 * 25, i2 = 10 * 10, o2 = 50 * 50;
   check_formula(text, "30.288 MPa", 210e3 / 0.91 * 0.01 / 25 * (o2 - r2) * (r2 - i2) / (2 * r2 * (o2 - i2)));
+  // Hertz: 5 in a groove of 60.
+  check_formula(text, "-126.6 =", -1160.65 / (2 * 25 * (1.0 / 5 - 1.0 / 60)));
   // A bed of springs.
   const double bed = 3000 * (1 - 0.4) / ((1 + 0.4) * (1 - 2 * 0.4)) / 2;
   check_formula(text, "3214 N/mm^3", bed);

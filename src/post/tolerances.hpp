@@ -34,6 +34,14 @@ struct ToleranceTable {
   std::string name_of(const Toleranced& t) const {
     return t.number.item > 0 ? t.number.name() + " " + std::to_string(t.number.item) : t.number.name();
   }
+  bool is_of_several_zones() const {
+    int32_t zone = 0;
+    for (const Toleranced& t : numbers) {
+      if (t.number.zone > 0 && zone > 0 && t.number.zone != zone) return true;
+      if (t.number.zone > 0) zone = t.number.zone;
+    }
+    return false;
+  }
   // |derivative| times tolerance; NaN: no usable derivative.
   double share(const Toleranced& t, size_t parameter) const {
     return std::fabs(t.by[parameter].derivative) * parameters[parameter].size;
