@@ -29,6 +29,7 @@ struct MeshLoop {
   std::vector<MeshRound> rounds;
   size_t taken = 0; // the round, from 0, with the mesh of the results
   std::vector<Stated> stated;
+  int32_t positions = 0;     // of moving loads, in a period; errors include the change from half as many; 0: no load moves
   std::string stopped;       // why it ended before all tolerances were met; empty: they are
   ToleranceTable tolerances; // of parameters; empty: none has one
   bool ran() const { return !rounds.empty(); }
@@ -38,12 +39,15 @@ struct MeshLoop {
       if (!s.is_met()) return true;
     return stated.empty() && !stopped.empty() && ran() && rounds.front().adapted;
   }
-  // In a sentence; empty if nothing was asked for.
+  // In sentences; empty if nothing was asked for.
   std::string ending() const {
-    if (!stopped.empty()) return "It ended here: " + stopped;
+    std::string out = stopped.empty() ? std::string() : "It ended here: " + stopped;
     for (const Stated& s : stated)
-      if (!std::isnan(s.tolerance)) return "Every number that was asked for is as accurate as was asked";
-    return std::string();
+      if (out.empty() && !std::isnan(s.tolerance)) out = "Every number that was asked for is as accurate as was asked";
+    if (positions > 0 && !out.empty())
+      out += ". The moving loads have " + std::to_string(positions) +
+             " positions in a period, and errors include the change from " + std::to_string(positions / 2);
+    return out;
   }
 };
 

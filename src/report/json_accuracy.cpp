@@ -59,6 +59,7 @@ void append_accuracy(std::string& out, const MeshLoop& loop) {
   }
   out += ']';
   o.word("stopped", loop.stopped.c_str());
+  if (loop.positions > 0) o.number("positions", loop.positions);
   out += '}';
 }
 

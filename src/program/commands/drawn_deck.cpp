@@ -1,6 +1,6 @@
 #include "program/commands/drawn_deck.hpp"
 
-#include "program/estimate/loop.hpp"
+#include "program/estimate/positions.hpp"
 #include "program/estimate/tolerances.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
@@ -204,7 +204,7 @@ int mesh_sketch(DeckFile& deck, const Drawn& drawn, const Drawing& drawing, Mesh
   const auto on_round = [&](const MeshRound& round) {
     if (drawing.shows) show(round, ++meshes);
   };
-  estimate::Adapted adapted = estimate::adapt(sketch, demand, on_round, drawing.keeper);
+  estimate::Adapted adapted = estimate::adapt_positions(sketch, demand, on_round, drawing.keeper);
   if (toleranced && adapted.loop.ran() && !interrupted())
     add_tolerances(drawn, deck, {adapted.sketch, adapted.mesh, adapted.trial}, demand, drawing.keeper, adapted.loop);
   if (interrupted() && (!drawing.ends_in_results || !adapted.loop.ran())) return kExitCancelled;

@@ -10,6 +10,7 @@
 #include "program/estimate/marks.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
+#include "program/sketch/moving.hpp"
 #include "program/sketch/same_divisions.hpp"
 
 #include <algorithm>
@@ -71,6 +72,7 @@ Changed solve_with(const Nominal& at, const sketch::Parameters& changed, const s
   }
   sketch::Sketch& sketch = reading.sketch;
   sketch.order = at.sketch.order, sketch.chooses_order = false;
+  sketch::take_positions(sketch, at.sketch);
   const sketch::Mesh mesh = sketch::same_divisions(at.sketch, at.mesh, sketch, stretchings);
   const Trial trial = solve_changed(at, sketch, mesh, demand, keeper);
   return {numbers_of({sketch, mesh, trial}), marks_of(sketch, mesh, trial)};

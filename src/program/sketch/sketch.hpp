@@ -75,6 +75,16 @@ struct Contact {
   std::vector<std::array<double, 2>> map; // facing lengths, decreasing on side 0 and increasing on side 1
 };
 
+// A rigid motion of a load from where it is drawn: turned about the origin, then shifted. `share`: its factor there.
+struct MovedLoad {
+  double angle = 0; // radians, counter-clockwise
+  Point shift;
+  double share = 1;
+  Point turned(Point vector) const;
+  Point to(Point place) const; // where the load at a place goes
+  Point from(Point place) const;
+};
+
 // A condition on curves in one load case.
 struct Condition {
   Side side;
@@ -83,7 +93,9 @@ struct Condition {
   std::optional<double> value[2];     // along x and y, if given; a pressure uses the first
   std::optional<Expression> field[2]; // set if the value is a formula of x and y; `value` is NaN then
   int load_case = 0;
+  std::optional<MovedLoad> moved; // of a traction or pressure
   Place at;
+  Point value_at(Point place) const; // along x and y; 0 where none is given; of a pressure x
 };
 
 struct PointLoad {
@@ -123,9 +135,26 @@ struct WantedPoint {
 // Do two statements drive the same body or the same curves?
 bool same_target(const Drive& a, const Drive& b);
 
+// How the loads of a case move: about a point, along a straight way, or along a curve of a body, with which they turn.
+struct Course {
+  enum Kind { kRound, kTravel, kAlong } kind = kRound;
+  Point about, way;
+  ShapePtr curve;
+  int positions = 0;             // of a period: a whole turn, one pitch of several equal loads, the way, the curve
+  int loads = 1;                 // of kRound: at equal angles
+  std::vector<double> shares;    // which each load keeps; empty: all 1, or by the law
+  std::optional<Expression> law; // the share at the angle in radians by which a load is turned
+  Place at;
+  bool returns() const;  // the position after the last is the first
+  int different() const; // positions
+  std::vector<MovedLoad> loads_at(int position) const;
+};
+
 struct LoadCase {
   std::string name;
   std::vector<double> factors; // at the end of each piece of the load history
+  std::optional<Course> course;
+  std::vector<double> places; // of a case with a course: the periods gone at the end of each piece
 };
 
 // Elements of a stretch of a curve: equal, or graded from given sizes at its ends.
@@ -182,8 +211,8 @@ struct Sketch {
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
   std::vector<Drive> drives;
-  std::vector<LoadCase> cases{{"", {}}}; // the first exists without a statement
-  int pieces = 0;                        // of the history; 0: factor 1 of the first case
+  std::vector<LoadCase> cases{LoadCase{}}; // the first exists without a statement
+  int pieces = 0;                          // of the history; 0: factor 1 of the first case
   std::vector<WantedPoint> points;
   std::vector<int> steps{10}; // increments per piece of the history; the last number applies to all later pieces
   std::vector<Want> wants;

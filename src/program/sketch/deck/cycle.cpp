@@ -1,5 +1,7 @@
 #include "program/sketch/deck/cycle.hpp"
 
+#include "program/sketch/moving.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +9,7 @@ namespace sketch {
 
 int cycle_start(const Sketch& sketch) {
   constexpr double kSame = 1e-9;
+  if (has_moving_loads(sketch)) return cycle_start(with_positions(sketch));
   double largest = 0;
   for (const LoadCase& c : sketch.cases)
     for (const double factor : c.factors) largest = std::max(largest, std::fabs(factor));

@@ -8,6 +8,7 @@
 #include "program/sketch/deck/deck_number.hpp"
 #include "program/sketch/deck/idle_cases.hpp"
 #include "program/sketch/deck/zones.hpp"
+#include "program/sketch/moving.hpp"
 
 #include <algorithm>
 #include <array>
@@ -164,18 +165,15 @@ void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& 
   Values& values = end.values[static_cast<size_t>(c.load_case)];
   const Shape& shape = *curve.curve->shape;
   const double u = curve.measure.u_at(s);
-  const auto value = [&](size_t i) {
-    const Point p = shape.at(u);
-    return c.field[i] ? c.field[i]->at(p.x, p.y) : *c.value[i];
-  };
+  const Point value = c.value_at(shape.at(u));
   if (c.kind == Condition::kPressure) {
     const Point normal = -1.0 * turned_left(shape.tangent(u));
-    values[0] -= value(0) * normal.x, values[1] -= value(0) * normal.y;
+    values[0] -= value.x * normal.x, values[1] -= value.x * normal.y;
   }
   for (size_t i = 0; i < 2 && c.kind != Condition::kPressure; ++i) {
     if (!c.value[i]) continue;
     if (c.kind == Condition::kDisplacement) end.fixed[i] = true;
-    values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += value(i);
+    values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += i == 0 ? value.x : value.y;
   }
 }
 
@@ -528,6 +526,7 @@ std::string Writer::write() {
 } // namespace
 
 std::string deck_of(const Sketch& sketch, const Mesh& mesh) {
+  if (has_moving_loads(sketch)) return deck_of(with_positions(sketch), mesh);
   for (size_t c = 0; c < sketch.cases.size() && sketch.cases.size() > 1; ++c)
     if (!acts(sketch, c)) return Writer(without_idle_cases(sketch), mesh).write();
   return Writer(sketch, mesh).write();

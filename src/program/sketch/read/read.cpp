@@ -1,6 +1,7 @@
 #include "program/near_word.hpp"
 #include "program/sketch/deck/actions.hpp"
 #include "program/sketch/deck/contacts.hpp"
+#include "program/sketch/moving.hpp"
 #include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
 
@@ -127,6 +128,8 @@ void Reader::finish() {
   if (s_.bodies.empty()) faults_.push_back({{}, "the sketch has no body, expected at least one"});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
+  if (faults_.empty())
+    for (Fault& fault : faults_of_moving_loads(s_)) faults_.push_back(std::move(fault));
   if (!faults_.empty()) return;
   for (Fault& fault : cut_contacts(s_)) faults_.push_back(std::move(fault));
 }

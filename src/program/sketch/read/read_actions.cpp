@@ -96,6 +96,7 @@ void Reader::load_case(Statement& s) {
   const std::string name = s.name("the name of a load case");
   for (size_t c = 0; c < s_.cases.size(); ++c)
     if (s_.cases[c].name == name) {
+      if (s.has_more() && s_.cases[c].course) s.missing("no more words: " + in_quotes(name) + " has a course");
       case_ = static_cast<int>(c);
       return;
     }
@@ -107,6 +108,8 @@ void Reader::load_case(Statement& s) {
   case_ = static_cast<int>(s_.cases.size()) - 1;
   s_.cases.back().name = name;
   s_.cases.back().factors.assign(static_cast<size_t>(s_.pieces), 0); // of a case after a history
+  s_.cases.back().places = s_.cases.back().factors;
+  if (s.has_more()) course(s, s_.cases.back());
 }
 
 // fx or fy of a force or load; x and y are older names.
@@ -157,6 +160,8 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   while (kind == Condition::kTraction && (s.has_more() || (!c.value[0] && !c.value[1]))) {
     field(s, c, force_axis(s, c.value), "its value");
   }
+  const bool turns = kind == Condition::kTraction && s_.cases[static_cast<size_t>(case_)].course;
+  for (size_t i = 0; i < 2 && turns; ++i) c.value[i] = c.value[i].value_or(0);
   s_.conditions.push_back(c);
 }
 
@@ -285,23 +290,27 @@ std::string Reader::names_of_cases() const {
   return out;
 }
 
-// normal 1; shear 1, -1, 1: each case in turn goes to its load factors while the others stay constant. A second statement
-// continues.
+// normal 1; shear 1, -1, 1: each case in turn goes to its load factors while the others stay constant. `ring to 3`: its loads
+// move until they have gone three periods. A second statement continues.
 void Reader::history(Statement& s) {
   end_body();
-  std::vector<double> now;
-  for (const LoadCase& c : s_.cases) now.push_back(c.factors.empty() ? 0 : c.factors.back());
+  const auto last = [](const std::vector<double>& values) { return values.empty() ? 0.0 : values.back(); };
   do {
     const Word word = s.take("the name of a load case");
     const auto found = std::find_if(s_.cases.begin(), s_.cases.end(),
                                     [&](const LoadCase& c) { return !word.text.empty() && c.name == word.text; });
     if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + in_quotes(word.text) + names_of_cases()};
-    double factor = s.number("a load factor");
+    const bool moves = s.accept("to");
+    if (moves && !found->course)
+      s.fail("the loads of case " + in_quotes(word.text) +
+             " do not move, expected 'round', 'travel' or 'along' on its statement");
+    double value = s.number(moves ? "how many periods the loads have gone" : "a load factor");
     do {
-      now[static_cast<size_t>(found - s_.cases.begin())] = factor;
-      for (size_t c = 0; c < now.size(); ++c) s_.cases[c].factors.push_back(now[c]);
+      if (moves) check_place(s, *found->course, value);
+      for (LoadCase& c : s_.cases) c.factors.push_back(last(c.factors)), c.places.push_back(last(c.places));
+      (moves ? found->places : found->factors).back() = value;
       ++s_.pieces;
-    } while (s.accept_number(factor));
+    } while (s.accept_number(value));
   } while (s.accept(";") && s.has_more());
 }
 

@@ -101,6 +101,12 @@ private:
   Point force_vector(Statement& s);
   void field(Statement& s, Condition& c, size_t axis, const std::string& what);
 
+  // read_moving.cpp
+  void course(Statement& s, LoadCase& moving);
+  void loads_of_course(Statement& s, Course& course);
+  ShapePtr single_curve(Statement& s);
+  static void check_place(Statement& s, const Course& course, double periods);
+
   // read_wants.cpp
   void steps(Statement& s);
   void stress(Statement& s);

@@ -1,0 +1,146 @@
+// Positions of moving loads (METHOD 22). A path from position to position is a chain of straight pieces; what a number is off
+// by falls with their number N at least like 1/N, so that the change from N/2 to N covers what is left.
+//   1. adapt() finds the mesh with the positions of the sketch; its errors are those of the mesh.
+//   2. The history is solved on it with these positions, with twice and four times as many, and so on until the sum of both
+//      errors is small enough.
+#include "program/estimate/positions.hpp"
+
+#include "program/commands/drawn_words.hpp"
+#include "program/estimate/tolerances.hpp"
+#include "program/interrupt.hpp"
+#include "program/sketch/moving.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estimate {
+namespace {
+
+constexpr double kOfDoubling = 1.5;     // times the change by it: the error of what may fall a little slower
+constexpr int kMostOfPeriod = 4000;     // positions
+constexpr double kWorkOfDoubling = 2.5; // work with twice the positions, over that with these
+
+bool is_same_number(const app::Stated& a, const app::Stated& b) {
+  return a.what == b.what && a.zone == b.zone && a.item == b.item && a.body == b.body && a.of == b.of;
+}
+
+// The n-th of these that is the same number; null: there is none.
+const app::Stated* find_number(const std::vector<app::Stated>& all, const app::Stated& s, int n) {
+  for (const app::Stated& one : all)
+    if (is_same_number(one, s) && n-- == 0) return &one;
+  return nullptr;
+}
+
+double change(const app::Stated& a, const app::Stated& b) {
+  const bool place = app::row_of(a.what).scale == app::Scale::kPlace;
+  return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
+                                                               : std::fabs(a.value - b.value);
+}
+
+using Numbers = std::vector<app::Stated>;
+
+// The numbers as the last solution has them, with errors of the mesh and of the positions. `with`: solutions, each with twice
+// as many positions as the one before. Two of few positions may agree by chance: half the change before counts as well.
+Numbers with_errors(const Numbers& of_mesh, const std::vector<Numbers>& with) {
+  const Numbers &few = with[with.size() - 3], &more = with[with.size() - 2], &most = with.back();
+  Numbers out = of_mesh;
+  for (size_t i = 0; i < out.size(); ++i) {
+    app::Stated& s = out[i];
+    if (!s.has_value()) continue;
+    const auto equal = static_cast<int>(std::count_if(of_mesh.begin(), of_mesh.begin() + static_cast<std::ptrdiff_t>(i),
+                                                      [&](const app::Stated& other) { return is_same_number(other, s); }));
+    const app::Stated *a = find_number(few, s, equal), *b = find_number(more, s, equal), *c = find_number(most, s, equal);
+    const bool all = a != nullptr && b != nullptr && c != nullptr;
+    s.error = all ? s.error + kOfDoubling * std::max(change(*b, *c), change(*a, *b) / 2) : NAN;
+    if (c != nullptr) s.value = c->value, s.at[0] = c->at[0], s.at[1] = c->at[1], s.along = c->along;
+  }
+  return out;
+}
+
+bool all_are_met(const std::vector<app::Stated>& stated) {
+  return std::all_of(stated.begin(), stated.end(), [](const app::Stated& s) { return s.is_met() || s.endless; });
+}
+
+int most_positions(const sketch::Sketch& s) {
+  int out = 0;
+  for (const sketch::LoadCase& one : s.cases)
+    if (one.course) out = std::max(out, one.course->positions);
+  return out;
+}
+
+class Positions {
+public:
+  Positions(Adapted& adapted, const Demand& demand, TrialKeeper* keeper)
+      : out_(adapted), demand_(demand), keeper_(keeper), of_mesh_(adapted.loop.stated),
+        has_ends_(adapted.deck == sketch::deck_of(adapted.sketch, adapted.mesh)) {
+    demand_.drawn = true;
+  }
+  void refine();
+
+private:
+  bool solve_with(const sketch::Sketch& sketch, Numbers& numbers);
+  bool may_double() const;
+  void stop(const std::string& why) { out_.loop.stopped = why + (out_.loop.stopped.empty() ? "" : "; " + out_.loop.stopped); }
+
+  Adapted& out_;
+  Demand demand_;
+  TrialKeeper* keeper_;
+  const std::vector<app::Stated> of_mesh_;
+  const bool has_ends_; // of zones that the mesh has cut
+  double work_ = 0;
+  std::string deck_;
+};
+
+bool Positions::solve_with(const sketch::Sketch& sketch, Numbers& numbers) {
+  deck_ = sketch::deck_of(sketch, out_.mesh);
+  Trial trial;
+  std::string why;
+  const bool known = keeper_ != nullptr && keeper_->recall(deck_, trial);
+  if (!known && solve(deck_, demand_, trial, why) != C2D_OK) {
+    stop(app::interrupted() ? "the search was interrupted" : app::in_words_of_drawing(why, deck_));
+    return false;
+  }
+  if (!known && keeper_ != nullptr && !keeper_->keep(deck_, trial)) return false;
+  if (trial.outcome != C2D_REACHED) {
+    stop("with more positions of the moving loads the history ended early: " + trial.why);
+    return false;
+  }
+  work_ = trial.work;
+  numbers = numbers_of({out_.sketch, out_.mesh, trial});
+  if (!out_.sketch.tolerances.empty()) out_.trial = std::move(trial);
+  return true;
+}
+
+bool Positions::may_double() const {
+  return 2 * most_positions(out_.sketch) <= kMostOfPeriod && kWorkOfDoubling * work_ <= out_.sketch.most_work;
+}
+
+void Positions::refine() {
+  std::vector<Numbers> with(1);
+  if (!solve_with(out_.sketch, with.back())) return;
+  while (with.size() < 3 || !all_are_met(out_.loop.stated)) {
+    if (!may_double()) return stop("more positions of the moving loads would exceed the work limit");
+    with.emplace_back();
+    const sketch::Sketch twice = sketch::with_twice_the_positions(out_.sketch);
+    if (!solve_with(twice, with.back())) return;
+    sketch::take_positions(out_.sketch, twice);
+    out_.deck = has_ends_ ? deck_ : app::without_cut_ends(deck_);
+    if (with.size() < 3) continue;
+    out_.loop.stated = with_errors(of_mesh_, with);
+    out_.loop.rounds[out_.loop.taken].stated = out_.loop.stated;
+    out_.loop.positions = most_positions(out_.sketch);
+    if (!all_are_met(of_mesh_)) return; // the mesh has met a limit
+  }
+}
+
+} // namespace
+
+Adapted adapt_positions(const sketch::Sketch& sketch, const Demand& demand,
+                        const std::function<void(const app::MeshRound&)>& report, TrialKeeper* keeper) {
+  Adapted out = adapt(sketch, demand, report, keeper);
+  const bool is_whole = out.status == C2D_OK && !out.loop.stated.empty();
+  if (is_whole && sketch::has_moving_loads(sketch) && !app::interrupted()) Positions(out, demand, keeper).refine();
+  return out;
+}
+
+} // namespace estimate
