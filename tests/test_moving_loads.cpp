@@ -188,8 +188,9 @@ TEST_CASE("moving loads: a ring walks in its housing as another program had it")
     CAPTURE(positions);
     const test::Folder folder;
     test::write_file(folder / "ring.c2s", ring);
-    const test::Result run = test::run_shell("'" + paths::program() + "' run -q '" + (folder / "ring.c2s") +
-                                             "' K=" + std::to_string(positions) + " --csv '" + (folder / "c.csv") + "'");
+    const test::Result run =
+        test::run_shell("'" + paths::program() + "' run -q '" + (folder / "ring.c2s") + "' K=" + std::to_string(positions) +
+                        " --csv '" + (folder / "c.csv") + "'" + (i == 0 ? " --report '" + (folder / "r.html") + "'" : ""));
     REQUIRE_MESSAGE(run.status == 0, run.err);
     std::vector<double> sum, count; // of the steps: ut2 - ut1 of all pairs
     for (const std::string& line : test::lines_of(test::read_file(folder / "c.csv"))) {
@@ -204,6 +205,10 @@ TEST_CASE("moving loads: a ring walks in its housing as another program had it")
     REQUIRE(sum.size() > static_cast<size_t>(2 * positions));
     const auto mean = [&](size_t step) { return sum[step] / count[step]; };
     const size_t last = sum.size() - 1;
+    const std::string page =
+        i == 0 ? test::read_file(folder / "r.html") : "traction, cases 2, 6, 10, ..."; // strokes, not cases
+    CHECK(test::contains(page, "traction, cases 2, 6, 10, ..."));
+    CHECK(!test::contains(page, "case 11"));
     CHECK(std::fabs(mean(last) - mean(last - static_cast<size_t>(positions)) - walk) < 1e-6);
   }
 }

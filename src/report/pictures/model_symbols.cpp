@@ -11,6 +11,9 @@ namespace {
 
 // Symbols closer than this to one of their kind are omitted.
 constexpr double kSpacing = 11.0;
+// Strokes of load cases. With more cases than kMostListed the legend has a line for each stroke.
+constexpr size_t kLoadStyles = 4, kMostListed = 8;
+constexpr int kMostNamed = 3; // on such a line
 // Symbols inside a body: length of an arrow from its middle, radius of a rotation.
 constexpr double kInnerArrow = 44.0, kTurnRadius = 20.0;
 
@@ -19,7 +22,7 @@ Stroke stroke_of(Symbol symbol, size_t load_case) {
   static const Stroke kCases[] = {
       {colour::kOrange, 0.0, ""}, {colour::kPurple, 0.0, "6 2"}, {colour::kBlue, 0.0, "2 2"}, {colour::kInk, 0.0, "8 2 2 2"}};
   static const double kWidths[] = {1.4, 2.4, 1.4, 4.0, 2.4, 2.4, 2.8, 2.0};
-  Stroke out = kCases[load_case % 4];
+  Stroke out = kCases[load_case % kLoadStyles];
   out.width = kWidths[static_cast<size_t>(symbol)];
   return out;
 }
@@ -316,12 +319,20 @@ std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& presen
                                "moment on a rigid body"};
   std::vector<LegendEntry> out;
   if (present.support) out.push_back({"support (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
-  for (size_t k = 0; k < scene.cases; ++k)
+  const bool many = scene.cases > kMostListed;
+  for (size_t k = 0; k < (many ? kLoadStyles : scene.cases); ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
-      if (k >= present.load[s].size() || !present.load[s][k]) continue;
+      std::string cases; // of this stroke
+      int count = 0;
+      for (size_t c = k; c < present.load[s].size() && count <= kMostNamed; c += many ? kLoadStyles : scene.cases) {
+        if (!present.load[s][c]) continue;
+        cases += (count > 0 ? ", " : "") + (count < kMostNamed ? std::to_string(c + 1) : "...");
+        ++count;
+      }
+      if (count == 0) continue;
       const Symbol symbol = static_cast<Symbol>(s);
       const bool all = symbol == Symbol::kRigidForce || symbol == Symbol::kRigidMoment;
-      const std::string which = all ? ", largest of the path" : ", case " + std::to_string(k + 1);
+      const std::string which = all ? ", largest of the path" : (count > 1 ? ", cases " : ", case ") + cases;
       const std::string text = words[s] + (scene.cases > 1 ? which : "");
       out.push_back({text, stroke_of(symbol, k), Mark::kNone, true, "", head_of(symbol)});
     }
