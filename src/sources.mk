@@ -433,5 +433,6 @@ PROGRAM_SOURCES += src/program/sweep/parameters.cpp
 PROGRAM_SOURCES += src/program/sweep/responses.cpp
 PROGRAM_SOURCES += src/program/sweep/sweep.cpp
 PROGRAM_SOURCES += src/program/sweep/table.cpp
+PROGRAM_SOURCES += src/program/sweep/tolerance_response.cpp
 PROGRAM_SOURCES += src/program/voice.cpp
 PROGRAM_SOURCES += src/program/workspace.cpp

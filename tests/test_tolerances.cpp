@@ -345,3 +345,44 @@ TEST_CASE("tolerances: the page has the table, bars of the shares, and what has 
   CHECK(without.find("<li>By b not the approach of points: two steps give ") != std::string::npos);
   CHECK(without.find("<section id=\"tolerances\">") == std::string::npos);
 }
+
+TEST_CASE("tolerances: responses of a run and of a sweep") {
+  const test::Folder folder;
+  const std::string sketch = folder / "bar.c2s", table = folder / "table.csv", results = folder / "results.csv",
+                    errors = folder / "errors";
+  test::write_file(sketch, "parameter E 200 +- 1 %  p 3 L 2" + std::string(kBar));
+  const auto run = [&](const std::string& words) {
+    return test::run_shell("'" + paths::program() + "' " + words + " --results '" + results + "' 2>'" + errors + "'").status;
+  };
+  const std::string quiet = " --quiet --listing /dev/null";
+  REQUIRE(run("run '" + sketch +
+              "' p=3+-0.5 --response 'derivative approach of points by p; share approach of points by E; worst "
+              "case approach of points; root of squares approach of points; share approach of points by L; worst case peak "
+              "pressure'" +
+              quiet) == 0);
+  double values[6] = {};
+  std::istringstream lines(test::read_file(results));
+  std::string line;
+  for (double& value : values) std::getline(lines, line), value = std::strtod(line.c_str(), nullptr);
+  CHECK(values[0] == doctest::Approx(-0.0025).epsilon(1e-6));
+  CHECK(values[1] == doctest::Approx(0.000075).epsilon(1e-4));
+  CHECK(values[2] == doctest::Approx(0.00125 + 0.000075).epsilon(1e-4));
+  CHECK(values[3] == doctest::Approx(std::hypot(0.00125, 0.000075)).epsilon(1e-4));
+  CHECK(std::isnan(values[4])); // L has no tolerance
+  CHECK(std::isnan(values[5])); // not wanted
+  test::write_file(table, "p\n3+-0.5\n6\n");
+  REQUIRE(run("sweep '" + table + "' '" + sketch + "' --response 'worst case approach of points'") == 0);
+  std::istringstream rows(test::read_file(results));
+  std::getline(rows, line);
+  CHECK(line == "row,p,worst case approach of points,outcome");
+  std::getline(rows, line);
+  CHECK(std::strtod(line.c_str() + line.find(',', 2) + 1, nullptr) == doctest::Approx(0.001325).epsilon(1e-4));
+  std::getline(rows, line);
+  CHECK(std::strtod(line.c_str() + line.find(',', 2) + 1, nullptr) == doctest::Approx(0.00015).epsilon(1e-4));
+  // What is no such response.
+  for (const char* words :
+       {"derivative peak pressure", "worst case", "share by R", "worst case nothing", "worst case peak pressure by R"})
+    CHECK(run("run '" + sketch + "' --response '" + std::string(words) + "'" + quiet) == 64);
+  CHECK(run("run '" + sketch + "' --response 'worst case peek pressure'" + quiet) == 64);
+  CHECK(test::read_file(errors).find("did you mean 'worst case peak pressure'") != std::string::npos);
+}

@@ -191,7 +191,8 @@ int Run::library_failed(c2d_status status) {
 // A sketch and its files are stored before mesh refinement begins.
 int Run::read_deck() {
   Drawing drawing{options_.settings, true, options_.memory, line_.active()};
-  drawing.tolerances = !is_one_of_many_;
+  drawing.tolerances = !is_one_of_many_; // a row of a sweep only if it is asked for
+  for (const Response& r : options_.responses) drawing.tolerances = drawing.tolerances || r.of == Response::Of::kTolerance;
   drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
   if (options_.store.compare(0, 5, "file:") == 0) {
     drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };

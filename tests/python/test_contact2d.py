@@ -289,6 +289,17 @@ class Solve(unittest.TestCase):
             forces.append(result.quantity("peak pressure"))
         self.assertGreater(forces[0], forces[1] * 1.2)  # the blunter roller presses less
 
+    def test_tolerances_of_parameters(self):
+        text = ROLLER.read_text() + "\ntolerance off\n"
+        self.assertEqual(len(contact2d.solve(text, pictures=False).tolerances), 0)
+        found = contact2d.solve(text, pictures=False, set={"R": "10+-0.1", "mu": "0.1+-10%"}).tolerances
+        peak = found.where(quantity="peak pressure", parameter="R")
+        self.assertEqual(len(peak), 1)
+        self.assertAlmostEqual(peak[0]["derivative"] * 10 / peak[0]["value"], -0.5, delta=0.05)
+        self.assertAlmostEqual(peak[0]["share"], -0.1 * peak[0]["derivative"], delta=1e-9)
+        self.assertEqual(set(found["parameter"]), {"R", "mu"})
+        self.assertGreaterEqual(peak[0]["worst_case"], peak[0]["root_of_squares"])
+
     def test_a_path_that_ends_early_is_told(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")

@@ -179,7 +179,7 @@ class Result:
 
     Tables by name, result["contact"] (OUTPUT.md describes their columns): "contact", "boundary", "summary", "bodies",
     "trace", "interior" if points were asked for, and, if they were, "stresses" and "ranges". `summary`: the program's JSON; `listing`, `report` (a page of HTML):
-    texts; `pictures`: by name; `warnings`, `notes`: messages; `complete`, `outcome`, `why`: did the path reach its end?
+    texts; `pictures`: by name; `tolerances`: a table; `warnings`, `notes`: messages; `complete`, `outcome`, `why`: did the path reach its end?
     """
 
     def __init__(self, folder: pathlib.Path, stderr: str, status: int) -> None:
@@ -225,6 +225,25 @@ class Result:
         if part not in found[-1]:
             raise KeyError("quantity %r has no %r; it has %s" % (name, part, ", ".join(found[-1])))
         return float(found[-1][part])
+
+    @property
+    def tolerances(self) -> Table:
+        """What parameters with tolerances do to the wanted numbers (OUTPUT.md, tolerances): a row per number and parameter. The sums
+        over all parameters, worst_case and root_of_squares, are the same in all rows of a number. Where there is no usable
+        derivative these numbers are NaN, and `why` has the reason. Empty without tolerances."""
+        def real(value: Any) -> float:
+            return float("nan") if value is None else float(value)
+
+        all_of = self.summary.get("tolerances", {"numbers": []})["numbers"]
+        rows = [(number, by) for number in all_of for by in number["by"]]
+        columns: List[Tuple[str, Any]] = [
+            ("quantity", [number["name"] for number, _ in rows])]
+        columns += [(key, [number.get(key, 0) for number, _ in rows]) for key in ("zone", "body", "item")]
+        columns += [(key, [real(number[key]) for number, _ in rows]) for key in ("value", "worst_case", "root_of_squares")]
+        columns += [("parameter", [by["parameter"] for _, by in rows])]
+        columns += [(key, [real(by[key]) for _, by in rows]) for key in ("derivative", "share")]
+        columns += [("why", [by.get("why", "") for _, by in rows])]
+        return Table((name, arrays.column(values)) for name, values in columns)
 
     def save(self, folder: Union[str, os.PathLike[str]]) -> None:
         """Writes all outputs into a folder, which is made if it is not there. Pictures there that an earlier run has left, and

@@ -2,6 +2,7 @@
 
 #include "program/near_word.hpp"
 #include "program/read_number.hpp"
+#include "program/sweep/tolerance_response.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -14,7 +15,10 @@ const char kResponseWords[] =
     "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary, or x, y or along of its place (contact edge "
     "1 "
     "x); stress or a column of --interior with the "
-    "number of a point; touching, sticking, slipping, load; then, if needed, zone Z and the number of an edge or border";
+    "number of a point; touching, sticking, slipping, load; then, if needed, zone Z and the number of an edge or border; with "
+    "tolerances of parameters derivative or share of a number by a parameter (share peak pressure by R), its worst case or "
+    "root "
+    "of squares";
 
 namespace {
 
@@ -118,6 +122,11 @@ std::string with_blanks(const std::vector<std::string>& words) {
 
 bool read_response(std::vector<std::string> words, Response& r) {
   r.words = with_blanks(words);
+  if (take_tolerance_words(words, r)) {
+    take_tail(words, r);
+    r.number = with_blanks(words);
+    return is_name_of_wanted(r.number);
+  }
   take_tail(words, r);
   return take_head(words, r) || take_place(words, r);
 }
@@ -134,6 +143,7 @@ std::vector<std::string> response_words() {
   for (const Word& w : kColumns) out.emplace_back(w.word);
   for (const Word& w : kPointColumns) out.emplace_back(w.word);
   for (const Word& w : kCounts) out.emplace_back(w.word);
+  for (const std::string& word : tolerance_words()) out.push_back(word);
   for (const std::string& name : quantity_names())
     for (const std::string& word : split_words(name)) out.push_back(word);
   return out;
@@ -223,6 +233,7 @@ bool read_responses(const std::string& text, std::vector<Response>& responses, s
 
 double evaluate(const Response& r, const RunRecord& record) {
   if (r.of == Response::Of::kPoint) return of_point(r, record);
+  if (r.of == Response::Of::kTolerance) return of_tolerances(r, record.meshes.tolerances);
   if (record.coefficients.empty()) return NAN;
   const CoefficientRecord& c = record.coefficients.back();
   if (r.of == Response::Of::kQuantity) return of_quantities(r, c);

@@ -11,7 +11,7 @@ namespace app {
 
 // One number of the last recorded state of the last coefficient of friction.
 struct Response {
-  enum class Of { kPairs, kQuantity, kPoint, kCount, kLoad };
+  enum class Of { kPairs, kQuantity, kPoint, kCount, kLoad, kTolerance };
   std::string words; // as it is called in tables
   Of of = Of::kLoad;
   int32_t which = 0; // kPairs: a column of the pairs' table; kQuantity: a Measure; kPoint: C2D_POINT_...; kCount: a status, -1:
@@ -20,6 +20,8 @@ struct Response {
   bool size = false;                                              // kPairs: of its absolute value
   enum class Part { kValue, kX, kY, kAlong } part = Part::kValue; // kQuantity: the number, or where its place is
   int32_t zone = 0;                                               // 0: all
+  enum class Effect { kDerivative, kShare, kWorstCase, kRootOfSquares } effect = Effect::kDerivative; // kTolerance: which,
+  std::string number, by;                                                                             // of what, by what
   int32_t item = 0; // kQuantity: which of several; kPoint: which point; 0: the only one
 };
 

@@ -1,0 +1,20 @@
+// Responses about tolerances of parameters: "derivative peak pressure by R", "worst case contact edge 1".
+#pragma once
+
+#include "program/sweep/responses.hpp"
+
+namespace app {
+
+// Takes the words before the name of a number, and `by R` at the end. False: the words are none such.
+bool take_tolerance_words(std::vector<std::string>& words, Response& r);
+
+// Does the name of a wanted number begin with these words?
+bool is_name_of_wanted(const std::string& text);
+
+// NaN: there is no such number, it has no derivative, or the parameter has no tolerance.
+double of_tolerances(const Response& r, const ToleranceTable& table);
+
+// The words besides those of numbers.
+std::vector<std::string> tolerance_words();
+
+} // namespace app
