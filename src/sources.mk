@@ -353,6 +353,7 @@ PROGRAM_SOURCES += src/program/drawing/tidy.cpp
 PROGRAM_SOURCES += src/program/drawing/write.cpp
 PROGRAM_SOURCES += src/program/estimate/compare.cpp
 PROGRAM_SOURCES += src/program/estimate/error.cpp
+PROGRAM_SOURCES += src/program/estimate/fatigue.cpp
 PROGRAM_SOURCES += src/program/estimate/hoop.cpp
 PROGRAM_SOURCES += src/program/estimate/kept.cpp
 PROGRAM_SOURCES += src/program/estimate/loop.cpp

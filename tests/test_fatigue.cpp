@@ -137,6 +137,7 @@ TEST_CASE("fatigue: pulsating tension, pure compression, no load") {
   CHECK(near(of(FatigueCriterion::kCrossland, pressed), 50 / std::sqrt(3.0), 1e-12));
   for (const FatigueCriterion c : kAll) CHECK(of(c, {{0, 0, 0, 0}, {0, 0, 0, 0}}) == 0);
   for (const FatigueCriterion c : kAll) CHECK(of(c, {}) == 0);
+  CHECK(std::isinf(fatigue_bound(FatigueCriterion::kDangVan, pulsating, kSteel)));
 }
 
 TEST_CASE("fatigue: a fine grid of planes finds nothing larger, and nearly the same") {
@@ -147,6 +148,7 @@ TEST_CASE("fatigue: a fine grid of planes finds nothing larger, and nearly the s
     for (const FatigueCriterion c : {FatigueCriterion::kSwt, FatigueCriterion::kFatemiSocie, FatigueCriterion::kFindley}) {
       const FatigueValue found = fatigue_value(c, cycle, kSteel);
       CHECK(found.angle > -90), CHECK(found.angle <= 90);
+      CHECK(fatigue_bound(c, cycle, kSteel) >= found.value * (1 - 1e-13));
       double most = -HUGE_VAL;
       constexpr int kPlanes = 500;
       for (int i = 0; i < kPlanes; ++i) most = std::max(most, on_plane(c, cycle, kSteel, kPi * i / kPlanes));

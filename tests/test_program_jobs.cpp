@@ -351,9 +351,9 @@ TEST_CASE("jobs: one that goes on has its meshes and its files, with every mesh 
     REQUIRE(fs::exists(store + "/mesh1"));
     std::string error, text;
     if (foreign) {
-      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 3", text, error) == app::Sealed::kWhole);
+      REQUIRE(app::read_sealed(store + "/mesh1", "contact2d mesh 4", text, error) == app::Sealed::kWhole);
       for (const std::string& other : {std::string("junk"), "1\nx\n" + text}) {
-        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 3", other, error));
+        REQUIRE(app::write_sealed(store + "/mesh1", "contact2d mesh 4", other, error));
         estimate::TrialKeeper keeper;
         keeper.begin(store, "job", 0);
         estimate::Trial trial;

@@ -24,7 +24,7 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   tells("load a 1\n" + kHeld, "'load': expected a statement, such as body");
   // What follows from a fault is not told.
   tells("boddy b E 1 nu 0\nfrom 0 0\nline s to 1 0\nfix b.s\n", "1:1");
-  tells("body b E 1 v 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:12 'v': expected E or nu");
+  tells("body b E 1 v 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:12 'v': expected E, nu or fatigue");
   tells("body b E 1 nu 0\nfrom 0 0\nline s to 1\nline to 0 1\nline close\nfix b.s\n", "3:12 the statement ends here");
   tells("body 7 E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:6 '7': expected the name of a body");
   tells("body a E 1 nu 0\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:1 body 'a' has no");
@@ -205,7 +205,7 @@ TEST_CASE("sketch: tolerances, limits, wants") {
   tells("limit elements 2.5\n" + kHeld, "a whole number");
   tells("steps 0\n" + kHeld, "a whole number");
   tells(kTwo + "want peak\n", "'peak': expected pressure, edges");
-  tells(kTwo + "want presure\n", "hoop or cycle, did you mean 'pressure'?");
+  tells(kTwo + "want presure\n", "hoop, fatigue or cycle, did you mean 'pressure'?");
   tells(kTwo + "want contact edges\n", "'contact': expected pressure, edges");
   tells(kTwo + "want stress b 0.5\n", "expected y of a point");
   tells(kTwo + "want hoop b\n", "expected a body, a dot and curves of the body");

@@ -51,8 +51,16 @@ enum class Measure {
   kApproachOf, // of two points inside: along the line from the first to the second
   kShiftOf,    // and across it
   kCycleDissipated,
+  kSwt, // fatigue parameters over the last cycle
+  kFatemiSocie,
+  kFindley,
+  kCrossland,
+  kDangVan,
+  kRuiz1,
+  kRuiz2,
+  kCrackRange, // of the stress intensity of an edge crack
 };
-constexpr size_t kMeasures = static_cast<size_t>(Measure::kCycleDissipated) + 1;
+constexpr size_t kMeasures = static_cast<size_t>(Measure::kCrackRange) + 1;
 
 enum class Unit { kNone, kLength, kStress, kForce, kWork };
 

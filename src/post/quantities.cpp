@@ -371,8 +371,8 @@ constexpr MeasureRow body(M what, const char* name, U unit, S scale, TakeBody ta
 constexpr MeasureRow inside(M what, const char* name, U unit) {
   return {what, name, unit, S::kGiven, {kInside, kInside}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
-constexpr MeasureRow surface(M what, const char* name) {
-  return {what, name, U::kStress, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
+constexpr MeasureRow surface(M what, const char* name, U unit = U::kStress) {
+  return {what, name, unit, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
 
 constexpr MeasureRow kRows[] = {
@@ -417,6 +417,14 @@ constexpr MeasureRow kRows[] = {
     inside(M::kApproachOf, "approach of points", U::kLength),
     inside(M::kShiftOf, "shift of points", U::kLength),
     zone(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, S::kGiven, nullptr, kSurface),
+    surface(M::kSwt, "SWT"),
+    surface(M::kFatemiSocie, "Fatemi-Socie", U::kNone),
+    surface(M::kFindley, "Findley"),
+    surface(M::kCrossland, "Crossland"),
+    surface(M::kDangVan, "Dang Van"),
+    surface(M::kRuiz1, "Ruiz F1", U::kForce),
+    surface(M::kRuiz2, "Ruiz F2", U::kNone),
+    surface(M::kCrackRange, "crack range of K", U::kNone),
 };
 
 constexpr double kRoundOff = 1e-10; // of the largest force

@@ -20,6 +20,7 @@ struct Stated {
   double tolerance = NAN;               // NaN: not requested
   double at[2] = {NAN, NAN};
   double along = NAN;    // Quantity::along of that place
+  double angle = NAN;    // of a fatigue parameter: of the normal of its plane from x, in degrees
   int32_t images = 1;    // Quantity::images
   bool endless = false;  // it does not converge as the mesh is refined: it may be unbounded; without an error it is
   bool confirmed = true; // confirmed by another round or another error estimate

@@ -44,6 +44,7 @@ void append_stated(std::string& out, const Stated& s) {
     o.number("y", s.at[1]);
   }
   if (std::isfinite(s.along)) o.number("along", s.along);
+  if (std::isfinite(s.angle)) o.number("plane_angle", s.angle);
   out += '}';
 }
 

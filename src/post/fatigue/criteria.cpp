@@ -43,21 +43,31 @@ PlaneWave shear_strain(const StressState& s, const FatigueMaterial& m) { // engi
   return {0, f * t.cosine, f * t.sine};
 }
 
-FatigueValue on_planes(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& m) {
+// The waves of the states, and the parameter of them.
+struct PlaneProblem {
   std::vector<PlaneWave> stress, ranged;
+  PlaneParameter parameter;
+};
+PlaneProblem problem_of(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& m) {
+  PlaneProblem out;
   for (const StressState& s : cycle) {
-    stress.push_back(normal_stress(s));
-    ranged.push_back(criterion == FatigueCriterion::kSwt           ? normal_strain(s, m)
-                     : criterion == FatigueCriterion::kFatemiSocie ? shear_strain(s, m)
-                                                                   : shear_stress(s));
+    out.stress.push_back(normal_stress(s));
+    out.ranged.push_back(criterion == FatigueCriterion::kSwt           ? normal_strain(s, m)
+                         : criterion == FatigueCriterion::kFatemiSocie ? shear_strain(s, m)
+                                                                       : shear_stress(s));
   }
-  PlaneParameter parameter{0, 1, 0};
-  if (criterion == FatigueCriterion::kFatemiSocie) parameter = {1, m.fatemi_socie, 0};
+  out.parameter = {0, 1, 0};
+  if (criterion == FatigueCriterion::kFatemiSocie) out.parameter = {1, m.fatemi_socie, 0};
   if (criterion == FatigueCriterion::kFindley)
-    parameter = {1, 0, m.findley};
+    out.parameter = {1, 0, m.findley};
   else
-    stress.push_back({}); // compression does not count
-  const PlaneMaximum most = largest_over_planes(stress, ranged, parameter);
+    out.stress.push_back({}); // compression does not count
+  return out;
+}
+
+FatigueValue on_planes(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& m) {
+  const PlaneProblem p = problem_of(criterion, cycle, m);
+  const PlaneMaximum most = largest_over_planes(p.stress, p.ranged, p.parameter);
   return {most.value, most.angle};
 }
 
@@ -87,13 +97,28 @@ FatigueValue by_ball(FatigueCriterion criterion, const StressCycle& cycle, const
   return {most, NAN};
 }
 
+bool has_planes(FatigueCriterion criterion) {
+  return criterion != FatigueCriterion::kCrossland && criterion != FatigueCriterion::kDangVan;
+}
+
 } // namespace
+
+double fatigue_bound(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& material) {
+  if (!has_planes(criterion) || cycle.empty()) return HUGE_VAL;
+  const PlaneProblem p = problem_of(criterion, cycle, material);
+  double stress = -HUGE_VAL, high = -HUGE_VAL, low = HUGE_VAL;
+  for (const PlaneWave& w : p.stress) stress = std::max(stress, w.mean + std::hypot(w.cosine, w.sine));
+  for (const PlaneWave& w : p.ranged) {
+    const double size = std::hypot(w.cosine, w.sine);
+    high = std::max(high, w.mean + size), low = std::min(low, w.mean - size);
+  }
+  return (high - low) / 2 * (p.parameter.alone + p.parameter.times * stress) + p.parameter.stress * stress;
+}
 
 FatigueValue fatigue_value(FatigueCriterion criterion, const StressCycle& all, const FatigueMaterial& material) {
   if (all.empty()) return {0, NAN};
   const StressCycle cycle = without_repeats(all);
-  const bool has_planes = criterion != FatigueCriterion::kCrossland && criterion != FatigueCriterion::kDangVan;
-  return has_planes ? on_planes(criterion, cycle, material) : by_ball(criterion, cycle, material);
+  return has_planes(criterion) ? on_planes(criterion, cycle, material) : by_ball(criterion, cycle, material);
 }
 
 } // namespace app

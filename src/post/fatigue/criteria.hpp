@@ -25,6 +25,8 @@ struct FatigueValue {
 // the deviator, in the norm sqrt(s:s/2).
 // Dang Van: the largest over the states of t + a p, t the largest shear stress of the deviator less the centre of that ball.
 // All are largest at corners of the cycle, so that nothing between them is needed.
+// The value is no larger than this, which costs little; infinite for parameters without a plane.
+double fatigue_bound(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& material);
 FatigueValue fatigue_value(FatigueCriterion criterion, const StressCycle& cycle, const FatigueMaterial& material);
 
 } // namespace app

@@ -58,7 +58,7 @@ PlanePolynomial polynomial_of(const PlaneWave& s, const PlaneWave& high, const P
 // Finds the place of the largest value of a polynomial in an interval.
 class PolynomialTop {
 public:
-  explicit PolynomialTop(const PlanePolynomial& f) : f_(f), third_(f.first() + 8 * f.second()) {}
+  PolynomialTop(const PlanePolynomial& f, double least) : best(least), f_(f), third_(f.first() + 8 * f.second()) {}
   void look(double from, double to) {
     const double m = (from + to) / 2, h = (to - from) / 2, value = f_.value(m), slope = f_.slope(m);
     take(m, value);
@@ -71,7 +71,7 @@ public:
     }
     look(from, m), look(m, to);
   }
-  double place = 0, best = -HUGE_VAL;
+  double place = 0, best; // `best` stays at the given value if no value is larger
 
 private:
   void take(double p, double value) {
@@ -155,8 +155,8 @@ void PlaneSearch::look(double m, double h, const PlaneChoices& from) {
     if (high[k].high >= high_least) own.high.push_back(from.high[k]);
   for (size_t k = 0; k < low.size(); ++k)
     if (low[k].low <= low_most) own.low.push_back(from.low[k]);
-  take(m);
   if (own.count() > kFewChoices) {
+    take(m);
     if (h < kLeastPiece) return;
     look(m - h / 2, h / 2, own), look(m + h / 2, h / 2, own);
     return;
@@ -165,9 +165,9 @@ void PlaneSearch::look(double m, double h, const PlaneChoices& from) {
     for (const size_t j : own.high)
       for (const size_t k : own.low) {
         const PlanePolynomial f = polynomial_of(stress_[i], ranged_[j], ranged_[k], parameter_);
-        PolynomialTop top(f);
+        PolynomialTop top(f, best_);
         top.look(m - h, m + h);
-        take(top.place);
+        if (top.best > best_) take(top.place);
       }
 }
 

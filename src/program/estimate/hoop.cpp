@@ -29,6 +29,7 @@ struct HoopElement {
   bool wanted;
   double length() const { return to - from; }
   sketch::Point at(double f) const { return curve->curve->shape->at(curve->measure.u_at(from + f * (to - from))); }
+  sketch::Point tangent(double f) const { return curve->curve->shape->tangent(curve->measure.u_at(from + f * (to - from))); }
 };
 
 // An edge of a contact.
@@ -46,15 +47,19 @@ struct EdgeStress {
 
 class HoopFinder {
 public:
-  HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
+  HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const std::vector<State>& states, const sketch::Side& side,
+             size_t first);
   Hoop run();
   PressureAt pressure_at(sketch::Point near) const;
+  std::vector<SurfaceCycle> cycles(double poisson_ratio);
+  std::vector<RubbedPlace> rubbed() const;
 
 private:
   double field(size_t state, Field f, size_t element, double at) const;
   double pressure(size_t state, size_t element, double at, double* friction = nullptr) const;
   double smooth_part(size_t state, size_t element) const;
   size_t next(size_t element, bool up) const { return up ? elements_[element].after : elements_[element].before; }
+  bool find_place(sketch::Point at, HoopEdge& out) const;
   std::vector<HoopEdge> edges_of(size_t state) const;
   bool find_stress(size_t state, const HoopEdge& edge, EdgeStress& out) const;
   void find_edges();
@@ -64,17 +69,23 @@ private:
   void take_nodes(Hoop& out) const;
   void take_edges(Hoop& out) const;
   double value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const;
+  SurfaceCycle cycle_at_node(size_t element, size_t node) const;
+  SurfaceCycle cycle_at_edge(const EdgeStress& edge, double poisson_ratio) const;
+  bool is_edge_of(size_t state, const HoopEdge& edge) const;
 
   const Trial& trial_;
+  const std::vector<State>& states_;
   const size_t body_, first_;
   std::vector<HoopElement> elements_;
   std::vector<double> largest_;                 // largest pressure per state
-  std::vector<std::vector<EdgeStress>> stress_; // per state
+  std::vector<std::vector<HoopEdge>> edges_;    // per state, from `first_` on
+  std::vector<std::vector<EdgeStress>> stress_; // likewise
   std::vector<char> shadowed_;                  // elements next to edges, at turns of the loads, with extrapolated stresses
 };
 
-HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first)
-    : trial_(trial), body_(static_cast<size_t>(side.body)), first_(first) {
+HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const std::vector<State>& states, const sketch::Side& side,
+                       size_t first)
+    : trial_(trial), states_(states), body_(static_cast<size_t>(side.body)), first_(first) {
   for (const sketch::MeshedOutline& outline : mesh.bodies[body_]) {
     const size_t begin = elements_.size();
     for (const sketch::MeshedCurve& curve : outline.curves)
@@ -93,7 +104,7 @@ HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const sketc
 
 // Value in an element at a coordinate from 0 to 1, linear between the adjacent nodes.
 double HoopFinder::field(size_t state, Field f, size_t element, double at) const {
-  const std::vector<double>& v = trial_.states[state].ends[body_][f];
+  const std::vector<double>& v = states_[state].ends[body_][f];
   const auto n = static_cast<size_t>(trial_.nodes);
   if (n == 1) return v[element];
   const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(n - 1);
@@ -119,28 +130,32 @@ double HoopFinder::smooth_part(size_t state, size_t element) const {
   return field(state, kHoop, element, 0.5) + across * p + (1 - across) * mean;
 }
 
+// The place of the body's boundary next to a point of the other side, which may be farther away than an element is long; false:
+// it is not on the requested curves.
+bool HoopFinder::find_place(sketch::Point at, HoopEdge& out) const {
+  double least = HUGE_VAL, s = 0, off = 0;
+  out = {elements_.size(), 0, false};
+  const sketch::MeshedCurve* curve = nullptr;
+  for (size_t e = 0; e < elements_.size(); ++e) {
+    if (elements_[e].curve != curve) {
+      curve = elements_[e].curve;
+      s = sketch::nearest_length(*curve, at);
+      off = sketch::length(curve->curve->shape->at(curve->measure.u_at(s)) - at);
+    }
+    if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, out = {e, s, false};
+  }
+  return out.element < elements_.size() && elements_[out.element].wanted;
+}
+
 // Edges of the contacts of this body on the requested curves.
 std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
   std::vector<HoopEdge> out;
-  for (const app::Quantity& q : trial_.states[state].quantities) {
+  for (const app::Quantity& q : states_[state].quantities) {
     if (q.what != app::Measure::kContactEdge || q.at_corner || std::isnan(q.at[0])) continue;
     const auto& zone = trial_.zones[static_cast<size_t>(q.zone) - 1];
     if (zone[0].body != static_cast<int32_t>(body_) && zone[1].body != static_cast<int32_t>(body_)) continue;
-    const sketch::Point at{q.at[0], q.at[1]};
-    double least = HUGE_VAL;
-    HoopEdge edge{elements_.size(), 0, false};
-    const sketch::MeshedCurve* curve = nullptr;
-    double s = 0, off = 0;
-    for (size_t e = 0; e < elements_.size(); ++e) {
-      if (!elements_[e].wanted) continue;
-      if (elements_[e].curve != curve) {
-        curve = elements_[e].curve;
-        s = sketch::nearest_length(*curve, at);
-        off = sketch::length(curve->curve->shape->at(curve->measure.u_at(s)) - at);
-      }
-      if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, edge = {e, s, false};
-    }
-    if (edge.element == elements_.size() || least > elements_[edge.element].length()) continue; // not on these curves
+    HoopEdge edge{};
+    if (!find_place({q.at[0], q.at[1]}, edge)) continue; // not on these curves
     edge.up = pressure(state, next(edge.element, true), 0.5) > pressure(state, next(edge.element, false), 0.5);
     out.push_back(edge);
   }
@@ -207,18 +222,20 @@ bool HoopFinder::find_stress(size_t state, const HoopEdge& edge, EdgeStress& out
 }
 
 void HoopFinder::find_edges() {
-  for (size_t state = 0; state < trial_.states.size(); ++state) {
+  for (size_t state = 0; state < states_.size(); ++state) {
     largest_.push_back(0);
     stress_.emplace_back();
-    for (const app::Quantity& q : trial_.states[state].quantities)
+    for (const app::Quantity& q : states_[state].quantities)
       if (q.what == app::Measure::kPeakPressure) largest_.back() = std::max(largest_.back(), q.value);
+    edges_.emplace_back();
     if (state < first_) continue;
-    for (const HoopEdge& edge : edges_of(state)) {
+    edges_.back() = edges_of(state);
+    for (const HoopEdge& edge : edges_.back()) {
       EdgeStress stress;
       if (!find_stress(state, edge, stress)) continue;
       stress_.back().push_back(stress);
       for (const bool up : {false, true}) {
-        if (!trial_.states[state].turn) break; // only turns: between them edges move past places with peaks elsewhere
+        if (!states_[state].turn) break; // only turns: between them edges move past places with peaks elsewhere
         size_t e = edge.element;
         for (size_t k = 0; k <= kShadow; ++k, e = next(e, up)) shadowed_[e] = 1;
       }
@@ -273,8 +290,8 @@ void HoopFinder::take_nodes(Hoop& out) const {
     return best;
   };
   for (size_t k = 0; k < high.size(); ++k) {
-    for (size_t state = first_; state < trial_.states.size(); ++state) {
-      const double v = trial_.states[state].ends[body_][kHoop][k];
+    for (size_t state = first_; state < states_.size(); ++state) {
+      const double v = states_[state].ends[body_][kHoop][k];
       high[k] = std::max(high[k], v), below[k] = std::max(below[k], -v);
     }
     range[k] = high[k] + below[k];
@@ -300,15 +317,15 @@ double HoopFinder::value_at(size_t state, const HoopEdge& edge, double* doubt, i
 }
 
 void HoopFinder::take_edges(Hoop& out) const {
-  for (size_t state = first_; state < trial_.states.size(); ++state)
+  for (size_t state = first_; state < states_.size(); ++state)
     for (const EdgeStress& s : stress_[state]) {
       if (s.stress.value > out.high.value) out.high = s.stress;
       if (s.stress.value < out.low.value) out.low = s.stress;
       out.any = true;
-      if (!trial_.states[state].turn) continue;
+      if (!states_[state].turn) continue;
       double low = HUGE_VAL, high = -HUGE_VAL, doubt_low = 0, doubt_high = 0;
       int way_low = 0, way_high = 0;
-      for (size_t k = first_; k < trial_.states.size(); ++k) {
+      for (size_t k = first_; k < states_.size(); ++k) {
         double doubt = 0;
         int way = 0;
         const double v = value_at(k, s.edge, &doubt, &way);
@@ -322,7 +339,7 @@ void HoopFinder::take_edges(Hoop& out) const {
 
 PressureAt HoopFinder::pressure_at(sketch::Point near) const {
   PressureAt out;
-  const size_t last = trial_.states.size() - 1;
+  const size_t last = states_.size() - 1;
   double least = HUGE_VAL;
   for (size_t e = 0; e < elements_.size(); ++e) {
     const HoopElement& element = elements_[e];
@@ -335,10 +352,108 @@ PressureAt HoopFinder::pressure_at(sketch::Point near) const {
   return out;
 }
 
+// The stress tensor of a boundary point from the stress along the boundary, the traction and the stress out of the plane.
+app::StressState tensor_of(double hoop, sketch::Point traction, double zz, sketch::Point t) {
+  const sketch::Point n{t.y, -t.x}; // outwards: the material is on the left
+  const double across = sketch::dot(traction, n), shear = sketch::dot(traction, t);
+  return {hoop * t.x * t.x + across * n.x * n.x + 2 * shear * t.x * n.x,
+          hoop * t.y * t.y + across * n.y * n.y + 2 * shear * t.y * n.y,
+          hoop * t.x * t.y + across * n.x * n.y + shear * (t.x * n.y + t.y * n.x), zz};
+}
+
+SurfaceCycle HoopFinder::cycle_at_node(size_t e, size_t i) const {
+  const auto n = static_cast<size_t>(trial_.nodes);
+  const HoopElement& own = elements_[e];
+  const double f = n == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1);
+  SurfaceCycle out;
+  out.at = own.at(f), out.along = own.tangent(f);
+  out.curve = own.curve, out.length = own.from + f * own.length(), out.element = own.length();
+  for (const State& state : states_) {
+    const auto& ends = state.ends[body_];
+    const size_t k = e * n + i;
+    out.cycle.push_back(tensor_of(ends[kHoop][k], {ends[kTx][k], ends[kTy][k]}, ends[kSzz][k], out.along));
+  }
+  return out;
+}
+
+// Is it, or nearly, an edge in this state?
+bool HoopFinder::is_edge_of(size_t state, const HoopEdge& edge) const {
+  return std::any_of(edges_[state].begin(), edges_[state].end(), [&](const HoopEdge& e) {
+    return e.up == edge.up && elements_[e.element].curve == elements_[edge.element].curve &&
+           std::fabs(e.s - edge.s) < 0.5 * elements_[edge.element].length();
+  });
+}
+
+// At an edge of a state the traction vanishes. The stress out of the plane changes by Poisson's ratio times the stress along
+// the surface.
+SurfaceCycle HoopFinder::cycle_at_edge(const EdgeStress& s, double poisson_ratio) const {
+  const HoopElement& own = elements_[s.edge.element];
+  const double f = (s.edge.s - own.from) / own.length();
+  SurfaceCycle out;
+  out.at = s.stress.at, out.along = own.tangent(f), out.way = s.stress.way;
+  out.curve = own.curve, out.length = s.edge.s, out.element = own.length();
+  for (size_t k = 0; k < states_.size(); ++k) {
+    double doubt = 0;
+    int way = 0;
+    const double hoop = value_at(k, s.edge, &doubt, &way), plain = field(k, kHoop, s.edge.element, f);
+    const bool is_edge = way > 0 || is_edge_of(k, s.edge);
+    const sketch::Point force{field(k, kTx, s.edge.element, f), field(k, kTy, s.edge.element, f)};
+    const sketch::Point traction = is_edge ? sketch::Point{} : force;
+    const sketch::Point normal{out.along.y, -out.along.x};
+    const auto zz = [&](double along) { // without a traction there is nothing but the stress along the surface
+      const double across = is_edge ? sketch::dot(force, normal) : 0;
+      return field(k, kSzz, s.edge.element, f) + poisson_ratio * (along - plain - across);
+    };
+    const double other = hoop + std::copysign(doubt, hoop);
+    out.cycle.push_back(tensor_of(hoop, traction, zz(hoop), out.along));
+    out.other.push_back(tensor_of(other, traction, zz(other), out.along));
+  }
+  return out;
+}
+
+std::vector<SurfaceCycle> HoopFinder::cycles(double poisson_ratio) {
+  std::vector<SurfaceCycle> out;
+  if (states_.empty()) return out;
+  find_edges();
+  for (size_t e = 0; e < elements_.size(); ++e)
+    for (size_t i = 0; elements_[e].wanted && shadowed_[e] == 0 && i < static_cast<size_t>(trial_.nodes); ++i)
+      out.push_back(cycle_at_node(e, i));
+  for (size_t k = 0; k < states_.size(); ++k)
+    for (const EdgeStress& s : stress_[k])
+      if (states_[k].turn) out.push_back(cycle_at_edge(s, poisson_ratio));
+  return out;
+}
+
+// The pairs on the requested curves, with what they saw in the cycle.
+std::vector<RubbedPlace> HoopFinder::rubbed() const {
+  std::vector<RubbedPlace> out;
+  for (size_t p = 0; p < states_.front().rubbing.size(); ++p) {
+    const Rubbing& first = states_.front().rubbing[p];
+    const auto& zone = trial_.zones[static_cast<size_t>(first.zone) - 1];
+    HoopEdge at{};
+    if (zone[0].body != static_cast<int32_t>(body_) && zone[1].body != static_cast<int32_t>(body_)) continue;
+    if (!find_place({first.x, first.y}, at)) continue;
+    const HoopElement& own = elements_[at.element];
+    const double f = (at.s - own.from) / own.length();
+    RubbedPlace place{own.at(f), own.curve, at.s, own.length(), 0, 0, -HUGE_VAL};
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (size_t k = 0; k < states_.size(); ++k) {
+      place.along = std::max(place.along, field(k, kHoop, at.element, f));
+      const Rubbing& now = states_[k].rubbing[p];
+      if (!(now.pressure > 0)) continue;
+      place.friction = std::max(place.friction, std::fabs(now.friction));
+      low = std::min(low, now.slip), high = std::max(high, now.slip);
+    }
+    place.slip = std::max(0.0, high - low);
+    out.push_back(place);
+  }
+  return out;
+}
+
 Hoop HoopFinder::run() {
   Hoop out;
   out.high.value = -HUGE_VAL, out.low.value = HUGE_VAL, out.widest.value = -1;
-  if (first_ >= trial_.states.size()) return out;
+  if (first_ >= states_.size()) return out;
   find_edges();
   take_nodes(out);
   take_edges(out);
@@ -348,11 +463,21 @@ Hoop HoopFinder::run() {
 } // namespace
 
 PressureAt find_pressure(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, sketch::Point near) {
-  return HoopFinder(mesh, trial, side, 0).pressure_at(near);
+  return HoopFinder(mesh, trial, trial.states, side, 0).pressure_at(near);
+}
+
+std::vector<SurfaceCycle> surface_cycles(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side,
+                                         double poisson_ratio) {
+  return HoopFinder(mesh, trial, trial.cycle, side, 0).cycles(poisson_ratio);
+}
+
+std::vector<RubbedPlace> rubbed_places(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side) {
+  if (trial.cycle.empty()) return {};
+  return HoopFinder(mesh, trial, trial.cycle, side, 0).rubbed();
 }
 
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first) {
-  return HoopFinder(mesh, trial, side, first).run();
+  return HoopFinder(mesh, trial, trial.states, side, first).run();
 }
 
 } // namespace estimate

@@ -2,6 +2,7 @@
 // peak that nodal values do not resolve.
 #pragma once
 
+#include "post/fatigue/states.hpp"
 #include "program/estimate/trial.hpp"
 #include "program/sketch/mesh.hpp"
 
@@ -27,6 +28,28 @@ struct PressureAt {
   sketch::Point at = {};
 };
 PressureAt find_pressure(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, sketch::Point near);
+
+// The stresses of one place of the surface over the last cycle, at a node or at an edge of a slipping contact.
+struct SurfaceCycle {
+  sketch::Point at, along;                    // the place; the unit vector along the surface, with the material on the left
+  const sketch::MeshedCurve* curve = nullptr; // containing it
+  double length = 0, element = 0;             // along this curve; the length of its element
+  app::StressCycle cycle, other;              // `other`: with stresses larger by their doubt; empty: without a doubt
+  int way = 0;
+};
+// All of these curves, those at edges last.
+std::vector<SurfaceCycle> surface_cycles(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side,
+                                         double poisson_ratio);
+
+// A pair on the curves: the largest friction, the range of slip while it touches, and the largest stress along the surface,
+// over the last cycle.
+struct RubbedPlace {
+  sketch::Point at;
+  const sketch::MeshedCurve* curve;
+  double length, element; // as in SurfaceCycle
+  double friction, slip, along;
+};
+std::vector<RubbedPlace> rubbed_places(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side);
 
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
 

@@ -7,7 +7,7 @@ namespace app {
 template <class Archive> void members(Archive& a, MeshCurve& c) { a(c.body), a(c.closed), a(c.ends); }
 template <class Archive> void members(Archive& a, Stated& s) {
   a(s.what), a(s.of), a(s.zone), a(s.body), a(s.item), a(s.value), a(s.error), a(s.scale), a(s.tolerance), a(s.at), a(s.along),
-      a(s.images), a(s.endless), a(s.confirmed), a(s.apart), a(s.error_by_before), a(s.doubt), a(s.way);
+      a(s.images), a(s.endless), a(s.confirmed), a(s.apart), a(s.error_by_before), a(s.doubt), a(s.way), a(s.angle);
 }
 template <class Archive> void members(Archive& a, MeshRound& r) {
   a(r.elements), a(r.pairs), a(r.equations), a(r.seconds), a(r.pressure), a(r.energy), a(r.adapted), a(r.curves), a(r.stated);

@@ -8,6 +8,7 @@
 #include "program/estimate/loop.hpp"
 
 #include "program/commands/drawn_words.hpp"
+#include "program/estimate/fatigue.hpp"
 #include "program/estimate/marks.hpp"
 #include "program/estimate/mesh/far.hpp"
 #include "program/estimate/mesh/gaps.hpp"
@@ -220,6 +221,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
   level.deck = sketch::deck_of(s_, level.mesh);
   std::string why;
   const bool known = keeper_ != nullptr && keeper_->recall(level.deck, level.trial);
+  ask_below(s_, level.mesh, demand_.cycle);
   const c2d_status status = known ? c2d_status{C2D_OK} : solve(level.deck, demand_, level.trial, why);
   if (status == C2D_OK && !known && keeper_ != nullptr && !keeper_->keep(level.deck, level.trial)) return false;
   seconds_ += level.trial.seconds, work_ += level.trial.work;

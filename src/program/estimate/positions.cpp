@@ -6,6 +6,7 @@
 #include "program/estimate/positions.hpp"
 
 #include "program/commands/drawn_words.hpp"
+#include "program/estimate/fatigue.hpp"
 #include "program/estimate/tolerances.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/moving.hpp"
@@ -93,6 +94,7 @@ private:
 
 bool Positions::solve_with(const sketch::Sketch& sketch, Numbers& numbers) {
   deck_ = sketch::deck_of(sketch, out_.mesh);
+  ask_below(sketch, out_.mesh, demand_.cycle);
   Trial trial;
   std::string why;
   const bool known = keeper_ != nullptr && keeper_->recall(deck_, trial);

@@ -7,6 +7,7 @@
 #include "program/estimate/tolerances.hpp"
 
 #include "program/estimate/error.hpp"
+#include "program/estimate/fatigue.hpp"
 #include "program/estimate/marks.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
@@ -49,6 +50,7 @@ Trial solve_changed(const Nominal& at, const sketch::Sketch& changed, const sket
   Demand own = demand;
   own.drawn = true, own.store = nullptr, own.points.clear();
   ask(changed, own);
+  ask_below(changed, mesh, own.cycle);
   const std::string deck = sketch::deck_of(changed, mesh);
   Trial out;
   std::string why;

@@ -1,6 +1,7 @@
 // One solution of a model along its whole load history, with the data needed for comparison. Phases: size the workspace and the
 // tapes; read and prepare the deck; advance through all increments; record the states at turns of the loads and midway between
-// them.
+// them. For stresses of a cycle the history is followed three times: to find the loads at its events, to record the states
+// there, and once more for places that depend on these states.
 #include "program/estimate/trial.hpp"
 
 #include "post/corners.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,7 @@ c2d_options options_of(const Demand& demand) {
   options.symmetry = demand.symmetry;
   options.quadrature = demand.quadrature;
   options.elimination = demand.elimination;
+  options.every_change = demand.cycle.from > 0 ? 1 : 0;
   return options;
 }
 
@@ -124,6 +127,12 @@ private:
   c2d_status measure(int32_t body);
   c2d_status begin();
   c2d_status go_to(const std::vector<double>& loads);
+  c2d_status follow_once();
+  c2d_status find_events();
+  c2d_status note_step(int32_t increment, int32_t increments);
+  c2d_status visit_events(int32_t step, const std::vector<double>& to);
+  c2d_status note_of_cycle();
+  c2d_status note_inside(const std::vector<Place>& places, State& state);
   c2d_status note(bool turn);
   c2d_status note_touching();
   c2d_status note_contact(State& state);
@@ -138,6 +147,10 @@ private:
   std::vector<double> slip_at_turn_; // of the pairs
   std::vector<app::Corner> corners_; // found when a highest pressure lies at one
   bool knows_corners_ = false;
+  std::map<int32_t, std::vector<std::vector<double>>> events_; // load factors of the events of a step of the last cycle
+  std::vector<Place> below_;                                   // places of the third time
+  bool is_third_ = false;
+  size_t noted_ = 0; // states of the cycle, the third time
 };
 
 c2d_status History::measure(int32_t body) {
@@ -285,21 +298,63 @@ c2d_status History::note(bool turn) {
   c2d_status status = app::get_summary(solver_, now);
   if (status != C2D_OK) return status;
   state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
-  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS, C2D_END_HOOP};
+  const int32_t fields[] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS, C2D_END_HOOP};
   state.ends.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
     std::vector<std::vector<double>> values;
-    status = app::get_ends(solver_, summary_, b, fields, demand_.hoop ? kFields : kHoop, values);
+    status = app::get_ends(solver_, summary_, b, fields, demand_.hoop ? kHoop + 1 : kHoop, values);
     for (size_t f = 0; f < values.size(); ++f) state.ends[static_cast<size_t>(b) - 1][f] = std::move(values[f]);
   }
   if (status == C2D_OK) status = note_contact(state);
-  for (const Place& place : demand_.points) {
-    double out[C2D_POINT_FIELDS] = {};
-    const double xy[2] = {place.x, place.y};
-    if (status == C2D_OK) status = c2d_interior(solver_, place.body, 1, xy, 2, out, C2D_POINT_FIELDS);
-    state.inside.push_back({out[C2D_POINT_UX], out[C2D_POINT_UY], out[C2D_POINT_SXX], out[C2D_POINT_SYY], out[C2D_POINT_SXY]});
-  }
+  if (status == C2D_OK) status = note_inside(demand_.points, state);
   out_.states.push_back(std::move(state));
+  return status;
+}
+
+c2d_status History::note_inside(const std::vector<Place>& places, State& state) {
+  for (size_t first = 0, count = 0; first < places.size(); first += count) { // points of one body at once
+    std::vector<double> xy;
+    for (count = 0; first + count < places.size() && places[first + count].body == places[first].body; ++count)
+      xy.push_back(places[first + count].x), xy.push_back(places[first + count].y);
+    std::vector<double> out(count * C2D_POINT_FIELDS);
+    const c2d_status status =
+        c2d_interior(solver_, places[first].body, static_cast<int32_t>(count), xy.data(), 2, out.data(), C2D_POINT_FIELDS);
+    if (status != C2D_OK) return status;
+    for (size_t i = 0; i < count; ++i) {
+      const double* p = out.data() + i * C2D_POINT_FIELDS;
+      const double szz = static_cast<int>(p[C2D_POINT_FLAG]) == C2D_POINT_OUTSIDE ? NAN : p[C2D_POINT_SZZ];
+      state.inside.push_back({p[C2D_POINT_UX], p[C2D_POINT_UY], p[C2D_POINT_SXX], p[C2D_POINT_SYY], p[C2D_POINT_SXY], szz});
+    }
+  }
+  return C2D_OK;
+}
+
+// A state of the last cycle; the loads turn there if a state of the history has just been noted at these loads.
+c2d_status History::note_of_cycle() {
+  if (is_third_) return noted_ < out_.cycle.size() ? note_inside(below_, out_.cycle[noted_++]) : c2d_status{C2D_OK};
+  State state;
+  state.turn = !out_.states.empty() && out_.states.back().turn && out_.states.back().loads == loads_;
+  state.loads = loads_;
+  const int32_t fields[] = {C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_SZZ};
+  constexpr Field kOfCycle[] = {kTx, kTy, kHoop, kSzz};
+  state.ends.resize(static_cast<size_t>(summary_.bodies));
+  c2d_status status = C2D_OK;
+  for (const int32_t b : demand_.cycle.bodies) {
+    std::vector<std::vector<double>> values;
+    if (status == C2D_OK) status = app::get_ends(solver_, summary_, b, fields, 4, values);
+    for (size_t f = 0; f < values.size(); ++f) state.ends[static_cast<size_t>(b) - 1][kOfCycle[f]] = std::move(values[f]);
+  }
+  if (status == C2D_OK && state.turn) state.quantities = out_.states.back().quantities;
+  if (status == C2D_OK && !state.turn) status = note_contact(state);
+  std::vector<double> v[6];
+  if (status == C2D_OK && demand_.cycle.rubbing && summary_.pairs > 0)
+    status = app::get_pairs(
+        solver_, summary_,
+        {{C2D_X, v[0]}, {C2D_Y, v[1]}, {C2D_TN, v[2]}, {C2D_TT, v[3]}, {C2D_SLIP_SUM, v[4]}, {C2D_PAIR_ZONE, v[5]}});
+  for (size_t p = 0; p < v[5].size(); ++p)
+    state.rubbing.push_back({v[0][p], v[1][p], v[2][p], v[3][p], v[4][p], static_cast<int32_t>(v[5][p])});
+  if (status == C2D_OK) status = note_inside(demand_.cycle.points, state);
+  out_.cycle.push_back(std::move(state));
   return status;
 }
 
@@ -323,9 +378,63 @@ c2d_status History::go_to(const std::vector<double>& loads) {
   return status;
 }
 
+// The loads at the changes of status in the last cycle, from c2d_run, whose callback is called there.
+c2d_status History::find_events() {
+  if (const c2d_status status = begin(); status != C2D_OK) return status;
+  return c2d_run(
+      solver_,
+      [](void* context, const c2d_step* step) {
+        auto& events = static_cast<History*>(context)->events_;
+        if (step->kind == C2D_STEP_CHANGE && step->coefficient <= 1)
+          events[step->step].emplace_back(step->loads, step->loads + step->cases);
+        return int32_t{0};
+      },
+      this);
+}
+
+// States at the events between the loads reached and the loads `to`. Loads at one event that differ by round-off are one.
+c2d_status History::visit_events(int32_t step, const std::vector<double>& to) {
+  constexpr double kSameLoads = 1e-9; // of the length of the step
+  const auto apart = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (size_t k = 0; k < a.size(); ++k) sum = std::max(sum, std::fabs(a[k] - b[k]));
+    return sum;
+  };
+  const double same = kSameLoads * apart(loads_, to);
+  c2d_status status = C2D_OK;
+  for (const std::vector<double>& event : events_[step]) {
+    if (status != C2D_OK || out_.outcome != C2D_REACHED) break;
+    if (event.size() != to.size() || apart(event, loads_) <= same || apart(event, to) <= same) continue;
+    status = go_to(event);
+    if (status == C2D_OK) status = note_of_cycle();
+  }
+  return status;
+}
+
+// The records at the end of an increment.
+c2d_status History::note_step(int32_t i, int32_t increments) {
+  if (is_third_) return C2D_OK;
+  const bool turn = i == increments || out_.outcome != C2D_REACHED;
+  c2d_status status = note_touching();
+  if (status == C2D_OK && (turn || demand_.all_steps || i == increments / 2)) status = note(turn);
+  return status;
+}
+
 c2d_status History::follow() {
+  const CycleDemand& cycle = demand_.cycle;
+  c2d_status status = C2D_OK;
+  if (cycle.from > 0) status = find_events();
+  if (status == C2D_OK) status = follow_once();
+  if (status != C2D_OK || out_.outcome != C2D_REACHED || !cycle.below || out_.cycle.empty()) return status;
+  below_ = cycle.below(out_);
+  is_third_ = !below_.empty();
+  return is_third_ ? follow_once() : status;
+}
+
+c2d_status History::follow_once() {
   c2d_status status = begin();
   loads_.assign(static_cast<size_t>(std::max(1, summary_.load_cases)), 0);
+  int32_t step = 0;
   int32_t press = 0; // the load case that closes overlaps
   if (status == C2D_OK) status = c2d_get_interference(solver_, &press);
   if (status == C2D_OK && press > 0) {
@@ -342,10 +451,11 @@ c2d_status History::follow() {
     for (int32_t i = 1; i <= increments && status == C2D_OK && out_.outcome == C2D_REACHED; ++i) {
       std::vector<double> now(to.size());
       for (size_t c = 0; c < to.size(); ++c) now[c] = i == increments ? to[c] : from[c] + (to[c] - from[c]) * i / increments;
-      status = go_to(now);
-      const bool turn = i == increments || out_.outcome != C2D_REACHED;
-      if (status == C2D_OK) status = note_touching();
-      if (status == C2D_OK && (turn || demand_.all_steps || i == increments / 2)) status = note(turn);
+      ++step;
+      if (demand_.cycle.from > 0 && p > demand_.cycle.from) status = visit_events(step, now);
+      if (status == C2D_OK && out_.outcome == C2D_REACHED) status = go_to(now);
+      if (status == C2D_OK) status = note_step(i, increments);
+      if (status == C2D_OK && i == increments && demand_.cycle.from > 0 && p >= demand_.cycle.from) status = note_of_cycle();
     }
   }
   if (out_.outcome != C2D_REACHED) out_.why = c2d_outcome_message(out_.outcome);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,18 @@ struct Place {
   double x, y;
 };
 
+struct Trial;
+
+// Stresses of the last cycle at every event and turn of the loads, between which they are linear in the load factors.
+struct CycleDemand {
+  int32_t from = 0;            // the piece of the history, from 1, at whose end the cycle begins; 0: no stresses of a cycle
+  std::vector<int32_t> bodies; // from 1: with stresses along their surfaces
+  bool rubbing = false;        // also friction and slip of the pairs
+  std::vector<Place> points;
+  // Further places that depend on the stresses along the surfaces. Empty: none.
+  std::function<std::vector<Place>(const Trial&)> below;
+};
+
 // Limits and requests of one solution.
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
@@ -26,21 +39,30 @@ struct Demand {
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only at turns of the loads and midway
   bool hoop = false;      // also stresses along the surfaces, which are expensive
+  CycleDemand cycle;
   // Store in memory for the tapes of the last factorisation, unless it is large: a run of the same deck need not prepare
   // again. Null: none.
   app::StoreChoice* store = nullptr;
   int32_t symmetry = 0, quadrature = 0, elimination = C2D_ELIMINATION_BY_SIZE; // as in c2d_options
 };
 
-enum Field { kUx, kUy, kTx, kTy, kStatus, kHoop, kFields };
+enum Field { kUx, kUy, kTx, kTy, kStatus, kHoop, kSzz, kFields };
+
+// A pair at one state of a cycle.
+struct Rubbing {
+  double x, y, pressure, friction, slip;
+  int32_t zone; // from 1
+};
 
 // A recorded state: at a turn of the loads, at an early end, or between turns.
 struct State {
   bool turn = false; // at a turn of the loads or at the end
   std::vector<double> loads;
-  std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end; kHoop if it is demanded
+  std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end; kHoop if it is demanded; of
+                                                              // a cycle kTx, kTy, kHoop and kSzz of the bodies demanded
   std::vector<app::Quantity> quantities;
-  std::vector<std::array<double, 5>> inside; // per place: ux uy sxx syy sxy
+  std::vector<std::array<double, 6>> inside; // per place: ux uy sxx syy sxy szz; of a cycle its points, then those below
+  std::vector<Rubbing> rubbing;              // of a cycle
   double work = 0, dissipated = 0, elastic = 0;
 };
 
@@ -59,6 +81,7 @@ struct Trial {
   std::vector<char> tied;                 // per zone
   std::vector<std::vector<char>> touched; // per body and element end: touching at the end of any increment
   std::vector<State> states;
+  std::vector<State> cycle; // at the turns and events of the last cycle, if it is demanded and was reached
   c2d_outcome outcome = C2D_REACHED;
   std::string why; // why the history ended early; empty: it is complete
   int32_t elements = 0, pairs = 0, equations = 0;

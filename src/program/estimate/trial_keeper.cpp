@@ -7,18 +7,21 @@
 namespace estimate {
 
 template <class Archive> void members(Archive& a, Side& s) { a(s.body), a(s.first), a(s.last); }
+template <class Archive> void members(Archive& a, Rubbing& r) {
+  a(r.x), a(r.y), a(r.pressure), a(r.friction), a(r.slip), a(r.zone);
+}
 template <class Archive> void members(Archive& a, State& s) {
-  a(s.turn), a(s.loads), a(s.ends), a(s.quantities), a(s.inside), a(s.work), a(s.dissipated), a(s.elastic);
+  a(s.turn), a(s.loads), a(s.ends), a(s.quantities), a(s.inside), a(s.rubbing), a(s.work), a(s.dissipated), a(s.elastic);
 }
 template <class Archive> void members(Archive& a, Trial& t) {
-  a(t.nodes), a(t.lengths), a(t.stiffness), a(t.across), a(t.zones), a(t.tied), a(t.touched), a(t.states), a(t.outcome),
-      a(t.why);
+  a(t.nodes), a(t.lengths), a(t.stiffness), a(t.across), a(t.zones), a(t.tied), a(t.touched), a(t.states), a(t.cycle),
+      a(t.outcome), a(t.why);
   a(t.elements), a(t.pairs), a(t.equations), a(t.seconds), a(t.work);
 }
 
 namespace {
 
-const char kKind[] = "contact2d mesh 3";
+const char kKind[] = "contact2d mesh 4";
 
 } // namespace
 

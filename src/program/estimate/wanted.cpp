@@ -2,6 +2,7 @@
 // or over its last cycle. The order of the values is the same on every mesh.
 #include "program/estimate/wanted.hpp"
 
+#include "program/estimate/fatigue.hpp"
 #include "program/estimate/hoop.hpp"
 #include "program/sketch/deck/cycle.hpp"
 
@@ -191,6 +192,18 @@ void add_points(std::vector<app::Stated>& out, const sketch::Sketch& sketch, con
   }
 }
 
+// Fatigue parameters of the last cycle.
+void add_fatigue(std::vector<app::Stated>& out, const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial) {
+  FatigueValues values(sketch, mesh, trial);
+  for (const Want& want : sketch.wants) {
+    if (want.of != WantOf::kFatigue) continue;
+    const size_t before = out.size();
+    values.add(want, {least_stress(trial, static_cast<size_t>(want.body)), least_displacement(trial)},
+               want.tolerance.value_or(sketch.tolerance), out);
+    for (size_t i = before; i < out.size(); ++i) put_place(sketch::Point{out[i].at[0], out[i].at[1]}, out[i]);
+  }
+}
+
 } // namespace
 
 double tolerance_of(const sketch::Sketch& sketch, const app::Stated& s, const Trial& trial) {
@@ -210,6 +223,7 @@ void ask(const sketch::Sketch& sketch, Demand& demand) {
     demand.all_steps = demand.all_steps || want.of == WantOf::kPoints || want.of == WantOf::kCurves;
     demand.hoop = demand.hoop || want.of == WantOf::kCurves;
   }
+  ask_for_cycle(sketch, demand.cycle);
   for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
 }
 
@@ -235,6 +249,7 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
     if (!cycle) add_points(out, sketch, trial, places);
     if (cycle && sketch::cycle_start(sketch) > 0) add_cycle_energy(out, trial, first);
   }
+  add_fatigue(out, sketch, mesh, trial);
   return out;
 }
 

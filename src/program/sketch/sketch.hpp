@@ -5,6 +5,7 @@
 #include "program/sketch/wants.hpp"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,9 +36,15 @@ struct Outline {
   Place at;
 };
 
+// Fatigue constants of a material; NaN: not given.
+struct FatigueConstants {
+  double fatemi_socie = NAN, yield = NAN, findley = NAN, crossland = NAN, dang_van = NAN;
+};
+
 struct Body {
   std::string name;
   double youngs_modulus = 0, poisson_ratio = 0;
+  FatigueConstants fatigue;
   bool rigid = false;
   std::vector<Outline> outlines;
   Place at;
@@ -172,6 +179,15 @@ struct Division {
   std::vector<Stretches> stretches;
 };
 
+// Where a fatigue parameter is taken: the largest along curves, at a depth below that place, of the mean stresses down to this
+// depth, at an interior point; for a crack its depth.
+enum class FatiguePlace { kSurface, kDepth, kMean, kPoint };
+struct FatigueWant {
+  FatigueKind kind = FatigueKind::kSwt;
+  FatiguePlace place = FatiguePlace::kSurface;
+  double depth = 0;
+};
+
 // A requested result and its tolerance. Without any request: the rows of wants() by default.
 struct Want {
   std::string word;                // of wants()
@@ -183,6 +199,7 @@ struct Want {
   Point to;
   std::optional<Side> side; // of kCurves: its largest and smallest values; of kPlaces: the nearest point on it
   bool cycle = false;       // of kPoints and kCurves: only the range over the last cycle of the history
+  FatigueWant fatigue;      // of kFatigue; with `side`, or with `where` at an interior point
   Place at;
 };
 
@@ -214,7 +231,8 @@ struct Sketch {
   std::vector<LoadCase> cases{LoadCase{}}; // the first exists without a statement
   int pieces = 0;                          // of the history; 0: factor 1 of the first case
   std::vector<WantedPoint> points;
-  std::vector<int> steps{10}; // increments per piece of the history; the last number applies to all later pieces
+  std::vector<WantedPoint> fatigue_points; // of wants of fatigue parameters inside
+  std::vector<int> steps{10};              // increments per piece of the history; the last number applies to all later pieces
   std::vector<Want> wants;
   std::vector<Division> divisions;
   double tolerance = 0.01;   // for wants without their own

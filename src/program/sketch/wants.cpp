@@ -16,6 +16,23 @@ const std::vector<WantRow>& wants() {
       {"stick", WantOf::kContact, false, true, {M::kStuckWidth, M::kEccentricity}, false},
       {"stress", WantOf::kPoints, false, false, {}, false},
       {"hoop", WantOf::kCurves, false, false, {}, false},
+      {"fatigue", WantOf::kFatigue, false, false, {}, false},
+  };
+  return rows;
+}
+
+const std::vector<FatigueRow>& fatigue_rows() {
+  using M = app::Measure;
+  using K = FatigueKind;
+  static const std::vector<FatigueRow> rows = {
+      {"swt", K::kSwt, M::kSwt},
+      {"fatemi-socie", K::kFatemiSocie, M::kFatemiSocie},
+      {"findley", K::kFindley, M::kFindley},
+      {"crossland", K::kCrossland, M::kCrossland},
+      {"dang-van", K::kDangVan, M::kDangVan},
+      {"ruiz1", K::kRuiz1, M::kRuiz1},
+      {"ruiz2", K::kRuiz2, M::kRuiz2},
+      {"crack", K::kCrack, M::kCrackRange},
   };
   return rows;
 }

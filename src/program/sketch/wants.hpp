@@ -8,8 +8,18 @@
 
 namespace sketch {
 
-// What follows the word: nothing, a body and points inside, curves, curves and points on them, or two points inside.
-enum class WantOf { kContact, kPoints, kCurves, kPlaces, kPair };
+// What follows the word: nothing, a body and points inside, curves, curves and points on them, two points inside, or a fatigue
+// parameter with one of these.
+enum class WantOf { kContact, kPoints, kCurves, kPlaces, kPair, kFatigue };
+
+// Fatigue parameters over the last cycle, and the stress intensity of a crack.
+enum class FatigueKind { kSwt, kFatemiSocie, kFindley, kCrossland, kDangVan, kRuiz1, kRuiz2, kCrack };
+struct FatigueRow {
+  const char* word;
+  FatigueKind kind;
+  app::Measure what;
+};
+const std::vector<FatigueRow>& fatigue_rows(); // in the order of FatigueKind
 
 struct WantRow {
   const char* word;

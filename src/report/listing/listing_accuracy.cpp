@@ -68,6 +68,7 @@ void append_row(std::string& out, const Stated& s, const RoundOff& noise, size_t
     append_general(out += ", ", s.at[1], 0);
     out += ')';
   }
+  if (std::isfinite(s.angle)) append_general(out += "   plane ", s.angle, 0, 4), out += " deg";
   out += '\n';
 }
 

@@ -217,12 +217,16 @@ void ActionCheck::check_wants() {
   for (const Want& w : s_.wants) {
     if (w.of == WantOf::kContact && want_row(w.word).needs_interface && s_.interfaces.empty())
       fault(w.at, "the sketch has no contact, expected a statement 'contact' or 'tie'");
-    if (w.cycle && cycle_start(s_) == 0)
+    if (w.of == WantOf::kFatigue && (w.fatigue.kind == FatigueKind::kRuiz1 || w.fatigue.kind == FatigueKind::kRuiz2) &&
+        s_.interfaces.empty())
+      fault(w.at, "the sketch has no contact, expected a statement 'contact' or 'tie'");
+    if ((w.cycle || w.of == WantOf::kFatigue) && cycle_start(s_) == 0)
       fault(w.at,
             "the load history has no cycle, expected a history that returns to the load factors of an earlier piece after "
             "other factors");
   }
   for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
+  for (const WantedPoint& p : s_.fatigue_points) check_place(p.body, p.at, p.place, "the point");
   for (const PointLoad& p : s_.point_loads) {
     check_place(p.body, p.where, p.at, "the force at");
     check_across(p);

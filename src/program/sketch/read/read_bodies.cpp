@@ -35,6 +35,21 @@ std::string Reader::new_body_name(Statement& s, const std::string& expected) {
   return name;
 }
 
+// `fatigue findley 0.3 ...`, the last words of the statement. k of Fatemi and Socie goes with the yield stress.
+void Reader::fatigue_constants(Statement& s, FatigueConstants& out) {
+  const std::vector<const char*> words = {"fatemi-socie", "yield", "findley", "crossland", "dang-van"};
+  double* const values[] = {&out.fatemi_socie, &out.yield, &out.findley, &out.crossland, &out.dang_van};
+  do {
+    const size_t which = s.choice(words);
+    if (which == 1) {
+      out.yield = s.positive("the yield stress");
+      continue;
+    }
+    *values[which] = s.number(std::string("the fatigue constant ") + words[which]);
+    if (*values[which] < 0) s.fail(show(*values[which]) + ": expected a fatigue constant of at least 0");
+  } while (s.has_more());
+}
+
 // The body is added even if its statement has errors, because the next statements draw it.
 void Reader::body(Statement& s) {
   end_body();
@@ -45,7 +60,12 @@ void Reader::body(Statement& s) {
   body.name = new_body_name(s, "the name of a body");
   body.rigid = s.accept("rigid");
   while (s.has_more() && !body.rigid) {
-    if (s.choice({"E", "nu"}) == 0) {
+    const size_t which = s.choice({"E", "nu", "fatigue"});
+    if (which == 2) {
+      fatigue_constants(s, body.fatigue);
+      break;
+    }
+    if (which == 0) {
       body.youngs_modulus = s.positive("Young's modulus");
     } else {
       body.poisson_ratio = s.number("Poisson's ratio");

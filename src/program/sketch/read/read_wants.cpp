@@ -2,6 +2,7 @@
 #include "program/sketch/read/reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sketch {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 std::vector<const char*> words_of_wants(bool all) {
   std::vector<const char*> out;
   for (const WantRow& row : wants())
-    if (all || row.of != WantOf::kContact) out.push_back(row.word);
+    if (all || (row.of != WantOf::kContact && row.of != WantOf::kFatigue)) out.push_back(row.word);
   if (all) out.push_back("cycle");
   return out;
 }
@@ -70,6 +71,7 @@ void Reader::want_one(Statement& s) {
   if (want.cycle) s.choice({"range"}), want.word = of_body[s.choice(of_body)];
   want.of = want_row(want.word).of;
   if (want.of == WantOf::kPoints) return want_stress(s, want);
+  if (want.of == WantOf::kFatigue) return want_fatigue(s, want);
   if (want.word == "pressure" && s.accept("at")) return want_pressure_at(s, want);
   if (want.word == "approach" && s.accept("at")) return want_pair(s, want);
   if (want.of == WantOf::kCurves) want.side = side(s), want.body = want.side->body;
@@ -104,6 +106,54 @@ void Reader::want_pair(Statement& s, Want want) {
   if (length(want.to - want.where) == 0) s.fail("both points are the same, expected two points");
   if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.points.push_back({want.body, want.where, want.at}), s_.points.push_back({want.other, want.to, want.at});
+  s_.wants.push_back(want);
+}
+
+// The constants that a parameter needs, of the body just named.
+void Reader::check_fatigue_constants(Statement& s, const Want& want) {
+  const FatigueConstants& c = s_.bodies[static_cast<size_t>(want.body)].fatigue;
+  const auto need = [&](double constant, const char* word, const char* example) {
+    if (std::isnan(constant))
+      s.fail("body " + in_quotes(s_.bodies[static_cast<size_t>(want.body)].name) + " has no fatigue constant " +
+             in_quotes(word) + ", expected it in the statement of the body: fatigue " + word + " " + example);
+  };
+  switch (want.fatigue.kind) {
+  case FatigueKind::kFatemiSocie: need(c.fatemi_socie, "fatemi-socie", "1"), need(c.yield, "yield", "400"); break;
+  case FatigueKind::kFindley: need(c.findley, "findley", "0.3"); break;
+  case FatigueKind::kCrossland: need(c.crossland, "crossland", "0.3"); break;
+  case FatigueKind::kDangVan: need(c.dang_van, "dang-van", "0.3"); break;
+  default: break;
+  }
+}
+
+// `want fatigue swt pad.tip [depth d | mean d]`, or a body and interior points; a crack needs a depth. Ruiz's parameters are
+// those of a surface.
+void Reader::want_fatigue(Statement& s, Want want) {
+  std::vector<const char*> words;
+  for (const FatigueRow& row : fatigue_rows()) words.push_back(row.word);
+  want.fatigue.kind = fatigue_rows()[s.choice(words)].kind;
+  const FatigueKind kind = want.fatigue.kind;
+  const bool is_rubbing = kind == FatigueKind::kRuiz1 || kind == FatigueKind::kRuiz2, is_crack = kind == FatigueKind::kCrack;
+  const bool in_body =
+      std::any_of(s_.bodies.begin(), s_.bodies.end(), [&](const Body& b) { return s.is_next(b.name.c_str()); });
+  if (in_body && !is_rubbing && !is_crack) {
+    want.fatigue.place = FatiguePlace::kPoint;
+    want.body = body_named(s.take("the name of a body"));
+    check_fatigue_constants(s, want);
+    const size_t first = s_.wants.size();
+    want_points(s, want);
+    for (size_t i = first; i < s_.wants.size(); ++i) s_.fatigue_points.push_back({want.body, s_.wants[i].where, s.at()});
+    return;
+  }
+  want.side = side(s), want.body = want.side->body;
+  check_fatigue_constants(s, want);
+  if (is_crack && !s.is_next("depth")) s.missing("depth and the length of the crack");
+  const bool at_depth = !is_rubbing && s.accept("depth"), to_depth = !is_rubbing && !is_crack && !at_depth && s.accept("mean");
+  if (at_depth || to_depth) {
+    want.fatigue.place = at_depth ? FatiguePlace::kDepth : FatiguePlace::kMean;
+    want.fatigue.depth = s.positive(is_crack ? "the length of the crack" : "a depth below the surface");
+  }
+  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.wants.push_back(want);
 }
 

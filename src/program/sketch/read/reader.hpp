@@ -53,6 +53,7 @@ private:
   void chamfer(Statement& s) { ask_corner(s, false); }
   void mirror(Statement& s);
   void copy(Statement& s);
+  void fatigue_constants(Statement& s, FatigueConstants& out);
   std::string new_body_name(Statement& s, const std::string& expected);
   void ask_corner(Statement& s, bool round);
   Body& current_body(Statement& s);
@@ -116,6 +117,8 @@ private:
   void want_pair(Statement& s, Want want);
   void want_pressure_at(Statement& s, Want want);
   void want_points(Statement& s, Want want);
+  void want_fatigue(Statement& s, Want want);
+  void check_fatigue_constants(Statement& s, const Want& want);
   void tolerance(Statement& s);
   void limit(Statement& s);
 
