@@ -7,7 +7,7 @@
    c2d_set_problem ... c2d_complete          by calls         5
    c2d_prepare                             the equations      6; other loads: c2d_change_loads
    c2d_run, or                             the load path      7
-   c2d_begin, c2d_advance ...                step by step     7; c2d_save, c2d_restore
+   c2d_begin, c2d_advance ...                step by step     7; c2d_save, c2d_restore; cycles: contact2d_cycle.h
    c2d_get, c2d_interior ...               results            8; words and numbers: 1
    c2d_close                                                  9: states and legal calls, error details
 
@@ -103,8 +103,8 @@ typedef struct c2d_limits {
   int32_t load_cases;         /* 0 means 1                                                          */
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as fit in memory          */
   int32_t free_pairs;         /* how many of the pairs are in zones of kind C2D_ZONE_FREE           */
-  int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
-  int32_t platens, touching;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each; see C2D_COLUMNS_ */
+  int32_t point_sets, curves, platens; /* cards under *POINTS, *CURVE, *PLATEN: bodies beyond `bodies`, and a zone each */
+  int32_t touching, cycle_states, reserved; /* see C2D_COLUMNS_ in contact2d_memory.h; contact2d_cycle.h */
 } c2d_limits;
 /* Bytes of workspace: `minimum` solves any model within the limits in the smallest blocks (stacked slender bodies: c2d_prepare
    reports), `in_core` stores the whole matrix of a body; threads use more. Outputs, why may be null. Errors: OVERFLOW. */

@@ -57,6 +57,9 @@
   (0 C2D_RESULT_ARRAYS_(C2D_ADD_, C2D_NODES_(function_nodes, points, elements, regions),                               \
                         C2D_ENDS_(function_nodes, elements)))
 
+/* Bytes beyond those for limits with cycle_states (contact2d_cycle.h). */
+#define C2D_CYCLE_BYTES(pairs, states) C2D_ROUND_(0 C2D_CYCLE_ARRAYS_(C2D_ADD_, pairs, states))
+
 /* ---------------------------------------------------------------- tapes --------------------------------------------
 
    Blocks of each tape and bytes of each block, never less than c2d_tape_need returns, for limits with panel_columns from 1
@@ -134,6 +137,9 @@
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \
   ARRAY(SlipGap, SlipGaps, (curves) > 0 ? (pairs) : 0, 1) /* what slip adds to gaps, model/slip_gap.hpp             */ \
   ARRAY(Curve, Curves, curves, 1)                     /* given surfaces between boundary points                    */
+/* Of c2d_cycle (solver/cycle.hpp): */
+#define C2D_CYCLE_ARRAYS_(ARRAY, pairs, states)                                                                        \
+  ARRAY(void, Cycles, (states) > 0 ? (pairs) + 2 : 0, 128 + 48 * (states)) /* of pairs, and of all together        */
 
 /* The following share the same memory, one after another: while a body is assembled and eliminated, ... */
 #define C2D_ELIMINATION_ARRAYS_(ARRAY, nodes, m, work_bytes)                                                           \
@@ -188,9 +194,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2416 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2432 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2344
+#define C2D_SOLVER_BYTES 2360
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1

@@ -229,6 +229,7 @@ c2d_limits limits_of(const Model& m, std::vector<c2d_body_limits>& list) {
   limits.paths = static_cast<int32_t>(m.paths.size());
   limits.load_cases = std::max(m.cases, m.interference);
   limits.touching = m.touching;
+  limits.cycle_states = m.cycle_states;
   return limits;
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 const std::string kRoot = paths::root();
 const char* const kHeaders[] = {"/include/contact2d.h",       "/include/contact2d_codes.h", "/include/contact2d_cards.h",
-                                "/include/contact2d_image.h", "/port/memory/c2d_memory.h",  "/port/stdio/c2d_stdio.h",
-                                "/port/posix/c2d_posix.h",    "/port/threads/c2d_threads.h"};
+                                "/include/contact2d_image.h", "/include/contact2d_cycle.h", "/port/memory/c2d_memory.h",
+                                "/port/stdio/c2d_stdio.h",    "/port/posix/c2d_posix.h",    "/port/threads/c2d_threads.h"};
 
 using Words = std::vector<std::string>;
 
@@ -97,7 +97,8 @@ std::string fortran_type(const std::string& declaration) {
       {"char", "character(kind=c_char)"},   {"void", "type(c_ptr)"},
       {"c2d_solver", "type(c_ptr)"},        {"c2d_read_line", "type(c_funptr)"},
       {"c2d_report", "type(c_funptr)"},     {"c2d_card_fn", "type(c_funptr)"},
-      {"c2d_step_fn", "type(c_funptr)"},    {"c2d_threads_task", "type(c_funptr)"}};
+      {"c2d_step_fn", "type(c_funptr)"},    {"c2d_threads_task", "type(c_funptr)"},
+      {"c2d_cycle_fn", "type(c_funptr)"}};
   std::string word = declaration.compare(0, 6, "const ") == 0 ? declaration.substr(6) : declaration;
   word = word.substr(0, word.find_first_of(" *"));
   const auto known = kTypes.find(word);

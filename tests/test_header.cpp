@@ -71,7 +71,7 @@ TEST_CASE("header: the code in the comments of the ports' headers compiles as C9
 }
 
 TEST_CASE("header: the code in the comments of the smaller headers compiles as C99 and C++") {
-  for (const std::string name : {"contact2d_cards.h", "contact2d_image.h", "contact2d_memory.h"}) {
+  for (const std::string name : {"contact2d_cards.h", "contact2d_cycle.h", "contact2d_image.h", "contact2d_memory.h"}) {
     const std::vector<std::string> code = snippets(read_file(kRoot + "/include/" + name));
     CHECK_MESSAGE(!code.empty(), name);
     for (const std::string& compiler : {kAsC, kAsCpp}) {

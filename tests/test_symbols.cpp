@@ -150,9 +150,9 @@ TEST_CASE("symbols: every public function is in the library, and all C names beg
   std::set<std::string> defined;
   for (const Symbol& s : core_symbols())
     if (s.kind == 'T') defined.insert(s.name);
-  const std::string header = read_file(paths::root() + "/include/contact2d.h") +
-                             read_file(paths::root() + "/include/contact2d_cards.h") +
-                             read_file(paths::root() + "/include/contact2d_image.h");
+  const std::string header =
+      read_file(paths::root() + "/include/contact2d.h") + read_file(paths::root() + "/include/contact2d_cards.h") +
+      read_file(paths::root() + "/include/contact2d_image.h") + read_file(paths::root() + "/include/contact2d_cycle.h");
   int seen = 0;
   for (const std::string& line : lines_of(header)) {
     const bool declares = line.compare(0, 11, "c2d_status ") == 0 || line.compare(0, 15, "const char* c2d") == 0 ||

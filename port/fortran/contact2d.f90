@@ -84,6 +84,12 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_CARD_FREE = 0, C2D_CARD_HEADING = 1, C2D_CARD_INTEGER = 2, C2D_CARD_REAL = 3, &
       C2D_CARD_LETTER = 4, C2D_CARD_REMARK = 5, C2D_CARD_COMMENT = 6, C2D_CARD_EXTENSION = 7
 
+  ! ---- numbers of contact2d_cycle.h
+  integer(c_int32_t), parameter :: C2D_CYCLES_EXACT = 0, C2D_CYCLES_PLAIN = 1, C2D_CYCLES_FAST = 2
+  integer(c_int32_t), parameter :: C2D_CYCLE_NOT_STEADY = 0, C2D_CYCLE_SHAKES_DOWN = 1, C2D_CYCLE_SLIPS = 2, &
+      C2D_CYCLE_RATCHETS = 3, C2D_CYCLE_STOPPED = 4
+  integer(c_int32_t), parameter :: C2D_CYCLE_RANGE = 0, C2D_CYCLE_WALK = 1, C2D_CYCLE_STUCK = 2, C2D_CYCLE_TOUCHED = 3
+
   ! ---- numbers of c2d_memory.h
   integer(c_int32_t), parameter :: C2D_MEMORY_STORE_FULL = 1, C2D_MEMORY_STORE_TAPE = 2, C2D_MEMORY_STORE_RANGE = 3
 
@@ -128,7 +134,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_limits
-    integer(c_int32_t) :: struct_size = 72
+    integer(c_int32_t) :: struct_size = 80
     integer(c_int32_t) :: bodies = 0
     type(c_ptr) :: body = c_null_ptr
     integer(c_int32_t) :: function_nodes = 0
@@ -145,6 +151,8 @@ module contact2d
     integer(c_int32_t) :: curves = 0
     integer(c_int32_t) :: platens = 0
     integer(c_int32_t) :: touching = 0
+    integer(c_int32_t) :: cycle_states = 0
+    integer(c_int32_t) :: reserved = 0
   end type
 
   type, bind(C) :: c2d_progress
@@ -386,6 +394,43 @@ module contact2d
     real(c_double) :: value = 0
   end type
 
+  type, bind(C) :: c2d_cycle_request
+    integer(c_int32_t) :: struct_size = 40
+    integer(c_int32_t) :: corners = 0
+    integer(c_int32_t) :: cases = 0
+    integer(c_int32_t) :: limit = 0
+    integer(c_int32_t) :: mode = 0
+    integer(c_int32_t) :: reserved = 0
+    real(c_double) :: tolerance = 0
+    type(c_ptr) :: load = c_null_ptr
+  end type
+
+  type, bind(C) :: c2d_cycle_state
+    integer(c_int32_t) :: struct_size = 72
+    integer(c_int32_t) :: result = 0
+    integer(c_int32_t) :: outcome = 0
+    integer(c_int32_t) :: cycles = 0
+    integer(c_int32_t) :: extrapolations = 0
+    integer(c_int32_t) :: repeated = 0
+    integer(c_int32_t) :: stuck = 0
+    integer(c_int32_t) :: slipped = 0
+    integer(c_int32_t) :: range_pair = 0
+    integer(c_int32_t) :: walk_pair = 0
+    real(c_double) :: change = 0
+    real(c_double) :: dissipated = 0
+    real(c_double) :: slip_range = 0
+    real(c_double) :: walk = 0
+  end type
+
+  type, bind(C) :: c2d_cycle_zone
+    integer(c_int32_t) :: struct_size = 32
+    integer(c_int32_t) :: touched = 0
+    integer(c_int32_t) :: stuck = 0
+    integer(c_int32_t) :: slipped = 0
+    real(c_double) :: walk = 0
+    real(c_double) :: slip_range = 0
+  end type
+
   type, bind(C) :: c2d_memory_store
     type(c_ptr) :: region = c_null_ptr
     integer(c_int64_t) :: bytes = 0
@@ -511,6 +556,12 @@ module contact2d
       type(c_ptr), value :: context
       type(c2d_card), intent(in) :: card
     end subroutine
+    function c2d_cycle_fn(context, now) bind(C) result(status)
+      import
+      type(c_ptr), value :: context
+      type(c2d_cycle_state), intent(in) :: now
+      integer(c_int32_t) :: status
+    end function
     subroutine c2d_threads_task(argument, i) bind(C)
       import
       type(c_ptr), value :: argument
@@ -1097,6 +1148,32 @@ module contact2d
       type(c_funptr), value :: report
       type(c_ptr), value :: report_context
       type(c2d_body_limits), intent(inout) :: body(*)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_cycle(solver, request, each, context, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      type(c2d_cycle_request), intent(in) :: request
+      type(c_funptr), value :: each
+      type(c_ptr), value :: context
+      type(c2d_cycle_state), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_cycle(solver, field, first, count, out, stride) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: field
+      integer(c_int32_t), value :: first
+      integer(c_int32_t), value :: count
+      integer(c_int64_t), value :: stride
+      real(c_double), intent(inout) :: out(stride,*)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_cycle_zone(solver, zone, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: zone
+      type(c2d_cycle_zone), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
     function c2d_image_sum(solver, sum) bind(C) result(status)

@@ -44,7 +44,7 @@ uint64_t list_end(const char* at) {
 // All sizes except the pointer to the list of bodies, which is not stored.
 bool same_sizes(const Sizes& a, const Sizes& b) {
   constexpr size_t kRest = offsetof(Sizes, zones);
-  static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 13 * 8, "no padding");
+  static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 14 * 8, "no padding");
   const char *first = reinterpret_cast<const char*>(&a), *other = reinterpret_cast<const char*>(&b);
   return same_bytes(first, other, offsetof(Sizes, body)) && same_bytes(first + kRest, other + kRest, sizeof(Sizes) - kRest);
 }

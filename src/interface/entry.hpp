@@ -16,7 +16,7 @@ c2d_status enter(c2d_solver* solver, uint32_t legal_states);
 class InsideStep {
 public:
   explicit InsideStep(c2d_solver* s)
-      : solver_(!kSmallCode && s && s->magic == kSolverMagic && s->busy == kInStepCallback && s->run_step > 0 ? s : nullptr) {
+      : solver_(!kSmallCode && s && s->magic == kSolverMagic && s->busy == kInStepCallback && s->run_step != 0 ? s : nullptr) {
     if (!solver_) return;
     solver_->busy = 0;
     for (int32_t tape = 0; tape < C2D_TAPES; ++tape)

@@ -163,7 +163,7 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   if (s->model.zones > 0 && s->model.coefficients == 0)
     return fail(s, C2D_ERR_ARGUMENT, "the model has contact but no coefficient of friction to run: c2d_add_friction gives one");
   // Position in the run at which the restored state was saved.
-  int32_t from = !kSmallCode && s->state == C2D_STATE_RUNNING ? s->run_step : 0;
+  int32_t from = !kSmallCode && s->state == C2D_STATE_RUNNING && s->run_step > 0 ? s->run_step : 0;
   const int32_t first = from > 0 ? s->coefficient - 1 : 0;
   c2d_outcome worst = from > 0 ? s->run_outcome : c2d_outcome{C2D_REACHED};
   s->run_step = 0;

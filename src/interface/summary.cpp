@@ -71,7 +71,7 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
     if (!kSmallCode && plan.rank > 0) ++out.compressed_bodies;
   }
   out.warnings = s->warnings;
-  out.run_step = s->run_step;
+  out.run_step = s->run_step > 0 ? s->run_step : 0;
   out.run_coefficient = s->run_step > 0 ? s->coefficient : 0;
   out.events = s->stats.events;
   out.exchanges = s->exchanges;

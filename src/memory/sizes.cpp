@@ -56,7 +56,8 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
                 {"load_cases", l.load_cases},
                 {"panel_columns", l.panel_columns},
                 {"point_sets", l.point_sets},
-                {"curves", l.curves}};
+                {"curves", l.curves},
+                {"cycle_states", l.cycle_states}};
   for (const auto& count : counts)
     if (is_wrong(out, count.member, -1, count.value, 0)) return true;
   // (each platen has a zone of its own)
@@ -114,6 +115,7 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.point_sets = limits.point_sets;
   out.curves = limits.curves;
   out.touching = limits.touching;
+  out.cycle_states = limits.cycle_states;
   return C2D_OK;
 }
 
@@ -138,6 +140,7 @@ c2d_limits limits_of(const Sizes& sizes) {
   out.point_sets = number(sizes.point_sets);
   out.curves = number(sizes.curves);
   out.touching = number(sizes.touching);
+  out.cycle_states = number(sizes.cycle_states);
   return out;
 }
 
@@ -160,6 +163,8 @@ void carve_model(Carver& carver, const Sizes& s, Layout& out) {
                  sets = static_cast<uint64_t>(s.point_sets), curves = static_cast<uint64_t>(s.curves);
 #define C2D_CARVE(type, name, count, each) out.offset[k##name] = carver.carve(count, (each)*C2D_BYTES_OF_##type);
   C2D_MODEL_ARRAYS_(C2D_CARVE, zones, pairs, loads, coefficients, paths, cases, sets, curves)
+  const uint64_t states = static_cast<uint64_t>(s.cycle_states);
+  C2D_CYCLE_ARRAYS_(C2D_CARVE, pairs, states)
 #undef C2D_CARVE
 }
 

@@ -10,8 +10,9 @@ namespace c2d {
 // arrays of the 1987 program.
 enum ArrayId : int32_t {
 #define C2D_ID(type, name, count, each) k##name,
-  C2D_BODY_LISTS_(C2D_ID, ) kArraysOfBodies,        // those of BodyArrayId, one body after the other
-  C2D_MODEL_ARRAYS_(C2D_ID, , , , , , , , ) kPhase, // the rest: what assembly, reduction and contact use one after another (A)
+  C2D_BODY_LISTS_(C2D_ID, ) kArraysOfBodies,                              // those of BodyArrayId, one body after the other
+  C2D_MODEL_ARRAYS_(C2D_ID, , , , , , , , ) C2D_CYCLE_ARRAYS_(C2D_ID, , ) //
+  kPhase, // the rest: what assembly, reduction and contact use one after another (A)
   kArrays
 };
 enum BodyArrayId : int32_t { C2D_BODY_ARRAYS_(C2D_ID, , , , , ) kBodyArrays };
@@ -34,6 +35,7 @@ struct Sizes {
   int64_t point_sets, curves;
   int64_t platens;  // the last of the bodies; they have no mesh
   int64_t touching; // pairs for whose columns there is room; 0: for all
+  int64_t cycle_states;
 };
 // Columns of the contact system that fit.
 inline int64_t columns_of(const Sizes& sizes) {

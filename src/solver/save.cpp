@@ -226,6 +226,7 @@ void take_up(c2d_solver* s, const Arrival& arrived) {
   upto(at[kPairTable], at[kPathLoads]);
   upto(at[kEnergy], at[kPointSets]);
   upto(at[kJudge], at[kCurves]);
+  upto(at[kCycles], at[kPhase]);
   upto(at[kPhase], s->bytes);
 }
 
@@ -311,7 +312,7 @@ bool is_possible(c2d_solver* s, const Model& m, int32_t blocked, bool running) {
                                   {s->idle, 0, 1},
                                   {s->goes_on, 0, 1},
                                   {s->coefficient, 0, kSome},
-                                  {s->run_step, 0, kSome},
+                                  {s->run_step, -kSome, kSome},
                                   {s->run_outcome, C2D_REACHED, C2D_BEYOND_LIMITS},
                                   {s->unsound, 0, 1},
                                   {s->careful, 0, 0},

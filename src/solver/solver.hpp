@@ -70,8 +70,9 @@ struct c2d_solver {
                                                                                    // work, elastic, dissipated
   double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion
   double force_applied, force_contact, force_error, tension_ratio;
-  int32_t idle, goes_on;   // of the follower
-  int32_t run_step;        // within c2d_run's callback, and where c2d_restore brings that back: the step it shows; else 0
+  int32_t idle, goes_on; // of the follower
+  int32_t run_step;      // within c2d_run's callback, and where c2d_restore brings that back: the step it shows; within that of
+                         // c2d_cycle: less the cycles followed; else 0
   c2d_outcome run_outcome; // of the coefficients before: the first that is not C2D_REACHED
 };
 

@@ -208,6 +208,8 @@ class c2d_limits(Struct):
         ("curves", c_int32),
         ("platens", c_int32),
         ("touching", c_int32),
+        ("cycle_states", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -574,6 +576,68 @@ class c2d_card(Struct):
 
 
 c2d_card_fn = CFUNCTYPE(None, c_void_p, POINTER(c2d_card))
+C2D_CYCLES_EXACT = 0
+C2D_CYCLES_PLAIN = 1
+C2D_CYCLES_FAST = 2
+
+
+class c2d_cycle_request(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("corners", c_int32),
+        ("cases", c_int32),
+        ("limit", c_int32),
+        ("mode", c_int32),
+        ("reserved", c_int32),
+        ("tolerance", c_double),
+        ("load", POINTER(c_double)),
+    ]
+
+
+C2D_CYCLE_NOT_STEADY = 0
+C2D_CYCLE_SHAKES_DOWN = 1
+C2D_CYCLE_SLIPS = 2
+C2D_CYCLE_RATCHETS = 3
+C2D_CYCLE_STOPPED = 4
+
+
+class c2d_cycle_state(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("result", c_int32),
+        ("outcome", c_int32),
+        ("cycles", c_int32),
+        ("extrapolations", c_int32),
+        ("repeated", c_int32),
+        ("stuck", c_int32),
+        ("slipped", c_int32),
+        ("range_pair", c_int32),
+        ("walk_pair", c_int32),
+        ("change", c_double),
+        ("dissipated", c_double),
+        ("slip_range", c_double),
+        ("walk", c_double),
+    ]
+
+
+c2d_cycle_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(c2d_cycle_state))
+C2D_CYCLE_RANGE = 0
+C2D_CYCLE_WALK = 1
+C2D_CYCLE_STUCK = 2
+C2D_CYCLE_TOUCHED = 3
+
+
+class c2d_cycle_zone(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("touched", c_int32),
+        ("stuck", c_int32),
+        ("slipped", c_int32),
+        ("walk", c_double),
+        ("slip_range", c_double),
+    ]
+
+
 C2D_MEMORY_STORE_FULL = 1
 C2D_MEMORY_STORE_TAPE = 2
 C2D_MEMORY_STORE_RANGE = 3
@@ -1168,6 +1232,28 @@ These do nothing at run time. With a library compiled with C2D_PARTS_BY_CALL the
     ], """c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_body_limits* body, int32_t bodies, c2d_card_fn card, void* card_context, c2d_report report, void* report_context);
 
 Walks over a deck like c2d_check_deck, without a workspace: `card` receives every field in the order of the deck, `report` every fault; either may be null. Discard the fields of a deck with faults. body[0 .. bodies) is work space; its contents are undefined afterwards. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies than `bodies`, reported as soon as their number is read."""),
+    "c2d_cycle": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("request", POINTER(c2d_cycle_request), True, None),
+        ("each", c2d_cycle_fn, False, None),
+        ("context", c_void_p, False, None),
+        ("out", POINTER(c2d_cycle_state), False, None),
+    ], """c2d_status c2d_cycle(c2d_solver* solver, const c2d_cycle_request* request, c2d_cycle_fn each, void* context, c2d_cycle_state* out);
+
+Follow cycles from the load reached, which must be the last corner, until the change over a followed cycle is within the tolerance, and fill *out. `each` may be null. A state saved in the callback is continued by c2d_restore and the same call, with identical bits. With C2D_STEPPING_DECK, free motions at rest and friction without bound nothing is extrapolated. Energies since zero load skip what an extrapolation passes over; their balance stays. Legal in state running. Errors: STORE_..., CALLBACK, CANCELLED (the solver stays at the last load reached), MEMORY."""),
+    "c2d_get_cycle": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("field", c_int32, False, None),
+        ("first", c_int32, False, None),
+        ("count", c_int32, False, None),
+        ("out", POINTER(c_double), False, None),
+        ("stride", c_int64, False, None),
+    ], """c2d_status c2d_get_cycle(c2d_solver* solver, int32_t field, int32_t first, int32_t count, double* out, int64_t stride);"""),
+    "c2d_get_cycle_zone": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("zone", c_int32, False, None),
+        ("out", POINTER(c2d_cycle_zone), False, None),
+    ], """c2d_status c2d_get_cycle_zone(c2d_solver* solver, int32_t zone, c2d_cycle_zone* out);"""),
     "c2d_image_sum": (c_int32, [
         ("solver", c_void_p, True, None),
         ("sum", POINTER(c_uint64), False, None),
