@@ -178,8 +178,9 @@ class Result:
     """What a run gave.
 
     Tables by name, result["contact"] (OUTPUT.md describes their columns): "contact", "boundary", "summary", "bodies",
-    "trace", "interior" if points were asked for, and, if they were, "stresses" and "ranges". `summary`: the program's JSON; `listing`, `report` (a page of HTML):
-    texts; `pictures`: by name; `tolerances`: a table; `warnings`, `notes`: messages; `complete`, `outcome`, `why`: did the path reach its end?
+    "trace", "interior" if points were asked for, and, if they were, "stresses" and "ranges". `summary`: the program's JSON;
+    `listing`, `report` (a page of HTML): texts; `pictures`: by name; `tolerances`: a table; `warnings`, `notes`: messages;
+    `complete`, `outcome`, `why`: did the path reach its end?
     """
 
     def __init__(self, folder: pathlib.Path, stderr: str, status: int) -> None:
