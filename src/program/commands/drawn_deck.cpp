@@ -1,5 +1,6 @@
 #include "program/commands/drawn_deck.hpp"
 
+#include "program/estimate/fatigue.hpp"
 #include "program/estimate/positions.hpp"
 #include "program/estimate/tolerances.hpp"
 #include "program/estimate/wanted.hpp"
@@ -173,6 +174,7 @@ void add_tolerances(const Drawn& drawn, const DeckFile& deck, const sketch::Mesh
                     MeshLoop& loop) {
   estimate::Trial trial;
   demand.drawn = true, demand.store = nullptr;
+  estimate::ask_below(drawn.sketch, mesh, demand.cycle);
   std::string why;
   if (estimate::solve(sketch::deck_of(drawn.sketch, mesh), demand, trial, why) == C2D_OK)
     return add_tolerances(drawn, deck, {drawn.sketch, mesh, trial}, demand, nullptr, loop);
