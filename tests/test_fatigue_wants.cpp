@@ -169,9 +169,9 @@ namespace {
 // What the program finds, by name.
 test::Json run_wants(const test::Folder& folder, const std::string& wants, int status) {
   test::write_file(folder / "a.c2s", kCattaneo + wants);
-  const test::Result run =
-      test::run_shell("'" + paths::program() + "' run '" + (folder / "a.c2s") + "' --listing '" + (folder / "l") +
-                      "' --summary '" + (folder / "s") + "' --json '" + (folder / "j") + "'");
+  const test::Result run = test::run_shell("'" + paths::program() + "' run '" + (folder / "a.c2s") + "' --listing '" +
+                                           (folder / "l") + "' --summary '" + (folder / "s") + "' --json '" + (folder / "j") +
+                                           "' --report '" + (folder / "r.html") + "' --figures '" + (folder / "p") + "'");
   REQUIRE_MESSAGE(run.status == status, run.err);
   return test::JsonReader::read(test::read_file(folder / "j"));
 }
@@ -194,6 +194,11 @@ TEST_CASE("fatigue wants: the edge of the Cattaneo contact by the program") {
   CHECK(seen);
   CHECK(test::contains(test::read_file(folder / "s"), ",block,SWT of top,,"));
   CHECK(test::contains(test::read_file(folder / "l"), "   plane "));
+  const std::string page = test::read_file(folder / "r.html"), picture = test::read_file(folder / "p/fatigue.svg");
+  CHECK(test::contains(page, "<h2>Fatigue, last cycle</h2>"));
+  CHECK(test::contains(page, "<tr><td>SWT of top</td><td>body 1 (block)</td><td>2."));
+  CHECK(test::contains(picture, "distance along top"));
+  CHECK(test::contains(picture, "SWT, body 1 (block)"));
 }
 
 // Figures of half planes.
@@ -230,10 +235,30 @@ TEST_CASE("fatigue wants: all numbers of the Cattaneo contact to one percent") {
   CHECK(seen == 18);
 }
 
+// Half planes: 0.550 for SWT at the edge. Here the contact moves with the pad, by 1 % of its width, and the trailing edge of
+// one turn is within the contact at the other.
+TEST_CASE("fatigue wants: the pad of the examples") {
+  const test::Folder folder;
+  const test::Result run = test::run_shell("'" + paths::program() + "' run '" + paths::root() +
+                                           "/examples/fretting_fatigue.c2s' -q --json '" + (folder / "j") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  std::map<std::string, double> values;
+  for (const test::Json& number : json["accuracy"]["stated"].items)
+    if (number["name"].text != "tractions") values[number["name"].text] = number["value"].number;
+  CHECK(std::fabs(values["SWT of top"] / 0.550 - 1) < 0.07);
+  CHECK(values["SWT of top at depth 0.015"] < 0.4 * values["SWT of top"]);
+  CHECK(values["Ruiz F1 of top"] > 0);
+  CHECK(values["crack range of K of top, depth 0.1"] > 0);
+}
+
 TEST_CASE("fatigue wants: a kept loop keeps the plane") {
   app::MeshLoop loop, back;
   loop.stated.emplace_back();
   loop.stated[0].what = app::Measure::kSwt, loop.stated[0].angle = 30.25, loop.stated[0].value = 1.0 / 3;
+  loop.fatigue.push_back({app::Measure::kFindley, 2, "top", {{1.5, 1.0 / 7}}});
   REQUIRE(estimate::read_meshes(estimate::text_of(loop), back));
+  CHECK((back.fatigue.size() == 1 && back.fatigue[0].what == app::Measure::kFindley && back.fatigue[0].body == 2));
+  CHECK((back.fatigue[0].along == "top" && back.fatigue[0].points[0][1] == 1.0 / 7));
   CHECK((back.stated[0].angle == 30.25 && back.stated[0].value == 1.0 / 3 && back.stated[0].what == app::Measure::kSwt));
 }

@@ -25,12 +25,21 @@ struct MeshRound {
   std::vector<Stated> stated;    // numbers with errors stated on this mesh; empty without a distance
 };
 
+// A fatigue parameter along curves: distances from the start of the first curve, one curve after another, and values.
+struct FatigueLine {
+  Measure what = Measure::kSwt;
+  int32_t body = 1;
+  std::string along; // the name of the first curve
+  std::vector<std::array<double, 2>> points;
+};
+
 struct MeshLoop {
   std::vector<MeshRound> rounds;
   size_t taken = 0; // the round, from 0, with the mesh of the results
   std::vector<Stated> stated;
-  int32_t positions = 0;     // of moving loads, in a period; errors include the change from half as many; 0: no load moves
-  std::string stopped;       // why it ended before all tolerances were met; empty: they are
+  int32_t positions = 0; // of moving loads, in a period; errors include the change from half as many; 0: no load moves
+  std::string stopped;   // why it ended before all tolerances were met; empty: they are
+  std::vector<FatigueLine> fatigue;
   ToleranceTable tolerances; // of parameters; empty: none has one
   bool ran() const { return !rounds.empty(); }
   // Is a requested tolerance not met? Meshes of a deck are not adapted and have no tolerances.

@@ -4,6 +4,7 @@
 #include "report/drawn/dark.hpp"
 #include "report/frames.hpp"
 #include "report/listing/key_table.hpp"
+#include "report/page_fatigue.hpp"
 #include "report/page_tolerances.hpp"
 #include "report/text.hpp"
 #include "report/totals.hpp"
@@ -386,6 +387,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   append_numbers(page, scene);
   page += "</div>\n";
   if (scene.solved) append_steps(page, scene);
+  append_page_fatigue(page, scene);
   append_page_tolerances(page, scene);
   append_warnings(page, scene);
   page += "<div class=\"pictures\">\n";

@@ -12,6 +12,7 @@
 #include "program/sketch/deck/cycle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -72,6 +73,7 @@ public:
   FatigueCurve(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial, const Want& want);
   bool any() const { return !spots_.empty(); }
   FatigueSpot largest();
+  std::vector<std::array<double, 2>> points(const sketch::Mesh& mesh, const sketch::Side& side);
 
 private:
   void take_rubbed(const std::vector<RubbedPlace>& places, FatigueKind kind);
@@ -170,6 +172,21 @@ FatigueSpot FatigueCurve::largest() {
   return vertex_at(most);
 }
 
+// Distances along all curves of a side, one curve after another, and values.
+std::vector<std::array<double, 2>> FatigueCurve::points(const sketch::Mesh& mesh, const sketch::Side& side) {
+  std::vector<std::array<double, 2>> out;
+  double begin = 0;
+  for (const sketch::MeshedOutline& outline : mesh.bodies[static_cast<size_t>(side.body)])
+    for (const sketch::MeshedCurve& curve : outline.curves) {
+      if (!side.has(curve.curve->name)) continue;
+      for (size_t k = 0; k < spots_.size(); ++k)
+        if (spots_[k].curve == &curve) out.push_back({begin + spots_[k].length, at(k).value});
+      begin += curve.ends.back();
+    }
+  std::stable_sort(out.begin(), out.end(), [](const auto& p, const auto& q) { return p[0] < q[0]; });
+  return out;
+}
+
 // Depths below the surface and weights of the stresses there.
 std::vector<app::DepthWeight> depths_of(const Want& want) {
   const double depth = want.fatigue.depth;
@@ -266,6 +283,17 @@ void ask_below(const sketch::Sketch& sketch, const sketch::Mesh& mesh, CycleDema
   demand.from = sketch::cycle_start(sketch);
   if (std::any_of(sketch.wants.begin(), sketch.wants.end(), is_below))
     demand.below = [&](const Trial& trial) { return places_below(sketch, mesh, trial); };
+}
+
+std::vector<app::FatigueLine> fatigue_lines(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial) {
+  std::vector<app::FatigueLine> out;
+  for (const Want& want : sketch.wants) {
+    if (want.of != WantOf::kFatigue || want.fatigue.place != FatiguePlace::kSurface || trial.cycle.empty()) continue;
+    const app::Measure what = sketch::fatigue_rows()[static_cast<size_t>(want.fatigue.kind)].what;
+    out.push_back({what, static_cast<int32_t>(want.body) + 1, want.side->names[0],
+                   FatigueCurve(sketch, mesh, trial, want).points(mesh, *want.side)});
+  }
+  return out;
 }
 
 void FatigueValues::add(const Want& want, const LeastSizes& least, double tolerance, std::vector<app::Stated>& out) {

@@ -1,7 +1,7 @@
 // Fatigue parameters requested by a sketch, from the stresses of the last cycle on one mesh.
 #pragma once
 
-#include "post/stated.hpp"
+#include "post/mesh_loop.hpp"
 #include "program/estimate/trial.hpp"
 #include "program/sketch/mesh.hpp"
 
@@ -11,6 +11,9 @@ namespace estimate {
 // They lie below the place of the largest value along the curves; the sketch and the mesh are referred to.
 void ask_for_cycle(const sketch::Sketch& sketch, CycleDemand& demand);
 void ask_below(const sketch::Sketch& sketch, const sketch::Mesh& mesh, CycleDemand& demand);
+
+// The parameters requested along curves, at all of their nodes, for pictures.
+std::vector<app::FatigueLine> fatigue_lines(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial);
 
 // What smaller values of stresses and displacements are: round-off.
 struct LeastSizes {

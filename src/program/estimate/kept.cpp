@@ -16,8 +16,9 @@ template <class Archive> void members(Archive& a, ToleranceOf& t) { a(t.name), a
 template <class Archive> void members(Archive& a, Influence& i) { a(i.derivative), a(i.why); }
 template <class Archive> void members(Archive& a, Toleranced& t) { a(t.number), a(t.by); }
 template <class Archive> void members(Archive& a, ToleranceTable& t) { a(t.parameters), a(t.numbers), a(t.why); }
+template <class Archive> void members(Archive& a, FatigueLine& f) { a(f.what), a(f.body), a(f.along), a(f.points); }
 template <class Archive> void members(Archive& a, MeshLoop& l) {
-  a(l.rounds), a(l.taken), a(l.stated), a(l.stopped), a(l.tolerances);
+  a(l.rounds), a(l.taken), a(l.stated), a(l.stopped), a(l.fatigue), a(l.tolerances);
 }
 
 } // namespace app

@@ -413,6 +413,7 @@ void Loop::take(const Level& level) {
   if (!s_.tolerances.empty()) out_.trial = level.trial;
   out_.deck = is_cut_off(level.trial, level.mesh) ? level.deck : app::without_cut_ends(level.deck);
   out_.loop.taken = out_.loop.rounds.size() - 1;
+  out_.loop.fatigue = fatigue_lines(s_, level.mesh, level.trial);
   has_tapes_ = true;
   history_ = level.trial.why;
   is_whole_ = level.trial.outcome == C2D_REACHED;

@@ -150,6 +150,7 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out) {
   draw_path(scene, out);
   draw_energy(scene, out);
   if (scene.solved) draw_balance(scene, out);
+  draw_fatigue(scene, out);
   draw_tolerances(scene, out);
   draw_meshes(scene, out);
   draw_convergence(scene, out);

@@ -49,6 +49,8 @@ void draw_energy(const Scene& scene, Pictures& out);
 // Filled contours of the stress inside the bodies, on grids of their own. Fails as c2d_interior does.
 c2d_status draw_stress(const Scene& scene, Pictures& out);
 
+// Fatigue parameters that a sketch requests along curves; nothing without them.
+void draw_fatigue(const Scene& scene, Pictures& out);
 // Shares of parameters with tolerances in the wanted numbers, as bars; nothing without tolerances.
 void draw_tolerances(const Scene& scene, Pictures& out);
 // The first and the last of the meshes that were tried for a sketch, whole and at the contact, and how numbers converged over
