@@ -324,7 +324,8 @@ std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& presen
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       std::string cases; // of this stroke
       int count = 0;
-      for (size_t c = k; c < present.load[s].size() && count <= kMostNamed; c += many ? kLoadStyles : scene.cases) {
+      for (size_t c = k; c < std::min(present.load[s].size(), scene.cases) && count <= kMostNamed;
+           c += many ? kLoadStyles : scene.cases) {
         if (!present.load[s][c]) continue;
         cases += (count > 0 ? ", " : "") + (count < kMostNamed ? std::to_string(c + 1) : "...");
         ++count;
