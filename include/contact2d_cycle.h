@@ -78,7 +78,7 @@ typedef int32_t (*c2d_cycle_fn)(void* context, const c2d_cycle_state* now);
 c2d_status c2d_cycle(c2d_solver* solver, const c2d_cycle_request* request, c2d_cycle_fn each, void* context,
                      c2d_cycle_state* out);
 
-/* Results of pairs first ... first+count-1 over the last whole cycle, until the next c2d_cycle or c2d_begin. */
+/* Results of pairs first ... first+count-1 over the last whole cycle, until the next c2d_cycle; 0 of tied pairs. */
 enum {
   C2D_CYCLE_RANGE = 0,  /* distance between the ends of the slip                              */
   C2D_CYCLE_WALK = 1,   /* motion (u2-u1).t from the beginning to the end                     */

@@ -406,7 +406,7 @@ int32_t read_card(void* context, char* out, int32_t size) {
 }
 } // namespace
 
-Machine::Machine(const std::string& deck) {
+Machine::Machine(const std::string& deck, int32_t cycle_states) {
   std::vector<c2d_body_limits> list(64);
   c2d_limits limits = C2D_INIT(c2d_limits);
   limits.bodies = 64, limits.body = list.data();
@@ -414,6 +414,7 @@ Machine::Machine(const std::string& deck) {
   const auto hear = [](void* c, const c2d_error* e) { static_cast<Machine*>(c)->told.push_back(*e); };
   status = c2d_check_deck(read_card, &cards, &limits, hear, this);
   if (status != C2D_OK) return;
+  limits.cycle_states = cycle_states;
   create(limits);
   if (status != C2D_OK) return;
   cards.at = 0;

@@ -142,7 +142,7 @@ struct Result {
 class Machine {
 public:
   explicit Machine(const Model& model, int32_t keep_factors = 0, int32_t stepping = C2D_STEPPING_EVENTS);
-  explicit Machine(const std::string& deck);
+  explicit Machine(const std::string& deck, int32_t cycle_states = 0);
   ~Machine();
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;

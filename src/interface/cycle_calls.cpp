@@ -201,14 +201,17 @@ extern "C" c2d_status c2d_get_cycle(c2d_solver* s, int32_t field, int32_t first,
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status == C2D_OK) status = check_results(s);
   if (status != C2D_OK) return status;
-  const int64_t pairs = s->model.path_pairs;
+  const int64_t pairs = s->model.pairs;
   const Ranged ranges[] = {
       {"field", field, C2D_CYCLE_RANGE, C2D_CYCLE_TOUCHED}, {"first", first, 1, pairs}, {"count", count, 0, pairs - first + 1}};
   status = check_ranges(s, ranges);
   if (status == C2D_OK && count > 0) status = check_array(s, "out", out, "stride", stride, 1, count);
   if (status != C2D_OK) return status;
   const CyclePair* pair = cycle_book(s).pair;
-  for (int32_t i = 0; i < count; ++i) out[i * stride] = value_of(pair[first - 1 + i], field, s->model.length_unit);
+  for (int32_t i = 0; i < count; ++i) {
+    const int32_t at = first - 1 + i;
+    out[i * stride] = at < s->model.path_pairs ? value_of(pair[at], field, s->model.length_unit) : 0.0;
+  }
   return C2D_OK;
 }
 

@@ -644,6 +644,42 @@ class Stepping(unittest.TestCase):
         step = solver.next_event([-1.0])
         self.assertTrue(0 < step < 1)
 
+    def test_a_cycle_of_loads_until_it_is_steady(self):
+        solver = contact2d.Solver.of_deck(HERTZ, cycle_states=20)
+        solver.prepare()
+        solver.begin(0.3)
+        solver.advance(1.0)
+        seen = []
+        state = solver.cycle([[0.5], [1.0]], each=lambda now: seen.append(now.cycles))
+        self.assertIn(state.result, (header.C2D_CYCLE_SHAKES_DOWN, header.C2D_CYCLE_SLIPS))
+        self.assertEqual(seen, list(range(1, state.cycles + 1)))
+        self.assertLessEqual(state.change, 1e-10)
+        before, tt = solver.get_summary().dissipated, list(solver.get("tt"))
+        solver.advance(0.5)
+        solver.advance(1.0)
+        self.assertAlmostEqual(solver.get_summary().dissipated - before, state.dissipated, delta=1e-9 * (1e-9 + before))
+        for a, b in zip(tt, solver.get("tt")):
+            self.assertAlmostEqual(a, b, delta=1e-8)
+        self.assertEqual(max(solver.get_cycle("range")), state.slip_range)
+        self.assertEqual(sum(solver.get_cycle("stuck")), state.stuck)
+        self.assertEqual(solver.get_cycle_zone(1).slip_range, state.slip_range)
+        self.assertEqual(solver.cycle([[0.5], [1.0]], mode="plain", each=lambda now: True).cycles, 1)
+        self.assertEqual(solver.cycle([[0.5], [1.0]], limit=1, tolerance=1.0).cycles, 1)
+        with self.assertRaisesRegex(ValueError, "'mode' is 'exakt', expected one of exact, plain, fast"):
+            solver.cycle([[0.5], [1.0]], mode="exakt")
+        with self.assertRaisesRegex(TypeError, "'each' is 3"):
+            solver.cycle([[0.5], [1.0]], each=3)
+        with self.assertRaisesRegex(ValueError, "'field' is 'slip'"):
+            solver.get_cycle("slip")
+        with self.assertRaisesRegex(contact2d.Error, "does not close"):
+            solver.cycle([[1.0], [0.5]])
+
+        def enough(now):
+            raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            solver.cycle([[0.5], [1.0]], each=enough)
+
     def test_progress_is_told_and_may_raise(self):
         seen = []
         solver = contact2d.Solver.of_deck(HERTZ, progress=lambda *now: seen.append(now))

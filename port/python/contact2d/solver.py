@@ -49,6 +49,8 @@ END_FIELDS = ["end_x", "end_y", "end_node", "end_ux", "end_uy", "end_tx", "end_t
               "end_sxy", "end_szz", "end_hoop", "end_von_mises", "end_max_shear", "end_principal1", "end_principal2"]
 POINT_FIELDS = ["ux", "uy", "sxx", "syy", "sxy", "szz", "von_mises", "max_shear", "principal1", "principal2", "flag"]
 OFF_FIELDS = ["length", "zone", "side", "statuses", "equation", "gap", "drift", "equation_energy", "contact_energy"]
+CYCLE_MODES = ["exact", "plain", "fast"]  # C2D_CYCLES_...
+CYCLE_FIELDS = ["range", "walk", "stuck", "touched"]  # C2D_CYCLE_RANGE ...
 STATES = {header.C2D_STATE_EMPTY: "empty", header.C2D_STATE_BUILDING: "building", header.C2D_STATE_MODEL: "model",
           header.C2D_STATE_PREPARED: "prepared", header.C2D_STATE_RUNNING: "running", header.C2D_STATE_BROKEN: "broken"}
 
@@ -204,9 +206,12 @@ class Solver(SolverCalls):
         self._create(memory)
 
     @classmethod
-    def of_deck(cls, source: Source, **options: Any) -> Solver:
-        """With the model of a deck: the name of its file, or its text. (Of a sketch: Solver.of_deck(contact2d.mesh(...)).)"""
-        solver = cls(limits_of_deck(source), **options)
+    def of_deck(cls, source: Source, cycle_states: int = 0, **options: Any) -> Solver:
+        """With the model of a deck: the name of its file, or its text. (Of a sketch: Solver.of_deck(contact2d.mesh(...)).)
+        `cycle_states`: of c2d_limits, 20 to 40 for cycle()."""
+        limits = limits_of_deck(source)
+        limits.cycle_states = arrays.integer("of_deck: 'cycle_states'", cycle_states, least=0)
+        solver = cls(limits, **options)
         try:
             solver.read_deck(source)
         except BaseException:
@@ -415,6 +420,48 @@ class Solver(SolverCalls):
             if not stopped or getattr(why, "status", None) != header.C2D_ERR_CALLBACK:
                 raise
         return not stopped
+
+    def cycle(self, load: Any, limit: int = 0, tolerance: float = 0.0, mode: str = "exact",
+              each: Optional[Callable[[Any], Any]] = None) -> Any:
+        """Repeats a cycle of loads until it is steady: c2d_cycle. `load`: its corners, rows of one factor per load case; the last
+        one is the load reached. `each` is called after every cycle with the members of c2d_cycle_state; if it returns something
+        true, no further cycle is followed. Returns these members."""
+        if mode not in CYCLE_MODES:
+            raise ValueError("cycle: 'mode' is %r, expected one of %s%s" % (mode, ", ".join(CYCLE_MODES), offer(mode, CYCLE_MODES)))
+        if each is not None and not callable(each):
+            raise TypeError("cycle: 'each' is %r, expected a function" % (each,))
+        cases = self.get_summary().load_cases
+        pointer, count, kept = arrays.doubles("cycle: 'load'", load, cases)
+        request, state, seen = header.c2d_cycle_request(), header.c2d_cycle_state(), []
+        request.corners, request.cases, request.mode = count // cases, cases, CYCLE_MODES.index(mode)
+        request.limit = arrays.integer("cycle: 'limit'", limit, least=0)
+        request.tolerance = arrays.real("cycle: 'tolerance'", tolerance)
+        request.load = ctypes.cast(pointer, type(request.load))
+
+        def show(_, now):
+            plain = calls.plain(now.contents)
+            if self._worker.ask(lambda: each(plain), True):
+                seen.append(plain)
+            return 1 if seen else 0
+
+        callback = header.c2d_cycle_fn(show) if each is not None else header.c2d_cycle_fn(0)
+        try:
+            self._call("c2d_cycle", byref(request), callback, None, byref(state))
+        except Exception as why:
+            if not seen or getattr(why, "status", None) != header.C2D_ERR_CALLBACK:
+                raise
+            return seen[-1]
+        del kept
+        return calls.plain(state)
+
+    def get_cycle(self, field: str) -> Any:
+        """Of each pair over the last cycle that cycle() followed: "range", "walk", "stuck" or "touched"."""
+        if field not in CYCLE_FIELDS:
+            raise ValueError("get_cycle: 'field' is %r, expected one of %s" % (field, ", ".join(CYCLE_FIELDS)))
+        many = self.get_summary().pairs
+        out = (ctypes.c_double * max(1, many))()
+        self._call("c2d_get_cycle", CYCLE_FIELDS.index(field), 1, many, out, 1)
+        return arrays.shaped(out[:many])
 
     def get_path(self, i: int) -> Tuple[int, List[float]]:
         """(increments, load factors) of a piece of the load path."""
