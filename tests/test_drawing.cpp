@@ -227,7 +227,9 @@ TEST_CASE("drawing: meshes without physical groups, of curves and of faces") {
     REQUIRE(plate.outlines.size() == 2);
     // The wave of the top is the same to both sides of its middle: 10 times 6, without the hole.
     CHECK(area(plate) == doctest::Approx(60 - 2.25 * kPi).epsilon(5e-3));
-    CHECK(area({"", 0, 0, false, {plate.outlines[1]}, {}}) == doctest::Approx(-2.25 * kPi).epsilon(1e-10));
+    sketch::Body hole;
+    hole.outlines = {plate.outlines[1]};
+    CHECK(area(hole) == doctest::Approx(-2.25 * kPi).epsilon(1e-10));
     CHECK(curves_called(plate, "curve3") == 1);
     CHECK(curves_called(plate, "curve5") == 1);
   }

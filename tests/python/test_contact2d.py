@@ -667,6 +667,9 @@ class Stepping(unittest.TestCase):
         self.assertEqual(solver.cycle([[0.5], [1.0]], limit=1, tolerance=1.0).cycles, 1)
         with self.assertRaisesRegex(ValueError, "'mode' is 'exakt', expected one of exact, plain, fast"):
             solver.cycle([[0.5], [1.0]], mode="exakt")
+        for load in (1.0, [[1.0, 2.0], [1.0, 2.0]]):
+            with self.assertRaisesRegex(TypeError, "cycle: 'load'"):
+                solver.cycle(load)
         with self.assertRaisesRegex(TypeError, "'each' is 3"):
             solver.cycle([[0.5], [1.0]], each=3)
         with self.assertRaisesRegex(ValueError, "'field' is 'slip'"):

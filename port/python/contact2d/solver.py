@@ -431,7 +431,12 @@ class Solver(SolverCalls):
         if each is not None and not callable(each):
             raise TypeError("cycle: 'each' is %r, expected a function" % (each,))
         cases = self.get_summary().load_cases
-        pointer, count, kept = arrays.doubles("cycle: 'load'", load, cases)
+        if not arrays.is_list(load):
+            raise TypeError("cycle: 'load' is %r, expected rows of load factors" % (load,))
+        rows = [arrays.listed("cycle: 'load'", row) for row in load]
+        if any(len(row) != cases for row in rows):
+            raise TypeError("cycle: 'load' has rows of %s factors, expected %d" % (sorted({len(row) for row in rows}), cases))
+        pointer, count, kept = arrays.doubles("cycle: 'load'", [factor for row in rows for factor in row])
         request, state, seen = header.c2d_cycle_request(), header.c2d_cycle_state(), []
         request.corners, request.cases, request.mode = count // cases, cases, CYCLE_MODES.index(mode)
         request.limit = arrays.integer("cycle: 'limit'", limit, least=0)
