@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 using namespace sketch;
@@ -130,6 +131,43 @@ TEST_CASE("fatigue wants: a crack in bending, and a depth that is not in the bod
   } catch (const Fault& fault) {
     CHECK(fault.at.line == 13);
     CHECK(fault.text.find("is not inside the body, expected a smaller depth") != std::string::npos);
+  }
+}
+
+// A square fixed at its foot, with two loads that go round; turned by a right angle, or mirrored first.
+TEST_CASE("fatigue wants: turning and mirroring the sketch change nothing but the place and the plane") {
+  const auto values = [](double quarters, bool mirrored) {
+    const auto pair = [&](const char* before, double x, double y, const char* between) {
+      char text[120];
+      const double m = mirrored ? -x : x, c = 1 - quarters, n = quarters; // the mesh depends on other angles
+      std::snprintf(text, sizeof text, "%s%.17g%s%.17g", before, c * m - n * y, between, n * m + c * y);
+      return std::string(text);
+    };
+    const std::string e = mirrored ? "w" : "e", w = mirrored ? "e" : "w"; // the outline keeps its material on the left
+    const double l = mirrored ? 1 : 0, r = 1 - l;
+    const Sketch s =
+        sound("body b E 10 nu 0.3" + kConstants + pair("from ", l, 0, " ") + pair("\nline s to ", r, 0, " ") +
+              pair(("\nline " + e + " to ").c_str(), r, 1, " ") + pair("\nline n to ", l, 1, " ") + "\nline " + w +
+              " close\nfix b.s\ncase pull\n" + pair("traction b.n fx ", 0.1, 1, " fy ") + "\ncase push\n" +
+              pair("traction b.e fx ", 0.5, 0.2, " fy ") + "\nhistory pull 1; push 1; pull -1; push -1; pull 1; push 1\n" +
+              pair("want fatigue swt b ", 0.3, 0.6, " ") + pair("\nwant fatigue fatemi-socie b ", 0.3, 0.6, " ") +
+              pair("\nwant fatigue findley b ", 0.3, 0.6, " ") + pair("\nwant fatigue dang-van b ", 0.3, 0.6, " ") +
+              pair("\nwant fatigue crossland b ", 0.3, 0.6, " ") + "\nwant fatigue swt b.n depth 0.3\n");
+    return values_on(s);
+  };
+  const std::vector<app::Stated> first = values(0, false);
+  REQUIRE(first.size() == 6);
+  for (const bool mirrored : {false, true}) {
+    const std::vector<app::Stated> second = values(1, mirrored);
+    REQUIRE(second.size() == 6);
+    for (size_t i = 0; i < 6; ++i) {
+      CAPTURE(i);
+      CAPTURE(mirrored);
+      CHECK(first[i].value > 0);
+      CHECK(std::fabs(second[i].value / first[i].value - 1) < 1e-9);
+    }
+    const double turn = 90, own = (mirrored ? -1 : 1) * first[0].angle;
+    CHECK(std::fabs(std::remainder(second[0].angle - own - turn, 180)) < 1e-4);
   }
 }
 
