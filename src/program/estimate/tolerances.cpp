@@ -223,8 +223,11 @@ bool Differences::settle() {
     const bool fixed = numbers_[i].number.what == app::Measure::kPressureOn;
     if (std::isnan(before[i]) || std::isnan(last[i]))
       out = {NAN, "it does not exist on both sides of the value"};
-    else if (!agree(i, before[i], last[i]) || (fixed && !agree(i, first[i], last[i])))
+    else if (!agree(i, before[i], last[i]))
       out = {NAN, "two steps give " + sketch::rounded(before[i], 4) + " and " + sketch::rounded(last[i], 4)}, all_agree = false;
+    else if (fixed && !agree(i, first[i], last[i]))
+      out = {NAN,
+             "elements at rest and moving ones give " + sketch::rounded(first[i], 4) + " and " + sketch::rounded(last[i], 4)};
     else
       out = {std::fabs(last[i]) <= size_of(i, kUnseenDerivative) ? 0 : last[i], ""};
     if (numbers_[i].number.is_unbounded()) out = {NAN, "it is unbounded"};
