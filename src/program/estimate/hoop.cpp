@@ -37,6 +37,7 @@ struct HoopEdge {
   size_t element; // containing the edge
   double s;       // length along its curve
   bool up;        // contact follows in the order of the elements
+  double root;    // pressure at a small distance inside over the root of the distance; 0: unknown
 };
 
 // The stress at an edge in one state.
@@ -72,6 +73,8 @@ private:
   SurfaceCycle cycle_at_node(size_t element, size_t node) const;
   SurfaceCycle cycle_at_edge(const EdgeStress& edge, double poisson_ratio) const;
   bool is_edge_of(size_t state, const HoopEdge& edge) const;
+  void beside_edge(size_t state, const HoopEdge& place, sketch::Point along, double& hoop, sketch::Point& traction,
+                   double& doubt) const;
 
   const Trial& trial_;
   const std::vector<State>& states_;
@@ -134,7 +137,7 @@ double HoopFinder::smooth_part(size_t state, size_t element) const {
 // it is not on the requested curves.
 bool HoopFinder::find_place(sketch::Point at, HoopEdge& out) const {
   double least = HUGE_VAL, s = 0, off = 0;
-  out = {elements_.size(), 0, false};
+  out = {elements_.size(), 0, false, 0};
   const sketch::MeshedCurve* curve = nullptr;
   for (size_t e = 0; e < elements_.size(); ++e) {
     if (elements_[e].curve != curve) {
@@ -142,7 +145,7 @@ bool HoopFinder::find_place(sketch::Point at, HoopEdge& out) const {
       s = sketch::nearest_length(*curve, at);
       off = sketch::length(curve->curve->shape->at(curve->measure.u_at(s)) - at);
     }
-    if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, out = {e, s, false};
+    if (off < least && s >= elements_[e].from && s <= elements_[e].to) least = off, out = {e, s, false, 0};
   }
   return out.element < elements_.size() && elements_[out.element].wanted;
 }
@@ -157,6 +160,8 @@ std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
     HoopEdge edge{};
     if (!find_place({q.at[0], q.at[1]}, edge)) continue; // not on these curves
     edge.up = pressure(state, next(edge.element, true), 0.5) > pressure(state, next(edge.element, false), 0.5);
+    for (const app::Quantity& p : states_[state].quantities)
+      if (p.what == app::Measure::kEdgePressure && p.zone == q.zone && p.item == q.item) edge.root = p.value;
     out.push_back(edge);
   }
   return out;
@@ -384,6 +389,26 @@ bool HoopFinder::is_edge_of(size_t state, const HoopEdge& edge) const {
   });
 }
 
+// At a place beside the edge of a state, closer than an element: inside the pressure grows as the root of the distance and is
+// missing in the stress along the surface; outside the stress falls by twice the friction that there would be inside.
+void HoopFinder::beside_edge(size_t state, const HoopEdge& place, sketch::Point along, double& hoop, sketch::Point& traction,
+                             double& doubt) const {
+  constexpr double kOfRoot = 0.1; // of that pressure: the doubt of these laws
+  for (const EdgeStress& s : stress_[state]) {
+    const HoopEdge& edge = s.edge;
+    const double depth = edge.up ? place.s - edge.s : edge.s - place.s, p = edge.root * std::sqrt(std::fabs(depth));
+    if (edge.up != place.up || elements_[edge.element].curve != elements_[place.element].curve ||
+        std::fabs(depth) >= elements_[place.element].length())
+      continue;
+    double friction = 0;
+    const double inside = pressure(state, next(edge.element, edge.up), 0.5, &friction), ratio = friction / inside;
+    hoop -= depth > 0 ? p : std::copysign(2 * std::fabs(ratio) * p, hoop);
+    if (depth > 0) traction = (ratio * p) * along - p * sketch::Point{along.y, -along.x};
+    doubt += kOfRoot * p;
+    return;
+  }
+}
+
 // At an edge of a state the traction vanishes. The stress out of the plane changes by Poisson's ratio times the stress along
 // the surface.
 SurfaceCycle HoopFinder::cycle_at_edge(const EdgeStress& s, double poisson_ratio) const {
@@ -392,17 +417,17 @@ SurfaceCycle HoopFinder::cycle_at_edge(const EdgeStress& s, double poisson_ratio
   SurfaceCycle out;
   out.at = s.stress.at, out.along = own.tangent(f), out.way = s.stress.way;
   out.curve = own.curve, out.length = s.edge.s, out.element = own.length();
+  const sketch::Point normal{out.along.y, -out.along.x};
   for (size_t k = 0; k < states_.size(); ++k) {
     double doubt = 0;
     int way = 0;
-    const double hoop = value_at(k, s.edge, &doubt, &way), plain = field(k, kHoop, s.edge.element, f);
-    const bool is_edge = way > 0 || is_edge_of(k, s.edge);
+    double hoop = value_at(k, s.edge, &doubt, &way);
+    const double plain = field(k, kHoop, s.edge.element, f);
     const sketch::Point force{field(k, kTx, s.edge.element, f), field(k, kTy, s.edge.element, f)};
-    const sketch::Point traction = is_edge ? sketch::Point{} : force;
-    const sketch::Point normal{out.along.y, -out.along.x};
-    const auto zz = [&](double along) { // without a traction there is nothing but the stress along the surface
-      const double across = is_edge ? sketch::dot(force, normal) : 0;
-      return field(k, kSzz, s.edge.element, f) + poisson_ratio * (along - plain - across);
+    sketch::Point traction = way > 0 || is_edge_of(k, s.edge) ? sketch::Point{} : force;
+    if (way > 0) beside_edge(k, s.edge, out.along, hoop, traction, doubt);
+    const auto zz = [&](double along) {
+      return field(k, kSzz, s.edge.element, f) + poisson_ratio * (along - plain + sketch::dot(traction - force, normal));
     };
     const double other = hoop + std::copysign(doubt, hoop);
     out.cycle.push_back(tensor_of(hoop, traction, zz(hoop), out.along));
