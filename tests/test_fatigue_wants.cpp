@@ -208,9 +208,9 @@ namespace {
 // What the program finds, by name.
 test::Json run_wants(const test::Folder& folder, const std::string& wants, int status) {
   test::write_file(folder / "a.c2s", kCattaneo + wants);
-  const test::Result run = test::run_shell("'" + paths::program() + "' run '" + (folder / "a.c2s") + "' --listing '" +
-                                           (folder / "l") + "' --summary '" + (folder / "s") + "' --json '" + (folder / "j") +
-                                           "' --report '" + (folder / "r.html") + "' --figures '" + (folder / "p") + "'");
+  const test::Result run =
+      test::run_shell("'" + paths::program() + "' run '" + (folder / "a.c2s") + "' --listing '" + (folder / "l") +
+                      "' --summary '" + (folder / "s") + "' --json '" + (folder / "j") + "'");
   REQUIRE_MESSAGE(run.status == status, run.err);
   return test::JsonReader::read(test::read_file(folder / "j"));
 }
@@ -220,7 +220,7 @@ test::Json run_wants(const test::Folder& folder, const std::string& wants, int s
 // Half planes: SWT 2.29183 / 100 at the edges +-0.091336.
 TEST_CASE("fatigue wants: the edge of the Cattaneo contact by the program") {
   const test::Folder folder;
-  const test::Json json = run_wants(folder, "want fatigue swt block.top 30 %\n", 0);
+  const test::Json json = run_wants(folder, "steps 1\nwant fatigue swt block.top 30 %\n", 0);
   bool seen = false;
   for (const test::Json& number : json["accuracy"]["stated"].items) {
     if (number["name"].text != "SWT of top") continue;
@@ -233,11 +233,21 @@ TEST_CASE("fatigue wants: the edge of the Cattaneo contact by the program") {
   CHECK(seen);
   CHECK(test::contains(test::read_file(folder / "s"), ",block,SWT of top,,"));
   CHECK(test::contains(test::read_file(folder / "l"), "   plane "));
+}
+
+TEST_CASE("fatigue wants: the table and the picture of the page") {
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", kUniform + "want fatigue swt b.e+n  fatigue findley b.w depth 0.1\n");
+  const test::Result run = test::run_shell("'" + paths::program() + "' run -q '" + (folder / "a.c2s") + "' --report '" +
+                                           (folder / "r.html") + "' --figures '" + (folder / "p") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
   const std::string page = test::read_file(folder / "r.html"), picture = test::read_file(folder / "p/fatigue.svg");
   CHECK(test::contains(page, "<h2>Fatigue, last cycle</h2>"));
-  CHECK(test::contains(page, "<tr><td>SWT of top</td><td>body 1 (block)</td><td>0.02"));
-  CHECK(test::contains(picture, "distance along top"));
-  CHECK(test::contains(picture, "SWT, body 1 (block)"));
+  CHECK(test::contains(page, "<tr><td>SWT of e</td><td>body 1 (b)</td><td>0.1</td>"));
+  CHECK(test::contains(page, "<tr><td>Findley of w at depth 0.1</td>"));
+  CHECK(test::contains(picture, "distance along e"));
+  CHECK(test::contains(picture, "SWT, body 1 (b)"));
+  CHECK_FALSE(test::contains(picture, "Findley"));
 }
 
 // Figures of half planes.
