@@ -72,7 +72,7 @@ uint64_t hash_of(const c2d_cycle_request& r) {
 
 // Is what a state that was restored knows of cycles that of this request? (A stranger's may be anything.)
 bool may_continue(c2d_solver* s, const c2d_cycle_request& r) {
-  const CycleHead& head = *cycle_book(s).head;
+  const CycleHead& head = *cycle_record(s).head;
   return head.request == hash_of(r) && in_range(head.directions, 0, s->sizes.cycle_states) && head.cycles > 0;
 }
 
@@ -87,8 +87,8 @@ int32_t result_of(const CycleHead& head, const c2d_cycle_state& now, double unit
 
 void describe(const Session& session, c2d_cycle_state& out) {
   c2d_solver* s = session.solver;
-  const CycleBook book = cycle_book(s);
-  const CycleHead& head = *book.head;
+  const CycleRecord record = cycle_record(s);
+  const CycleHead& head = *record.head;
   const double unit = s->model.length_unit;
   memset(&out, 0, sizeof out);
   out.struct_size = static_cast<uint32_t>(sizeof out);
@@ -99,7 +99,7 @@ void describe(const Session& session, c2d_cycle_state& out) {
   out.change = head.change;
   out.dissipated = s->keeps_energy ? head.dissipated : 0.0;
   for (int32_t i = 0; i < session.tableau.pairs; ++i) {
-    const CyclePair& pair = book.pair[i];
+    const CyclePair& pair = record.pair[i];
     out.stuck += pair.stuck;
     out.slipped += pair.touched != 0 && pair.range > least_slip(head) ? 1 : 0;
     if (unit * pair.range > out.slip_range) out.slip_range = unit * pair.range, out.range_pair = i + 1;
@@ -141,7 +141,7 @@ c2d_status follow_cycle(Session& session, const c2d_cycle_request& r) {
 }
 
 c2d_status follow_cycles(Session& session, const c2d_cycle_request& r, c2d_cycle_fn each, void* context, c2d_cycle_state& now) {
-  const CycleHead& head = *cycle_book(session.solver).head;
+  const CycleHead& head = *cycle_record(session.solver).head;
   c2d_status status = C2D_OK;
   describe(session, now);
   while (status == C2D_OK && head.steady == 0 && head.cycles < r.limit && session.solver->outcome == C2D_REACHED) {
@@ -154,7 +154,7 @@ c2d_status follow_cycles(Session& session, const c2d_cycle_request& r, c2d_cycle
 }
 
 c2d_status check_results(c2d_solver* s) {
-  if (s->sizes.cycle_states == 0 || cycle_book(s).head->cycles == 0)
+  if (s->sizes.cycle_states == 0 || cycle_record(s).head->cycles == 0)
     return fail(s, C2D_ERR_ARGUMENT, "no cycle has been followed: c2d_cycle follows them");
   return C2D_OK;
 }
@@ -189,7 +189,7 @@ extern "C" c2d_status c2d_cycle(c2d_solver* s, const c2d_cycle_request* request,
   Session session;
   open_session(s, session);
   if (!continues) start_cycles(session);
-  cycle_book(s).head->request = hash_of(r);
+  cycle_record(s).head->request = hash_of(r);
   s->outcome = C2D_REACHED;
   c2d_cycle_state now;
   status = finish(session, follow_cycles(session, r, each, context, now));
@@ -207,7 +207,7 @@ extern "C" c2d_status c2d_get_cycle(c2d_solver* s, int32_t field, int32_t first,
   status = check_ranges(s, ranges);
   if (status == C2D_OK && count > 0) status = check_array(s, "out", out, "stride", stride, 1, count);
   if (status != C2D_OK) return status;
-  const CyclePair* pair = cycle_book(s).pair;
+  const CyclePair* pair = cycle_record(s).pair;
   for (int32_t i = 0; i < count; ++i) {
     const int32_t at = first - 1 + i;
     out[i * stride] = at < s->model.path_pairs ? value_of(pair[at], field, s->model.length_unit) : 0.0;
@@ -224,13 +224,13 @@ extern "C" c2d_status c2d_get_cycle_zone(c2d_solver* s, int32_t zone, c2d_cycle_
   status = check_ranges(s, ranges);
   if (status == C2D_OK) status = check_begun(s, "out", out);
   if (status != C2D_OK) return status;
-  const CycleBook book = cycle_book(s);
+  const CycleRecord record = cycle_record(s);
   const Model m = model_of(s);
-  const double least = least_slip(*book.head), unit = s->model.length_unit;
+  const double least = least_slip(*record.head), unit = s->model.length_unit;
   c2d_cycle_zone now{};
   double weight = 0.0;
   for (int32_t i = 0; i < s->model.path_pairs; ++i) {
-    const CyclePair& pair = book.pair[i];
+    const CyclePair& pair = record.pair[i];
     if (m.pair[i].zone != zone - 1 || pair.touched == 0) continue;
     ++now.touched;
     now.stuck += pair.stuck;

@@ -47,8 +47,8 @@ uint64_t code_of(int32_t pair, int8_t status, int8_t sign) {
   return static_cast<uint64_t>(pair) * 16 + static_cast<uint64_t>(status * 3 + sign + 1);
 }
 
-double* direction_of(const Session& session, const CycleBook& book, int32_t i) {
-  return book.direction + static_cast<int64_t>(i) * (kChange + kMemory) * pairs_of(session);
+double* direction_of(const Session& session, const CycleRecord& record, int32_t i) {
+  return record.direction + static_cast<int64_t>(i) * (kChange + kMemory) * pairs_of(session);
 }
 
 double gap_now(const Session& session, int32_t i) { return follows_slip(session.tableau) ? session.tableau.slip[i].now : 0.0; }
@@ -69,13 +69,13 @@ void note_slip(const Session& session, CyclePair& seen, int32_t i) {
 // After a change of statuses. Those of one segment count alike in any order: at one load it is up to round-off, and pairs that
 // are far from each other hardly know of it.
 void note_pairs(Session& session) {
-  const CycleBook book = cycle_book(session.solver);
+  const CycleRecord record = cycle_record(session.solver);
   for (int32_t i = 0; i < pairs_of(session); ++i) {
     const Pair& pair = session.model.pair[i];
-    CyclePair& seen = book.pair[i];
+    CyclePair& seen = record.pair[i];
     note_slip(session, seen, i);
     if (pair.status == seen.status && pair.sign == seen.sign) continue;
-    book.head->segment += mixed(mixed(code_of(i, seen.status, seen.sign)) ^ code_of(i, pair.status, pair.sign));
+    record.head->segment += mixed(mixed(code_of(i, seen.status, seen.sign)) ^ code_of(i, pair.status, pair.sign));
     seen.status = pair.status;
     seen.sign = pair.sign;
   }
@@ -89,7 +89,7 @@ c2d_status note_change(void* context, double load) {
 
 } // namespace
 
-CycleBook cycle_book(c2d_solver* s) {
+CycleRecord cycle_record(c2d_solver* s) {
   if (s->sizes.cycle_states == 0) return {nullptr, nullptr, nullptr};
   char* const at = array_of<char>(s, kCycles);
   CyclePair* const pair = reinterpret_cast<CyclePair*>(at + 2 * 128);
@@ -97,18 +97,18 @@ CycleBook cycle_book(c2d_solver* s) {
 }
 
 void start_cycles(Session& session) {
-  const CycleBook book = cycle_book(session.solver);
-  memset(static_cast<void*>(book.head), 0, sizeof *book.head);
-  memset(static_cast<void*>(book.pair), 0, static_cast<size_t>(pairs_of(session)) * sizeof *book.pair);
+  const CycleRecord record = cycle_record(session.solver);
+  memset(static_cast<void*>(record.head), 0, sizeof *record.head);
+  memset(static_cast<void*>(record.pair), 0, static_cast<size_t>(pairs_of(session)) * sizeof *record.pair);
 }
 
 void begin_cycle(Session& session) {
-  const CycleBook book = cycle_book(session.solver);
-  CycleHead& head = *book.head;
+  const CycleRecord record = cycle_record(session.solver);
+  CycleHead& head = *record.head;
   head.events = head.segment = 0;
   for (int32_t i = 0; i < pairs_of(session); ++i) {
     const Pair& pair = session.model.pair[i];
-    CyclePair& seen = book.pair[i];
+    CyclePair& seen = record.pair[i];
     const PairState now = pair_state(session.tableau, i, session.follower.y);
     seen.p = now.p, seen.q = now.q, seen.wn = now.wn, seen.wt = now.wt;
     seen.status = pair.status, seen.sign = pair.sign;
@@ -123,7 +123,7 @@ void begin_cycle(Session& session) {
 
 void note_corner(Session& session) {
   note_pairs(session);
-  CycleHead& head = *cycle_book(session.solver).head;
+  CycleHead& head = *cycle_record(session.solver).head;
   head.events = mixed(head.events ^ head.segment);
   head.segment = 0;
 }
@@ -135,14 +135,14 @@ namespace {
 // ---- what a cycle came to ------------------------------------------------------------------------------------------------
 
 // The largest change over the cycle; those of the pairs by the scales at which directions were begun.
-void find_change(const Session& session, const CycleBook& book) {
-  CycleHead& head = *book.head;
+void find_change(const Session& session, const CycleRecord& record) {
+  CycleHead& head = *record.head;
   const Follower& f = session.follower;
   const double p_scale = f.pressure_scale > 0.0 ? f.pressure_scale : 1.0, w_scale = f.gap_scale > 0.0 ? f.gap_scale : 1.0;
   if (head.repeated <= 1) head.p_scale = p_scale, head.w_scale = w_scale;
   head.change = 0.0;
   for (int32_t i = 0; i < pairs_of(session); ++i) {
-    const CyclePair& seen = book.pair[i];
+    const CyclePair& seen = record.pair[i];
     const PairState now = pair_state(session.tableau, i, f.y);
     head.change = fmax(head.change, fmax(fabs(now.p - seen.p), fabs(now.q - seen.q)) / p_scale);
     head.change = fmax(head.change, fabs(now.wn - seen.wn) / w_scale);
@@ -155,9 +155,9 @@ void take_change(const Session& session, const CyclePair& seen, const CycleHead&
   out[1] = (now.q - seen.q) / head.p_scale;
 }
 
-void close_pairs(const Session& session, const CycleBook& book) {
+void close_pairs(const Session& session, const CycleRecord& record) {
   for (int32_t i = 0; i < pairs_of(session); ++i) {
-    CyclePair& seen = book.pair[i];
+    CyclePair& seen = record.pair[i];
     seen.range = seen.most - seen.least;
     seen.walk = pair_state(session.tableau, i, session.follower.y).wt - seen.wt;
     seen.stuck = seen.sticks;
@@ -172,8 +172,8 @@ struct Direction {
   double* memory; // [4 pairs]
   int32_t pairs;
 };
-Direction direction(const Session& session, const CycleBook& book, int32_t i) {
-  double* const at = direction_of(session, book, i);
+Direction direction(const Session& session, const CycleRecord& record, int32_t i) {
+  double* const at = direction_of(session, record, i);
   return {at, at + static_cast<int64_t>(kChange) * pairs_of(session), pairs_of(session)};
 }
 
@@ -190,12 +190,12 @@ void add(const Direction& to, double factor, const Direction& a) {
 }
 
 // The difference of this cycle and the one before, orthonormal to those kept.
-void keep_direction(const Session& session, const CycleBook& book) {
-  CycleHead& head = *book.head;
+void keep_direction(const Session& session, const CycleRecord& record) {
+  CycleHead& head = *record.head;
   if (head.directions >= session.solver->sizes.cycle_states) head.directions = 0; // begin anew
-  const Direction now = direction(session, book, head.directions);
+  const Direction now = direction(session, record, head.directions);
   for (int32_t i = 0; i < now.pairs; ++i) {
-    const CyclePair& seen = book.pair[i];
+    const CyclePair& seen = record.pair[i];
     double change[kChange];
     take_change(session, seen, head, i, change);
     for (int k = 0; k < kChange; ++k) now.change[kChange * i + k] = change[k] - seen.change[k];
@@ -207,7 +207,7 @@ void keep_direction(const Session& session, const CycleBook& book) {
   const double whole = norm(now);
   for (int round = 0; round < 2; ++round)
     for (int32_t j = 0; j < head.directions; ++j) {
-      const Direction other = direction(session, book, j);
+      const Direction other = direction(session, record, j);
       add(now, -product(other, now.change), other);
     }
   const double left = norm(now);
@@ -218,10 +218,10 @@ void keep_direction(const Session& session, const CycleBook& book) {
 }
 
 // Of the cycle that has ended here.
-void keep_end(const Session& session, const CycleBook& book) {
+void keep_end(const Session& session, const CycleRecord& record) {
   for (int32_t i = 0; i < pairs_of(session); ++i) {
-    CyclePair& seen = book.pair[i];
-    take_change(session, seen, *book.head, i, seen.change);
+    CyclePair& seen = record.pair[i];
+    take_change(session, seen, *record.head, i, seen.change);
     seen.end = memory_of(session, i);
     seen.end_status = session.model.pair[i].status;
     seen.end_sign = session.model.pair[i].sign;
@@ -296,13 +296,13 @@ struct KeptBalance {
 };
 
 // Back to the end of the last cycle that was followed as it should be; `strayed`: from the end of one that was not.
-c2d_status go_back(Session& session, const CycleBook& book, bool strayed) {
+c2d_status go_back(Session& session, const CycleRecord& record, bool strayed) {
   KeptBalance balance(session);
   c2d_solver* s = session.solver;
   const Tableau& t = session.tableau;
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
-    const CyclePair& seen = book.pair[i];
+    const CyclePair& seen = record.pair[i];
     pair.good_status = seen.end_status;
     pair.good_sign = seen.end_sign;
     pair.good_offset = static_cast<Real>(seen.end.offset);
@@ -329,23 +329,23 @@ void wait_longer(CycleHead& head) {
 }
 
 // `change` of the pairs is that of the cycle that has ended here.
-void move_all(Session& session, const CycleBook& book) {
-  const CycleHead& head = *book.head;
+void move_all(Session& session, const CycleRecord& record) {
+  const CycleHead& head = *record.head;
   for (int32_t j = 0; j < head.directions; ++j) {
-    const Direction by = direction(session, book, j);
+    const Direction by = direction(session, record, j);
     double along = 0.0;
     for (int32_t i = 0; i < by.pairs; ++i)
-      for (int k = 0; k < kChange; ++k) along += by.change[kChange * i + k] * book.pair[i].change[k];
+      for (int k = 0; k < kChange; ++k) along += by.change[kChange * i + k] * record.pair[i].change[k];
     move_memory(session, by, (head.left - 1.0) * along);
   }
   refresh(session.follower);
 }
 
-c2d_status extrapolate(Session& session, const CycleBook& book) {
+c2d_status extrapolate(Session& session, const CycleRecord& record) {
   c2d_solver* s = session.solver;
-  CycleHead& head = *book.head;
+  CycleHead& head = *record.head;
   KeptBalance balance(session);
-  move_all(session, book);
+  move_all(session, record);
   s->table_is_current = s->back_substituted = 0;
   c2d_status status = kUnsound;
   if (is_admissible(session)) {
@@ -355,7 +355,7 @@ c2d_status extrapolate(Session& session, const CycleBook& book) {
   if (status == kUnsound) {
     s->breach = C2D_BREACH_NONE;
     wait_longer(head);
-    return go_back(session, book, false);
+    return go_back(session, record, false);
   }
   head.extrapolated = 1;
   ++head.extrapolations;
@@ -389,11 +389,11 @@ bool is_due(const CycleHead& head, const CycleRule& rule) {
 
 c2d_status end_cycle(Session& session, const CycleRule& rule) {
   c2d_solver* s = session.solver;
-  const CycleBook book = cycle_book(s);
-  CycleHead& head = *book.head;
+  const CycleRecord record = cycle_record(s);
+  CycleHead& head = *record.head;
   ++head.cycles;
-  find_change(session, book);
-  close_pairs(session, book);
+  find_change(session, record);
+  close_pairs(session, record);
   head.dissipated = s->dissipated - head.dissipated_before;
   const bool strayed = head.extrapolated != 0 && head.events != head.sequence && !may_stray(head, rule);
   const bool gained = head.change <= kGain * head.previous;
@@ -403,17 +403,17 @@ c2d_status end_cycle(Session& session, const CycleRule& rule) {
   head.extrapolated = 0;
   if (strayed) {
     wait_longer(head);
-    return go_back(session, book, true);
+    return go_back(session, record, true);
   }
   head.previous = head.change;
   const bool same = continues(head);
-  find_change(session, book); // by new scales, if directions begin anew
+  find_change(session, record); // by new scales, if directions begin anew
   head.steady = head.change <= rule.tolerance ? 1 : 0;
-  if (same) keep_direction(session, book);
-  keep_end(session, book);
+  if (same) keep_direction(session, record);
+  keep_end(session, record);
   ++head.plain;
   if (!is_due(head, rule) || !may_extrapolate(session)) return C2D_OK;
-  return extrapolate(session, book);
+  return extrapolate(session, record);
 }
 
 } // namespace c2d

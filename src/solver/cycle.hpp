@@ -43,12 +43,12 @@ struct CycleHead {
   double left;             // of the way to the fixed point, by the next extrapolation
   double previous, change, dissipated, dissipated_before;
 };
-struct CycleBook {
+struct CycleRecord {
   CycleHead* head;   // null: there is no room for cycles
   CyclePair* pair;   // [pairs]
   double* direction; // [cycle_states] each: 2 numbers of change a pair, then CycleMemory of each
 };
-CycleBook cycle_book(c2d_solver* solver);
+CycleRecord cycle_record(c2d_solver* solver);
 
 // No cycle has been followed. begin_cycle: at its first load; note_corner: at the end of each of its segments.
 void start_cycles(Session& session);

@@ -24,8 +24,7 @@ constexpr double kStepOfValue = 1e-2;      // largest step by the value of a par
 constexpr double kStepOfTolerance = 1e-1;  // least step by its tolerance
 constexpr double kStepOfDigits = 1e-5;     // least step by its value: below it round-off shows
 constexpr double kDifferencesAgree = 0.02; // two differences agree to this fraction
-constexpr double kNoDifference =
-    5e-3; // of the scale of a number over the value of the parameter: so much less is no difference
+constexpr double kNoDifference = 5e-3;     // of the scale of a number over the value of the parameter: less is none
 constexpr double kUnseenDerivative = 1e-8; // of the same: so small a derivative is round-off
 constexpr double kMarksApart = 0.5;        // of the element there: places nearer to another one do not move the mesh
 
