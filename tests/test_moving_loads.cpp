@@ -243,6 +243,11 @@ TEST_CASE("moving loads: positions are doubled until their number does not matte
   CHECK(error > 0);
   CHECK(error <= test::effort(0.2, 0.1) * value);
   CHECK(std::fabs(value - dissipated(many).first) < error);
+  test::write_file(folder / "less.c2s", roller + "limit work 1e8\n"); // enough for a mesh, not for more positions on it
+  const test::Result less = test::run_shell("'" + paths::program() + "' run -q '" + (folder / "less.c2s") + "'");
+  CHECK(less.status == 5);
+  CHECK_MESSAGE(test::contains(less.err, "dissipated: its error is unknown"), less.err);
+  CHECK(test::contains(less.err, "more positions of the moving loads would exceed the work limit"));
 }
 
 TEST_CASE("moving loads: what is wrong has its place") {

@@ -118,6 +118,8 @@ bool Positions::may_double() const {
 }
 
 void Positions::refine() {
+  for (app::Stated& s : out_.loop.stated) // not known before three solutions
+    if (s.has_value()) s.error = NAN;
   std::vector<Numbers> with(1);
   if (!solve_with(out_.sketch, with.back())) return;
   while (with.size() < 3 || !all_are_met(out_.loop.stated)) {
