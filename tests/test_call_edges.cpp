@@ -237,7 +237,7 @@ TEST_CASE("call edges: zones and platens wait for their bodies") {
   CHECK(c2d_add_zone(q.s, &z) == C2D_ERR_ARGUMENT);
   CHECK(q.why() == "give both bodies and all their regions before the contact zones");
   CHECK(c2d_add_platen(q.s, 1, 3, 3, 0, is_free, point) == C2D_ERR_ARGUMENT);
-  CHECK(q.why() == "give the body and all its regions before its platens");
+  CHECK(q.why() == "give the body and all its regions first");
   c2d_body b = C2D_INIT(c2d_body);
   b.element_nodes = 2, b.elements = 4, b.regions = 1, b.youngs_modulus = 1000, b.poisson_ratio = 0.3;
   for (int32_t body : {1, 2}) REQUIRE(c2d_set_body(q.s, body, &b) == C2D_OK); // without regions

@@ -389,7 +389,7 @@ TEST_CASE("comments, keywords and what follows the last card") {
   deck = squares();
   deck.push_back("    1       2.0");
   check_first(deck, static_cast<int>(deck.size()), 0, 0, "follows the last load card");
-  check_first({"*FREE"}, 1, 0, 0, "the deck ends here, expected the card with the number of heading cards");
+  check_first({"*FREE"}, 1, 0, 0, "the deck ends here, expected the number of heading cards");
 }
 
 TEST_CASE("a hundred faults are enough") {

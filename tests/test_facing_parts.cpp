@@ -182,7 +182,7 @@ TEST_CASE("facing parts: warnings say what they mean for the model, and nothing 
               "the mesh there") ==
         "zone 1, load factor 1: at a corner of the contact the pressure rises to 4.2 times the pressure beside it and may be "
         "unbounded: do not use the highest pressure there; forces and pressures farther away are correct");
-  CHECK(words("slip since it last touched exceeds half a contact element and 5 % of the contact length: the nodes of the pair "
+  CHECK(words("slip since it last touched exceeds half a contact element and 5 % of the contact length: its nodes "
               "no longer face each "
               "other") ==
         "slip since it last touched exceeds 5 % of the contact length: pressures act at the positions before slip; "
@@ -271,7 +271,7 @@ TEST_CASE("facing parts: curves that contact may reach are named, and none where
   CHECK(app::is_at_natural_end(warning, corners));
   CHECK_FALSE(app::is_at_natural_end(warning, toe));
   CHECK(app::in_words_of_drawing(
-            "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone carries pressure: the "
+            "zone 1 (top on flat), pair 9, load factor 1: the last pair at an end of a contact zone is closed: the "
             "contact may extend beyond the zone; lengthen it",
             toe) == "zone 1 (top on flat), load factor 1: contact reaches the end of the facing parts and may extend beyond "
                     "it: pad.flat ends at (5, 0), but pad.toe continues it smoothly: add this curve to the side");

@@ -277,10 +277,10 @@ TEST_CASE("what may not stand in a free deck") {
   deck[0] = "*FRE";
   Reading r = read(joined(deck));
   REQUIRE(r.faults.size() == 1);
-  CHECK(r.faults[0].text == "a keyword card stands first, expected *FREE or the card with the number of heading cards");
+  CHECK(r.faults[0].text == "a keyword card stands first, expected *FREE or the number of heading cards");
   CHECK(r.faults[0].column == 1);
   CHECK(r.faults[0].column_end == 4);
-  check_fault(12, "*UNITS mm N", 1, 6, "found a keyword card, expected the card with the elastic constants");
+  check_fault(12, "*UNITS mm N", 1, 6, "found a keyword card, expected the elastic constants");
   constexpr int kColumns = c2d::kFreeColumns;
   check_fault(6, std::string(kColumns, ' ') + "0,1", kColumns + 1, kColumns + 3,
               ("the card extends beyond column " + std::to_string(kColumns)).c_str());

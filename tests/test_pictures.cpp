@@ -15,7 +15,7 @@ TEST_CASE("pictures: contact with two coefficients of friction") {
   CHECK(shown.figures.count("gap_1") == 0); // all pairs touch, and none has slipped: zero everywhere
   for (const PairRow& row : last_rows(read_file(shown.folder / "c.csv"), 0.4)) CHECK(row.status == "stick");
   check_page(shown);
-  CHECK(contains(shown.page, "the last pair at an end of a contact zone has closed"));
+  CHECK(contains(shown.page, "the last pair at an end of a contact zone is closed"));
   CHECK(contains(shown.page, "&#956; = 0.3: reached load factor 1.03 in 28 steps."));
 }
 

@@ -597,7 +597,7 @@ TEST_CASE("platens: bad arguments and states of c2d_add_platen") {
   };
   CHECK(c2d_add_platen(nullptr, 2, 8, 11, 0, all, point) == C2D_ERR_ARGUMENT);
   CHECK(c2d_add_platen(s, 2, 8, 11, 0, all, point) == C2D_ERR_ARGUMENT);
-  CHECK(why() == "give the body and all its regions before its platens");
+  CHECK(why() == "give the body and all its regions first");
   c2d_body data = C2D_INIT(c2d_body);
   data.element_nodes = 2, data.elements = 14, data.regions = 1, data.youngs_modulus = 1;
   REQUIRE(c2d_set_body(s, 2, &data) == C2D_OK);
@@ -749,5 +749,5 @@ TEST_CASE("platens: faults of the deck's card") {
   const size_t at = stress.find("\n0 2\n");
   REQUIRE(at != std::string::npos);
   stress.replace(at, 5, "\n0 0\n");
-  CHECK(solve_deck(stress).told_of("a platen in a stress analysis (IOUT 0), expected IOUT 1 or 2"));
+  CHECK(solve_deck(stress).told_of("a contact zone or platen in a stress analysis (IOUT 0), expected IOUT 1 or 2"));
 }

@@ -54,7 +54,7 @@ struct Cards {
 void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context);
 
 // The next card as it stands, comments included (heading cards). False: the deck has ended or reading must stop, which has
-// been reported; `what` names the missing card, as in "the card with the number of bodies".
+// been reported; `what` names what is missing, as in "the number of bodies".
 bool next_heading(Cards& cards, const char* what);
 // Has a card of the free form a list of any length, of which next_words gives the fields after the first?
 enum class FieldList : int32_t { none, allowed };

@@ -150,7 +150,7 @@ bool read_point_load(Deck& deck, int b, int32_t i) {
 bool read_conditions(Deck& deck, int b) {
   Cards& cards = deck.cards;
   cards.body = b + 1;
-  if (!next_card(cards, "the card with the number of boundary conditions of a body")) return false;
+  if (!next_card(cards, "the number of boundary conditions of a body")) return false;
   if (!fits_count(deck, numbers_on(cards) < 4, deck.counted_cards)) return false;
   int32_t conditions = 0;
   if (!read_count(deck, "number of boundary condition cards", &conditions)) return false;
@@ -176,7 +176,7 @@ bool read_conditions(Deck& deck, int b) {
 
 bool read_point_loads(Deck& deck, int b) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the number of point loads of a body")) return false;
+  if (!next_card(cards, "the number of point loads of a body")) return false;
   if (!fits_count(deck, numbers_on(cards) < 4, deck.counted_cards)) return false;
   int32_t loads = 0;
   if (!read_count(deck, "number of point loads", &loads)) return false;

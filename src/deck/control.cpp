@@ -11,7 +11,7 @@ constexpr int32_t kCoefficientsPerCard = 7;
 
 bool read_problem_type(Deck& deck) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the type of problem")) return false;
+  if (!next_card(cards, "the type of problem")) return false;
   int32_t plane = 0;
   int32_t output = C2D_ANALYSIS_CONTACT; // default if unreadable: it allows any number of zones
   integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress, 2 axisymmetric)", 0, 2, &plane);
@@ -54,7 +54,7 @@ bool fits_list(Deck& deck) {
 bool read_counts(Deck& deck) {
   Cards& cards = deck.cards;
   c2d_limits& sizes = deck.sizes;
-  if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
+  if (!next_card(cards, "the numbers of bodies and contact zones")) return false;
   deck.zones_line = cards.line;
   integer(cards, 1, 5, "number of bodies", 1, INT32_MAX, &sizes.bodies);
   integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
@@ -83,7 +83,7 @@ bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
 
 bool read_body(Deck& deck, int b) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the numbers of regions and elements of a body")) return false;
+  if (!next_card(cards, "the numbers of regions and elements of a body")) return false;
   c2d_body_limits& body = deck.body[b];
   int32_t nodes = 2; // of an element
   integer_from(cards, 1, "number of regions", 1, &body.regions);
@@ -117,7 +117,7 @@ bool continues(const Deck& deck, bool first_known, int32_t first, int32_t last) 
 // Region `number` of a body begins at element *next (within the body).
 bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the first and last element of a region")) return false;
+  if (!next_card(cards, "the first and last element of a region")) return false;
   const int32_t elements = deck.body[b].elements;
   int32_t first = 0, last = 0;
   const bool first_known = any_integer(cards, 1, "first element of the region", &first);
@@ -142,7 +142,7 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
 
 bool read_elastic_constants(Deck& deck, int b) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the elastic constants of a body")) return false;
+  if (!next_card(cards, "the elastic constants of a body")) return false;
   double modulus = 0, ratio = 0;
   bool sound = real(cards, 1, "Young's modulus", &modulus);
   if (sound && !(modulus > 0)) {
@@ -182,7 +182,7 @@ bool go_to_coefficient(Cards& cards, int32_t i) {
 
 bool read_friction(Deck& deck) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the coefficients of friction", FieldList::allowed)) return false;
+  if (!next_card(cards, "the coefficients of friction", FieldList::allowed)) return false;
   if (!count(cards, 1, "number of coefficients of friction", 1, &deck.sizes.coefficients)) return false;
   for (int32_t i = 0; i < deck.sizes.coefficients; ++i) {
     if (!go_to_coefficient(cards, i)) return false;
@@ -205,7 +205,7 @@ bool read_friction(Deck& deck) {
 
 // The card with the number of heading cards is the first, except *FREE.
 bool read_first_card(Cards& cards) {
-  static const char* const kName = "the card with the number of heading cards";
+  static const char* const kName = "the number of heading cards";
   if (!next_heading(cards, kName)) return false;
   split_words(cards.text, cards.length, cards.words);
   if (!word_is(cards.words, 0, "*FREE")) {

@@ -76,7 +76,7 @@ void count_zone(Deck& deck, int32_t elements, int32_t kind) {
 void read_free_zone(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   if (deck.problem.analysis == C2D_ANALYSIS_STRESS)
-    return void(fault(cards, 0, 0, "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact"));
+    return void(fault(cards, 0, 0, "a contact zone or platen in a stress analysis (IOUT 0), expected IOUT 1 or 2"));
   c2d_zone zone = c2d_zone();
   zone.struct_size = static_cast<uint32_t>(sizeof zone);
   zone.kind = C2D_ZONE_FREE;

@@ -2,6 +2,7 @@
 
 #include "memory/characters.hpp"
 #include "memory/hostile.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
 namespace {
@@ -168,8 +169,7 @@ void read_keyword(Deck& deck, Words& words) {
   }
   deck.keywords_seen |= bit;
   if (deck.sink != nullptr && keyword.call != nullptr && !keyword.has_part(*deck.sink)) {
-    word_fault(cards, words, 0, "*", keyword.name,
-               " needs a part of the library that this program does not link (C2D_PARTS_BY_CALL): ", keyword.call, " links it");
+    word_fault(cards, words, 0, "*", keyword.name, kNeedsPart, keyword.call, " links it");
     leave_cards(deck, keyword.name, true);
     return;
   }

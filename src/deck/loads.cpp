@@ -6,7 +6,7 @@ namespace {
 
 bool read_load_header(Deck& deck) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the number of load cards")) return false;
+  if (!next_card(cards, "the number of load cards")) return false;
   const bool paths_known = count(cards, 1, "number of load cards", 1, &deck.sizes.paths);
   const bool limit_known = integer_from(cards, 6, "limit of iterations", 1, &deck.problem.iteration_limit);
   end_of_fields(cards, 11);

@@ -17,7 +17,7 @@ struct NodeCard {
 
 bool read_origin(Deck& deck, double origin[2]) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the origin of a body")) return false;
+  if (!next_card(cards, "the origin of a body")) return false;
   real(cards, 1, "x of the origin", &origin[0]);
   real(cards, 11, "y of the origin", &origin[1]);
   end_of_fields(cards, 21);

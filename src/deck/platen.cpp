@@ -61,7 +61,7 @@ bool read_card(Deck& deck, const Words& words, PlatenCards& platen, int32_t body
 void read_platen(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   if (deck.problem.analysis == C2D_ANALYSIS_STRESS)
-    return void(fault(cards, 0, 0, "a platen in a stress analysis (IOUT 0), expected IOUT 1 or 2: a platen is a tied zone"));
+    return void(fault(cards, 0, 0, "a contact zone or platen in a stress analysis (IOUT 0), expected IOUT 1 or 2"));
   const int32_t old_faults = cards.faults;
   int32_t body = 1, range[2] = {1, 1}, elements = 0;
   double point[2] = {0.0, 0.0};

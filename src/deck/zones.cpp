@@ -94,11 +94,11 @@ bool read_sides(Deck& deck, const ZoneSizes& sizes, bool bodies_known, c2d_zone&
   SideNumbers elements[2], nodes[2];
   find_numbers(deck, zone, bodies_known, elements, nodes);
   int32_t first[2] = {0, 0}, last[2] = {0, 0};
-  if (!next_card(deck.cards, "the card with the elements of a contact zone")) return false;
+  if (!next_card(deck.cards, "the elements of a contact zone")) return false;
   if (!read_ranges(deck, "contact elements", sizes.elements, elements, first, last)) *sound = false;
   zone.side1.first_element = first[0], zone.side1.last_element = last[0];
   zone.side2.first_element = first[1], zone.side2.last_element = last[1];
-  if (!next_card(deck.cards, "the card with the nodes of a contact zone")) return false;
+  if (!next_card(deck.cards, "the nodes of a contact zone")) return false;
   if (!read_ranges(deck, "contact nodes", sizes.pairs, nodes, first, last)) *sound = false;
   zone.side1.first_node = first[0], zone.side1.last_node = last[0];
   zone.side2.first_node = first[1], zone.side2.last_node = last[1];
@@ -109,7 +109,7 @@ bool read_zone(Deck& deck, bool* sound) {
   Cards& cards = deck.cards;
   c2d_zone zone = c2d_zone();
   zone.struct_size = static_cast<uint32_t>(sizeof zone);
-  if (!next_card(cards, "the card with the bodies and sizes of a contact zone")) return false;
+  if (!next_card(cards, "the bodies and sizes of a contact zone")) return false;
   if (cards.zone == 1 && !fits_count(deck, numbers_on(cards) < 5, deck.counted_cards)) return false;
   count_zones(deck);
   if (!fits_count(deck, numbers_on(cards) != 2, cards.zone - 1)) return false;
@@ -161,7 +161,7 @@ bool read_sums(Deck& deck, bool sound) {
   Sum nodes = {"nodes", 1, deck.pairs, 0, true}, elements = {"elements", 6, deck.contact_elements, 0, true};
   for (int b = 0; b < deck.sizes.bodies; ++b) {
     cards.body = b + 1;
-    if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
+    if (!next_card(cards, "the numbers of contact nodes and elements of a body")) return false;
     count_zones(deck);
     if (!fits_count(deck, numbers_on(cards) != 4, deck.counted_cards)) return false;
     read_sum(deck, sound, nodes);

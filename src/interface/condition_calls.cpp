@@ -9,10 +9,10 @@ namespace {
 
 c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
                            const int32_t codes[4], const double values[4]) {
-  const Body& b = body_numbered(s, body);
-  if (!b.is_set || b.region_count < b.regions)
-    return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its conditions");
-  if (!in_range(element, 1, b.elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, b.elements);
+  const c2d_status whole = check_whole_body(s, body);
+  if (whole != C2D_OK) return whole;
+  const int32_t elements = body_numbered(s, body).elements;
+  if (!in_range(element, 1, elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, elements);
   if (!in_range(local, 1, s->sizes.function_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "local functional node", local, 1, s->sizes.function_nodes);
   if (!in_range(load_case, 1, s->sizes.load_cases))

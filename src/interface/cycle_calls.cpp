@@ -46,7 +46,8 @@ c2d_status check_corners(c2d_solver* s, const c2d_cycle_request& r) {
   return C2D_OK;
 }
 
-c2d_status check_request(c2d_solver* s, const c2d_cycle_request& r) {
+// Apart, as call_back is: their arrays and errors are no part of the stack under a cycle.
+[[gnu::noinline]] c2d_status check_request(c2d_solver* s, const c2d_cycle_request& r) {
   if (s->sizes.cycle_states == 0)
     return fail(s, C2D_ERR_ARGUMENT, "c2d_limits.cycle_states is 0: there is no room for the states of cycles");
   if (r.cases != s->model.load_cases)
@@ -111,7 +112,7 @@ void describe(const Session& session, c2d_cycle_state& out) {
 
 // ---- the cycles ------------------------------------------------------------------------------------------------------------
 
-c2d_status call_back(Session& session, c2d_cycle_fn each, void* context, const c2d_cycle_state& now) {
+[[gnu::noinline]] c2d_status call_back(Session& session, c2d_cycle_fn each, void* context, const c2d_cycle_state& now) {
   c2d_solver* s = session.solver;
   if (!each) return C2D_OK;
   close_session(session); // so that results and c2d_save in the callback are current

@@ -17,6 +17,9 @@
 
 namespace c2d {
 
+// What needs a part that is not linked, then this, then the call that declares the part.
+inline constexpr char kNeedsPart[] = " needs a part of the library that this program does not link (C2D_PARTS_BY_CALL): ";
+
 // Contents of an empty table.
 template <class R, class... A> using Function = R (*)(A...);
 struct Nothing {

@@ -20,12 +20,10 @@ c2d_status refuse(c2d_solver* s, const char* what, const char* why) {
 
 c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case) {
   c2d_status status = check_body_number(s, body);
+  if (status == C2D_OK) status = check_whole_body(s, body);
   if (status != C2D_OK) return status;
-  const Body& b = body_numbered(s, body);
-  if (!b.is_set || b.region_count < b.regions)
-    return refuse(s, "", "give the body and all its regions before the values of its load cases");
-  status = check_ranges(
-      s, {{"element number", element, 1, b.elements}, {"local functional node", local, 0, s->sizes.function_nodes}});
+  status = check_ranges(s, {{"element number", element, 1, body_numbered(s, body).elements},
+                            {"local functional node", local, 0, s->sizes.function_nodes}});
   return status == C2D_OK ? check_load_case(s, load_case) : status;
 }
 

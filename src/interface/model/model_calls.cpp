@@ -39,8 +39,7 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   if (ours.elimination == C2D_ELIMINATION_BY_SIZE)
     ours.elimination = kSmallCode ? C2D_ELIMINATION_DENSE : kCompressedPart.elimination_by_size(sizes_of(s));
   if (ours.symmetry == C2D_SYMMETRY_IMAGES && !kSymmetryPart.linked)
-    return fail(s, C2D_ERR_ARGUMENT,
-                "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): c2d_set_symmetry links it");
+    return refuse_part(s, "symmetry by images", "c2d_set_symmetry");
   if (ours.elimination != C2D_ELIMINATION_DENSE && !kCompressedPart.linked)
     return fail(s, C2D_ERR_ARGUMENT,
                 "this program is linked without compressed elimination: c2d_link_compressed links it, but not in small code");
@@ -63,8 +62,7 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
     return refuse_number(s, C2D_ERR_ARGUMENT, "plane strain or stress, or axisymmetric (IPTYPE)", ours.plane, 0,
                          kRings ? 2 : 1);
   if (kRings && ours.plane == C2D_AXISYMMETRIC && !kRingPart.linked)
-    return refuse(s, C2D_ERR_ARGUMENT,
-                  "this program is linked without bodies of revolution (C2D_PARTS_BY_CALL): c2d_link_axisymmetric links them");
+    return refuse_part(s, "a body of revolution", "c2d_link_axisymmetric");
   if (ours.iteration_limit < 0)
     return refuse_number(s, C2D_ERR_ARGUMENT, "iteration limit", ours.iteration_limit, 1, INT32_MAX);
   ModelHeader& m = s->model;
@@ -112,9 +110,7 @@ c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
   if (status != C2D_OK) return status;
   if (data.elements > sizes.elements) return refuse_body_limit(s, body, "elements", sizes.elements, data.elements);
   if (data.regions > sizes.regions) return refuse_body_limit(s, body, "regions", sizes.regions, data.regions);
-  if (data.regions > 1 && !kHolePart.linked)
-    return refuse(s, C2D_ERR_ARGUMENT,
-                  "this program is linked without holes (C2D_PARTS_BY_CALL), expected one region: c2d_link_holes links them");
+  if (data.regions > 1 && !kHolePart.linked) return refuse_part(s, "more than one region", "c2d_link_holes");
   if (points > sizes.geometry_nodes) return refuse_body_limit(s, body, "points", sizes.geometry_nodes, points);
   if (!is_usable(data.youngs_modulus) || data.youngs_modulus <= 0.0)
     return refuse_value(s, "Young's modulus", data.youngs_modulus, "a positive number");

@@ -28,10 +28,8 @@ c2d_status check_platen(c2d_solver* s, const GivenPlaten& given) {
   c2d_status status = check_ranges(s, {{"body number", given.side.body, 1, meshed}});
   if (status == C2D_OK) status = check_pointers(s, {{"is_free", given.is_free}, {"point", given.point}});
   if (status == C2D_OK) status = check_numbers(s, {{"point[0]", given.point[0]}, {"point[1]", given.point[1]}});
+  if (status == C2D_OK) status = check_whole_body(s, given.side.body);
   if (status != C2D_OK) return status;
-  const Body& body = body_numbered(s, given.side.body);
-  if (!body.is_set || body.region_count < body.regions)
-    return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its platens");
   if (s->model.zones >= s->sizes.zones) return refuse_limit(s, "zones", s->sizes.zones, int64_t{s->model.zones} + 1);
   return check_side_elements(s, given.side);
 }

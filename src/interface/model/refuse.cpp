@@ -1,5 +1,6 @@
 #include "interface/model/refuse.hpp"
 
+#include "memory/parts.hpp"
 #include "model/validate/validate.hpp"
 
 namespace c2d {
@@ -30,6 +31,13 @@ c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, in
     put_all(r.text, " to ", last);
   report_fault(s, r.error);
   return status;
+}
+c2d_status refuse_part(c2d_solver* s, const char* what, const char* call) {
+  Refusal r;
+  start_refusal(r, s, C2D_ERR_ARGUMENT);
+  put_all(r.text, what, kNeedsPart, call, " links it");
+  report_fault(s, r.error);
+  return C2D_ERR_ARGUMENT;
 }
 c2d_status refuse_limit(c2d_solver* s, const char* member, int64_t limit, int64_t needed) {
   return refuse_body_limit(s, 0, member, limit, needed);
@@ -107,6 +115,11 @@ c2d_status check_body_number(c2d_solver* s, int32_t body) {
   return refuse_number(s, C2D_ERR_ARGUMENT, "body number", body, 1, s->sizes.bodies);
 }
 
+c2d_status check_whole_body(c2d_solver* s, int32_t body) {
+  const Body& b = body_numbered(s, body);
+  if (b.is_set && b.region_count == b.regions) return C2D_OK;
+  return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions first");
+}
 c2d_status check_load_case(c2d_solver* s, int32_t load_case) {
   if (in_range(load_case, 1, s->sizes.load_cases)) return C2D_OK;
   return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);

@@ -19,9 +19,7 @@ extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value
   if (!is_usable(value)) return refuse_value(s, "place of the line of symmetry", value, "a finite number");
   ModelHeader& m = s->model;
   if ((m.symmetry_asked >> axis & 1) != 0)
-    return refuse(s, C2D_ERR_ARGUMENT,
-                  axis == 0 ? "a second line of symmetry x = value, expected one at most"
-                            : "a second line of symmetry y = value, expected one at most");
+    return refuse(s, C2D_ERR_ARGUMENT, "a second line of symmetry in this direction, expected one at most");
   m.symmetry_asked |= 1 << axis;
   m.line_at[axis] = value;
   return built(s);

@@ -168,9 +168,7 @@ extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
   status = check_zone(s, given);
   if (status != C2D_OK) return status;
   const bool is_free = (given.kind & C2D_ZONE_FREE) != 0;
-  if (is_free && !kFreeZonePart.linked)
-    return refuse(s, C2D_ERR_ARGUMENT,
-                  "this program is linked without free zones (C2D_PARTS_BY_CALL): c2d_link_free_zones links them");
+  if (is_free && !kFreeZonePart.linked) return refuse_part(s, "a free zone", "c2d_link_free_zones");
   status = is_free ? kFreeZonePart.add_free_zone(s, given) : add_matching_zone(s, given);
   if (status != C2D_OK) return status;
   Zone& added = model_of(s).zone[s->model.zones - 1];

@@ -82,7 +82,7 @@ void warn_constant_functions(const Model& m, Reporter& reporter) {
   if (m.head->function_nodes != 1) return;
   warn(reporter, C2D_WARN_CONSTANT, Where(),
        "1 functional node per element: with constant functions even a uniform stress is in error by 3 to 20 % near the "
-       "boundary; use 2 (linear functions), which represent it exactly");
+       "boundary; use linear functions");
 }
 
 } // namespace

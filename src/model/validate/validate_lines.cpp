@@ -121,9 +121,8 @@ bool find_lines(const Model& m, Reporter& reporter) {
     return false;
   }
   report(reporter, Where(),
-         "no line of symmetry: expected every body to be bounded by elements on one line x = value or y = "
-         "value with "
-         "zero displacement across and zero traction along it");
+         "no line of symmetry: expected elements of every body on one line x = value or y = value, with zero "
+         "displacement across and zero traction along it");
   return false;
 }
 

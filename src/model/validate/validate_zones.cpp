@@ -192,8 +192,8 @@ void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) 
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
     return report_zone(reporter, m, zone,
-                       ": numbers increase in the same direction on both sides, so that the elements do not face "
-                       "each other; expected increasing numbers on one side and decreasing ones on the other");
+                       ": numbers increase in the same direction on both sides, expected increasing numbers "
+                       "on one side and decreasing ones on the other");
   }
   if (!sound) return; // with a body of wrong orientation no element would face the other side
   int32_t count = 0, worst = 0;

@@ -17,16 +17,14 @@ struct Phrase {
   const char *of_mesh, *of_drawing; // `#` stands for a number
 };
 constexpr Phrase kPhrases[] = {
-    {"the last pair at an end of a contact zone has closed: the contact may extend beyond the zone; lengthen it", kReachesEnd},
-    {"the last pair at an end of a contact zone carries pressure: the contact may extend beyond the zone; lengthen it",
-     kReachesEnd},
-    {"exceeds half a contact element and 5 % of the contact length: the nodes of the pair no longer face each other",
+    {"the last pair at an end of a contact zone is closed: the contact may extend beyond the zone; lengthen it", kReachesEnd},
+    {"exceeds half a contact element and 5 % of the contact length: its nodes no longer face each other",
      "exceeds 5 % of the contact length: pressures act at the positions before slip; moments and stresses have about the same "
      "relative error"},
     {", # elements, most of it before they touched", ", most of it before they touched"},
     {"friction is at its limit at all pairs that support ", "friction is at its limit wherever contact supports "},
     {"the position that moves the pairs least", "the position that moves the surfaces least"},
-    {"order of pairs", "order of places"},
+    {"the first by pairs", "the first by places"},
     {"refine at edges and corners of the contact where pairs slip", "request dissipation, or use a smaller tolerance"},
     {"; last pair #", ""},
     {" at pair #, the loads close gaps", ", the loads close gaps"},

@@ -77,13 +77,9 @@ void warn_zone_ends(Session& session, bool at_end) {
       const int32_t i = ends[k];
       const Pair& pair = m.pair[i];
       if (!is_closed(pair) || !pair.tangential) continue;
-      if (pair.gap > 0.0)
+      if (pair.gap > 0.0 || (at_end && is_cut_short(session, zone, i, k == 0 ? -1 : 1)))
         warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
-             "the last pair at an end of a contact zone has closed: the contact may extend beyond the zone; lengthen it");
-      else if (at_end && is_cut_short(session, zone, i, k == 0 ? -1 : 1))
-        warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
-             "the last pair at an end of a contact zone carries pressure: the contact may extend beyond the "
-             "zone; lengthen it");
+             "the last pair at an end of a contact zone is closed: the contact may extend beyond the zone; lengthen it");
     }
   }
 }
@@ -163,9 +159,10 @@ void warn_slip(Session& session) {
       if (!is_closed(m.pair[i])) continue;
       const double slip = fabs(slip_sum(session.follower, i) - m.pair[i].slip_before) * m.head->length_unit;
       if (slip > fmax(least, 0.5 * m.pair[i].length))
-        warn(session, C2D_WARN_LARGE_SLIP, z + 1, i + 1,
-             "slip since it last touched exceeds half a contact element and 5 % of the contact length: the nodes of the pair "
-             "no longer face each other");
+        warn(
+            session, C2D_WARN_LARGE_SLIP, z + 1, i + 1,
+            "slip since it last touched exceeds half a contact element and 5 % of the contact length: its nodes no longer face "
+            "each other");
     }
   }
 }
@@ -177,7 +174,7 @@ void warn_friction(Session& session) {
     const Pair& pair = session.model.pair[i];
     if (pair.law.mu > 3.0 && pair.law.mu < 1e6)
       return warn(session, C2D_WARN_FRICTION, pair.zone + 1, 0,
-                  "the coefficient of friction is above 3: a contact state is often not unique, or does not exist");
+                  "the coefficient of friction is above 3: contact states may not be unique, or not exist");
   }
 }
 
@@ -410,8 +407,8 @@ void warn_not_unique(Session& session) {
                                                      : "the position that moves the pairs least is selected");
   } else {
     put_all(out.text, f.more_solutions ? "at least " : "", f.solutions,
-            " contact states satisfy all conditions; the one with the smallest change of motion is selected, of equal ones the "
-            "first in the order of pairs");
+            " contact states satisfy all conditions; the one with the least change of motion is selected, of equal ones the "
+            "first by pairs");
   }
   report_fault(s, out.entry);
 }
