@@ -13,7 +13,7 @@ void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
 // Each reports the fault and returns its status. Message: "what is VALUE, expected FIRST to LAST".
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
-c2d_status refuse_part(c2d_solver* solver, const char* what, const char* call); // which links the part
+c2d_status refuse_part(c2d_solver* solver, const char* what, const char* call);                 // which links the part
 c2d_status refuse_limit(c2d_solver* solver, const char* member, int64_t limit, int64_t needed); // of c2d_limits
 c2d_status refuse_body_limit(c2d_solver* solver, int32_t body, const char* member, int64_t limit, int64_t needed);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
@@ -61,7 +61,7 @@ c2d_status built(c2d_solver* solver);
 c2d_status enter_loads(c2d_solver* solver);
 c2d_status loaded(c2d_solver* solver);
 c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
-c2d_status check_whole_body(c2d_solver* solver, int32_t body); // given, with all its regions
+c2d_status check_whole_body(c2d_solver* solver, int32_t body);  // given, with all its regions
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
 // A load card of the deck: a path segment that ends at `load` in case 1 and at zero in all others.
 c2d_status add_load_card(c2d_solver* solver, int32_t increments, double load); // load_calls.cpp
