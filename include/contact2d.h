@@ -403,7 +403,7 @@ c2d_status c2d_save(c2d_solver* solver);
 c2d_status c2d_restore(c2d_solver* solver);
 /* The argument of a step callback. `table` has a row per pair and the columns C2D_X ... C2D_PAIR_ZONE of section 8: column c of
    pair p at table[(p-1) * stride + c]. All pointers are valid during the call only. */
-enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
+enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2, C2D_STEP_CYCLE = 3 }; /* contact2d_cycle.h */
 typedef struct c2d_step {
   uint32_t struct_size;
   int32_t kind;               /* RECORDED: end of an increment; CHANGE: a status changed; STOPPED: the path ended early */

@@ -1,5 +1,7 @@
 #include "many_bodies.hpp"
 
+#include "contact2d_cycle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -322,6 +324,7 @@ c2d_status feed(c2d_solver* s, const Model& m) {
     const double factors[2] = {p.load, p.second};
     if (status == C2D_OK) status = c2d_add_path(s, p.increments, factors, m.cases);
   }
+  if (status == C2D_OK && m.repeated > 0) status = c2d_repeat_paths(s, m.repeated, m.cycle_limit, m.cycle_start);
   for (int32_t axis = 0; axis < 2; ++axis)
     if (status == C2D_OK && (m.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, m.symmetry_at[axis]);
   return status == C2D_OK ? c2d_complete(s) : status;

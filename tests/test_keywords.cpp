@@ -245,6 +245,25 @@ TEST_CASE("scanning walks the keyword cards too") {
   CHECK(std::string(why.text) == "*UNIT is not a known keyword; did you mean *UNITS?");
 }
 
+TEST_CASE("a cycle below *PATH") {
+  const auto last_call = [](const List& cards) {
+    const Reading r = with_cards(cards);
+    CHECK(r.status == C2D_OK);
+    REQUIRE(!r.model.calls.empty());
+    for (const Call& call : r.model.calls)
+      if (call.name == "repeat paths") return call.numbers;
+    return std::vector<double>{};
+  };
+  CHECK(last_call({"*PATH", "1 1", "1 0.5", "1 1"}).empty());
+  CHECK(last_call({"*PATH", "1 1", "cycle", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 0});
+  CHECK(last_call({"*PATH", "1 1", "CYCLE 12 ! twelve", "1 0.5", "2 0.6", "1 1"}) == std::vector<double>{3, 12, 0});
+  CHECK(last_call({"*PATH", "1 1", "cycle 7 frictionless", "1 0.5", "1 1", "*UNITS mm N"}) == std::vector<double>{2, 7, 1});
+  CHECK(last_call({"*PATH", "1 1", "cycle frictionless", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 1});
+  // A fault of a segment is reported alone.
+  const Fault f = the_fault({"*PATH", "1 1", "cycle", "1 x", "1 1"});
+  CHECK(f.line == 4);
+}
+
 TEST_CASE("units in a solver") {
   host::Limits sizes;
   List deck = squares();

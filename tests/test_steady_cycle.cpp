@@ -2,6 +2,7 @@
 // states.
 #include "contact2d_cycle.h"
 #include "contact2d_memory.h"
+#include "cyclic_cylinder.hpp"
 #include "effort.hpp"
 #include "many_bodies.hpp"
 #include "paths.hpp"
@@ -14,59 +15,9 @@
 #include <cstring>
 
 using namespace many;
+using cyclic::cylinder, cyclic::kA, cyclic::kMu;
 
 namespace {
-
-constexpr double kA = 0.1, kMu = 0.3; // half width of the contact at P
-
-// Ratio of a geometric series of `n` elements from `first` on that fill `length`.
-double growth_of(double first, double length, int n) {
-  double low = 1, high = 4;
-  for (int i = 0; i < 100; ++i) {
-    const double g = (low + high) / 2;
-    double sum = 0, element = first;
-    for (int k = 0; k < n; ++k) sum += element *= g;
-    (sum < length ? low : high) = g;
-  }
-  return low;
-}
-
-// A cylinder, rigid or of the same material as the block, on a block of E* = 1 and nu = 2/7 with n elements on a. Load case 1
-// presses them together by P, load case 2 pulls by P along the surface.
-Model cylinder(int n, bool like = false) {
-  Model m;
-  m.cases = 2;
-  m.friction = kMu;
-  m.cycle_states = 30;
-  const double nu = 2.0 / 7, e = 1 - nu * nu, half = 1.4 * kA, width = 10 * kA;
-  const int contact = static_cast<int>(std::lround(2 * half / kA * n)), side = 10;
-  const double g = growth_of(kA / n, width - half, side);
-  const Body block = polygon({{-width, -2 * width, 5},
-                              {width, -2 * width, 6},
-                              {width, 0, side, 1 / g},
-                              {half, 0, contact},
-                              {-half, 0, side, g},
-                              {-width, 0, 6}},
-                             like ? 2 * e : e, nu);
-  Body upper = polygon({{-width, 0, side, 1 / g},
-                        {-half, 0, contact},
-                        {half, 0, side, g},
-                        {width, 0, 6},
-                        {width, 2 * width, 5},
-                        {-width, 2 * width, 6}},
-                       like ? 2 * e : e, nu);
-  for (size_t i = 0; i < upper.xy.size(); i += 2)
-    if (upper.xy[i + 1] == 0) upper.xy[i + 1] = std::fmin(upper.xy[i] * upper.xy[i] / 2, 0.05 + std::fabs(upper.xy[i]) / 50);
-  upper.rigid = like ? 0 : 1;
-  const int32_t lower = m.add(block), top = m.add(upper);
-  m.join(C2D_ZONE_MATCHING, lower, 4, top, 2);
-  if (like) m.set(top, 5, end_of(kHeld));
-  Platen& platen = m.move(lower, 1);
-  platen.is_free[2] = 0;
-  platen.load[1] = platen.second_load[0] = std::acos(-1.0) / 400;
-  platen.point[1] = -2 * width;
-  return m;
-}
 
 using Loads = std::vector<double>;
 const Loads kPressed = {0.4, 0, 1, 0}, kRound = {1, .06, .5, .06, .5, -.06, 1, -.06, 1, 0};
@@ -380,8 +331,9 @@ TEST_CASE("steady cycle: what is refused") {
   double number = 0;
   c2d_cycle_zone zone = C2D_INIT(c2d_cycle_zone);
   CHECK(c2d_get_cycle(s, C2D_CYCLE_WALK, 1, 1, &number, 1) == C2D_ERR_ARGUMENT);
-  CHECK(message_of(s) == "no cycle has been followed: c2d_cycle follows them");
+  CHECK(message_of(s) == "no cycle has been followed: c2d_cycle follows them, and c2d_run after c2d_repeat_paths");
   CHECK(c2d_get_cycle_zone(s, 1, &zone) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_get_cycle_state(s, &state) == C2D_ERR_ARGUMENT);
   const auto refused = [&](const c2d_cycle_request& r, const std::string& words) {
     CHECK(c2d_cycle(s, &r, nullptr, nullptr, &state) == C2D_ERR_ARGUMENT);
     CHECK_MESSAGE(message_of(s) == words, message_of(s));

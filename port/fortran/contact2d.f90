@@ -71,7 +71,8 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
   integer(c_int32_t), parameter :: C2D_ELIMINATION_DENSE = 0, C2D_ELIMINATION_COMPRESSED = 1, &
       C2D_ELIMINATION_BY_SIZE = 2
-  integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2
+  integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2, &
+      C2D_STEP_CYCLE = 3
   integer(c_int32_t), parameter :: C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, C2D_POINT_SYY = 3, &
       C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5, C2D_POINT_VON_MISES = 6, C2D_POINT_MAX_SHEAR = 7, &
       C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9, C2D_POINT_FLAG = 10, C2D_POINT_FIELDS = 11
@@ -88,6 +89,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_CYCLES_EXACT = 0, C2D_CYCLES_PLAIN = 1, C2D_CYCLES_FAST = 2
   integer(c_int32_t), parameter :: C2D_CYCLE_NOT_STEADY = 0, C2D_CYCLE_SHAKES_DOWN = 1, C2D_CYCLE_SLIPS = 2, &
       C2D_CYCLE_RATCHETS = 3, C2D_CYCLE_STOPPED = 4
+  integer(c_int32_t), parameter :: C2D_START_AS_LOADED = 0, C2D_START_WITHOUT_FRICTION = 1
   integer(c_int32_t), parameter :: C2D_CYCLE_RANGE = 0, C2D_CYCLE_WALK = 1, C2D_CYCLE_STUCK = 2, C2D_CYCLE_TOUCHED = 3
 
   ! ---- numbers of c2d_memory.h
@@ -1156,6 +1158,29 @@ module contact2d
       type(c2d_cycle_request), intent(in) :: request
       type(c_funptr), value :: each
       type(c_ptr), value :: context
+      type(c2d_cycle_state), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_repeat_paths(solver, pieces, limit, start) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: pieces
+      integer(c_int32_t), value :: limit
+      integer(c_int32_t), value :: start
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_repeated(solver, first, pieces, limit, start) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), intent(out) :: first
+      integer(c_int32_t), intent(out) :: pieces
+      integer(c_int32_t), intent(out) :: limit
+      integer(c_int32_t), intent(out) :: start
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_cycle_state(solver, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
       type(c2d_cycle_state), intent(inout) :: out
       integer(c_int32_t) :: status
     end function

@@ -2,6 +2,7 @@
 // The card deck of the 1987 program (Appendix B of the thesis): reads all its cards, section by
 // section, validates every number, counts sizes, and passes the model to a sink. It stores
 // none of it, so the deck may be as large as the workspace of the sink allows.
+#include "contact2d_cycle.h"
 #include "deck/cards.hpp"
 
 namespace c2d {
@@ -45,6 +46,7 @@ struct DeckSink {
   decltype(&c2d_set_rigid_load) set_rigid_load;
   decltype(&c2d_add_platen) add_platen;
   decltype(&c2d_set_body_force) set_body_force;
+  decltype(&c2d_repeat_paths) repeat_paths;
   bool has_free_zones;
 };
 

@@ -5,7 +5,8 @@
 //   load body x y fx fy                           a point load, in global coordinates
 // *PATH: replaces the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
 //   a straight path segment, which begins at the end of the last one (the first at zero). The factors may be any number:
-//   they are read a few at a time.
+//   they are read a few at a time. A card `cycle [limit] [FRICTIONLESS]` between them: those below it are repeated until
+//   steady.
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
@@ -135,14 +136,60 @@ void read_factors(Deck& deck, Words& words, int32_t increments, bool sound) {
   }
 }
 
+// The card `cycle [limit] [FRICTIONLESS]`: the segments below it are a cycle.
+struct CycleCard {
+  int32_t line, column, column_end; // line 0: there is none
+  int32_t before;                   // segments above it
+  int32_t limit, start;
+};
+
+void read_cycle(Deck& deck, const Words& words, int32_t pieces, CycleCard& out) {
+  constexpr int32_t kStates = 30, kMostCycles = 1000000;
+  Cards& cards = deck.cards;
+  if (out.line != 0) return void(word_fault(cards, words, 0, "a second cycle below *PATH, expected one"));
+  if (deck.sizes.cycle_states < kStates) deck.sizes.cycle_states = kStates;
+  out = CycleCard{cards.line, words.word[0].column, words.word[0].column_end, pieces, 0, C2D_START_AS_LOADED};
+  int32_t at = 1;
+  if (at < words.count && !word_is(words, at, "FRICTIONLESS"))
+    integer_word(cards, words, at++, "limit of cycles", 1, kMostCycles, &out.limit);
+  if (at < words.count && word_is(words, at, "FRICTIONLESS")) ++at, out.start = C2D_START_WITHOUT_FRICTION;
+  end_of_words(cards, words, at);
+}
+
+// All segments are known: those of the cycle. Its faults are those of its card.
+void end_cycle_card(Deck& deck, const CycleCard& card, int32_t pieces, bool sound) {
+  Cards& cards = deck.cards;
+  const int32_t line = cards.line;
+  cards.line = card.line;
+  if (pieces - card.before < 2) {
+    fault(cards, card.column, card.column_end, "the cycle has ", pieces - card.before,
+          pieces - card.before == 1 ? " card" : " cards", " below it, expected two or more: increments f1 ... fn");
+  } else if (deck.sink != nullptr && deck.sink->repeat_paths == nullptr) {
+    fault(cards, card.column, card.column_end,
+          "a cycle needs a part of the library that this program does not link "
+          "(C2D_PARTS_BY_CALL): c2d_repeat_paths links it");
+  } else if (deck.sink != nullptr && sound) {
+    place(deck, card.column, card.column_end);
+    accept(deck, deck.sink->repeat_paths(deck.sink->solver, pieces - card.before, card.limit, card.start));
+  }
+  cards.line = line;
+}
+
 } // namespace
 
 void read_path(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
   const int32_t line = cards.line;
+  const int32_t faults = cards.faults;
   int32_t pieces = 0;
+  CycleCard cycle = CycleCard();
   for (Words words; next_data_card(deck, words, FieldList::allowed);) {
+    if (!kSmallCode && word_is(words, 0, "CYCLE")) {
+      read_cycle(deck, words, pieces, cycle);
+      if (cards.ended) break;
+      continue;
+    }
     int32_t increments = 0;
     const bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
     ++pieces;
@@ -151,6 +198,7 @@ void read_path(Deck& deck, const Words& keyword_card) {
     if (cards.ended) break;
   }
   if (pieces == 0) no_cards(cards, line, "*PATH without cards, expected at least one: increments f1 ... fn");
+  if (!kSmallCode && cycle.line != 0) end_cycle_card(deck, cycle, pieces, cards.faults == faults);
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;
 }
 

@@ -22,6 +22,7 @@ C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
 C2D_MEETS(EnergyPart, c2d_get_summary);
 C2D_MEETS(CompressedPart, c2d_link_compressed);
+C2D_MEETS_IN_FULL(CyclePart, c2d_repeat_paths);
 
 namespace {
 
@@ -143,6 +144,9 @@ const char* missing_part(const char* at) {
   const char* const zones = at + layout.offset[kZones];
   for (int32_t i = 0; !kFreeZonePart.linked && i < head.zones; ++i)
     if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_link_free_zones";
+  const char* const paths = at + layout.offset[kPaths];
+  for (int32_t p = 0; !kSmallCode && !kCyclePart.linked && p < head.paths; ++p)
+    if (member_at<Path>(paths, static_cast<size_t>(p) * sizeof(Path)).cycle != 0) return "c2d_repeat_paths";
   const int32_t state = C2D_MEMBER(state);
   const bool prepared = state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING;
   return !kEnergyPart.linked && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;

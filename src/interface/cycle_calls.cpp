@@ -1,13 +1,13 @@
-// c2d_cycle, c2d_get_cycle and c2d_get_cycle_zone.
+// c2d_cycle, and the results of cycles.
 #include <string.h>
 
 #include "contact2d_cycle.h"
 #include "interface/advance.hpp"
+#include "interface/cycles.hpp"
 #include "interface/model/refuse.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/validate/validate.hpp"
-#include "solver/cycle.hpp"
 
 namespace c2d {
 
@@ -16,23 +16,9 @@ C2D_BRINGS(c2d_link_search);
 
 namespace {
 
-constexpr int32_t kCyclesByDefault = 50;
-constexpr double kToleranceByDefault = 1e-10;
-constexpr double kRoundOff = 1e-12; // of the load factors
-
 // ---- what is asked ---------------------------------------------------------------------------------------------------------
 
 const double* corner_of(const c2d_cycle_request& r, int32_t i) { return r.load + static_cast<int64_t>(i) * r.cases; }
-
-// Of the same cases, within round-off?
-bool are_alike(const double* a, const double* b, int32_t cases) {
-  double apart = 0.0, size = 0.0;
-  for (int32_t k = 0; k < cases; ++k) {
-    apart = fmax(apart, fabs(a[k] - b[k]));
-    size = fmax(size, fmax(fabs(a[k]), fabs(b[k])));
-  }
-  return apart <= kRoundOff * size;
-}
 
 c2d_status check_corners(c2d_solver* s, const c2d_cycle_request& r) {
   const int64_t count = static_cast<int64_t>(r.corners) * r.cases;
@@ -77,39 +63,6 @@ bool may_continue(c2d_solver* s, const c2d_cycle_request& r) {
   return head.request == hash_of(r) && in_range(head.directions, 0, s->sizes.cycle_states) && head.cycles > 0;
 }
 
-// ---- what is shown ---------------------------------------------------------------------------------------------------------
-
-int32_t result_of(const CycleHead& head, const c2d_cycle_state& now, double unit) {
-  if (now.outcome != C2D_REACHED) return C2D_CYCLE_STOPPED;
-  if (head.steady == 0) return C2D_CYCLE_NOT_STEADY;
-  if (fabs(now.walk) > unit * fmax(least_slip(head), 1e-6 * now.slip_range / unit)) return C2D_CYCLE_RATCHETS;
-  return now.slip_range > unit * least_slip(head) ? C2D_CYCLE_SLIPS : C2D_CYCLE_SHAKES_DOWN;
-}
-
-void describe(const Session& session, c2d_cycle_state& out) {
-  c2d_solver* s = session.solver;
-  const CycleRecord record = cycle_record(s);
-  const CycleHead& head = *record.head;
-  const double unit = s->model.length_unit;
-  memset(&out, 0, sizeof out);
-  out.struct_size = static_cast<uint32_t>(sizeof out);
-  out.outcome = s->outcome;
-  out.cycles = head.cycles;
-  out.extrapolations = head.extrapolations;
-  out.repeated = head.repeated;
-  out.change = head.change;
-  out.dissipated = s->keeps_energy ? head.dissipated : 0.0;
-  for (int32_t i = 0; i < session.tableau.pairs; ++i) {
-    const CyclePair& pair = record.pair[i];
-    out.stuck += pair.stuck;
-    out.slipped += pair.touched != 0 && pair.range > least_slip(head) ? 1 : 0;
-    if (unit * pair.range > out.slip_range) out.slip_range = unit * pair.range, out.range_pair = i + 1;
-    const bool walks = pair.touched != 0 && unit * fabs(pair.walk) > fabs(out.walk);
-    if (walks) out.walk = unit * pair.walk, out.walk_pair = i + 1;
-  }
-  out.result = result_of(head, out, unit);
-}
-
 // ---- the cycles ------------------------------------------------------------------------------------------------------------
 
 [[gnu::noinline]] c2d_status call_back(Session& session, c2d_cycle_fn each, void* context, const c2d_cycle_state& now) {
@@ -128,27 +81,14 @@ void describe(const Session& session, c2d_cycle_state& out) {
   return fail_with(s, e, C2D_ERR_CALLBACK, status_text(C2D_ERR_CALLBACK));
 }
 
-c2d_status follow_cycle(Session& session, const c2d_cycle_request& r) {
-  c2d_solver* s = session.solver;
-  double* const target = array_of<double>(s, kLoads) + r.cases;
-  begin_cycle(session);
-  for (int32_t i = 0; i < r.corners; ++i) {
-    for (int32_t k = 0; k < r.cases; ++k) target[k] = corner_of(r, i)[k];
-    const c2d_status status = advance(session, target, Moment::between);
-    if (status != C2D_OK || s->outcome != C2D_REACHED) return status;
-    note_corner(session);
-  }
-  return end_cycle(session, CycleRule{r.tolerance, r.mode});
-}
-
 c2d_status follow_cycles(Session& session, const c2d_cycle_request& r, c2d_cycle_fn each, void* context, c2d_cycle_state& now) {
-  const CycleHead& head = *cycle_record(session.solver).head;
+  const CyclePlan plan = {r.load, r.corners, r.cases, 0, CycleRule{r.tolerance, r.mode}};
   c2d_status status = C2D_OK;
-  describe(session, now);
-  while (status == C2D_OK && head.steady == 0 && head.cycles < r.limit && session.solver->outcome == C2D_REACHED) {
-    status = follow_cycle(session, r);
+  describe_cycles(session.solver, now);
+  while (status == C2D_OK && goes_on(session, r.limit)) {
+    status = follow_cycle(session, plan);
     if (status != C2D_OK) return status;
-    describe(session, now);
+    describe_cycles(session.solver, now);
     status = call_back(session, each, context, now);
   }
   return status;
@@ -156,7 +96,7 @@ c2d_status follow_cycles(Session& session, const c2d_cycle_request& r, c2d_cycle
 
 c2d_status check_results(c2d_solver* s) {
   if (s->sizes.cycle_states == 0 || cycle_record(s).head->cycles == 0)
-    return fail(s, C2D_ERR_ARGUMENT, "no cycle has been followed: c2d_cycle follows them");
+    return fail(s, C2D_ERR_ARGUMENT, "no cycle has been followed: c2d_cycle follows them, and c2d_run after c2d_repeat_paths");
   return C2D_OK;
 }
 
@@ -184,7 +124,7 @@ extern "C" c2d_status c2d_cycle(c2d_solver* s, const c2d_cycle_request* request,
   if (status == C2D_OK) status = check_request(s, r);
   if (status != C2D_OK) return status;
   if (r.limit == 0) r.limit = kCyclesByDefault;
-  if (r.tolerance == 0.0) r.tolerance = kToleranceByDefault;
+  if (r.tolerance == 0.0) r.tolerance = kChangeByDefault;
   const bool continues = s->run_step < 0 && may_continue(s, r);
   s->run_step = 0;
   Session session;
@@ -241,5 +181,16 @@ extern "C" c2d_status c2d_get_cycle_zone(c2d_solver* s, int32_t zone, c2d_cycle_
     weight += m.pair[i].weight;
   }
   if (weight > 0.0) now.walk /= weight;
+  return give(s, "out", now, out);
+}
+
+extern "C" c2d_status c2d_get_cycle_state(c2d_solver* s, c2d_cycle_state* out) {
+  const InsideStep inside(s);
+  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+  if (status == C2D_OK) status = check_results(s);
+  if (status == C2D_OK) status = check_begun(s, "out", out);
+  if (status != C2D_OK) return status;
+  c2d_cycle_state now;
+  describe_cycles(s, now);
   return give(s, "out", now, out);
 }

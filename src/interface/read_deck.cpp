@@ -11,6 +11,7 @@ C2D_MEETS(SymmetryPart, c2d_set_symmetry);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
 C2D_MEETS(FreeZonePart, c2d_link_free_zones);
+C2D_MEETS_IN_FULL(CyclePart, c2d_repeat_paths);
 
 namespace {
 
@@ -69,6 +70,7 @@ c2d_status walk(Reading& reading) {
   sink.set_rigid_load = kRigidPart.set_rigid_load;
   sink.add_platen = kRigidPart.add_platen;
   sink.set_body_force = kBodyForcePart.set_body_force;
+  sink.repeat_paths = kSmallCode ? nullptr : kCyclePart.repeat_paths;
   sink.has_free_zones = kFreeZonePart.linked;
   const c2d_status status = read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, &sizes);
   memset(notes, 0, static_cast<size_t>(bodies) * sizeof *notes);

@@ -13,6 +13,7 @@ namespace c2d {
 C2D_BRINGS(c2d_get_summary); // energies
 C2D_BRINGS(c2d_link_search);
 C2D_MEETS(WarningPart, c2d_link_warnings);
+C2D_USES(CyclePart);
 
 namespace {
 
@@ -98,6 +99,15 @@ c2d_status close_overlaps(Session& session) {
   return show_step(session, C2D_STEP_STOPPED);
 }
 
+// The cycle that begins with segment p is repeated until it is steady; its steps are recorded after that.
+c2d_status repeat_cycle(Session& session, int32_t p) {
+  --session.now.step; // of the last step before
+  const c2d_status status = kCyclePart.repeat(session, p, show_step);
+  ++session.now.step;
+  if (status != C2D_OK || session.solver->outcome == C2D_REACHED) return status;
+  return show_step(session, C2D_STEP_STOPPED);
+}
+
 // The whole path for the current coefficients of friction, or its remainder after step `shown`.
 c2d_status run_cards(Session& session, int32_t shown) {
   c2d_solver* s = session.solver;
@@ -115,6 +125,10 @@ c2d_status run_cards(Session& session, int32_t shown) {
       const Moment moment = ends && p == peak ? Moment::peak : ends && p + 1 == s->model.paths ? Moment::end : Moment::between;
       if (++session.now.step == shown && !kSmallCode && moment == Moment::peak) kWarningPart.warn_facing_meshes(session);
       if (session.now.step <= shown) continue;
+      if (!kSmallCode && i == 1 && path.cycle > 0) {
+        const c2d_status repeated = repeat_cycle(session, p);
+        if (repeated != C2D_OK || s->outcome != C2D_REACHED) return repeated;
+      }
       for (int32_t k = 0; k < s->model.load_cases; ++k) {
         const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
         target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
@@ -142,6 +156,7 @@ c2d_status run_coefficient(Session& session, int32_t index, int32_t from, c2d_ou
   s->coefficient = index + 1;
   c2d_status status = from == 0 ? begin(session) : c2d_status{C2D_OK};
   if (status != C2D_OK) return status;
+  if (!kSmallCode) kCyclePart.begin_run(session, from);
   session.now.mu = mu;
   session.now.coefficient = index + 1;
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);

@@ -12,7 +12,7 @@
 // Functions that read models of any kind (the deck reader, c2d_attach, options) name their parts with C2D_MEETS. This links
 // all of them through their calls (C2D_BRINGS), except in a library compiled with C2D_PARTS_BY_CALL.
 // Omitting parts needs ELF, an archive of objects and GCC or clang; elsewhere every part is linked.
-#include "contact2d.h"
+#include "contact2d_cycle.h"
 #include "memory/config.hpp"
 
 namespace c2d {
@@ -254,6 +254,13 @@ struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cp
   Function<c2d_status, const Session&, int, const Points&> evaluate_by_cells = NotLinked();
 };
 
+struct CyclePart { // interface/path_cycle_calls.cpp, solver/cycle.cpp: a cycle of c2d_run
+  bool linked = false;
+  decltype(&c2d_repeat_paths) repeat_paths = nullptr;
+  Function<void, Session&, int32_t> begin_run = Nothing();
+  Function<c2d_status, Session&, int32_t, c2d_status (*)(Session&, int32_t)> repeat = NotLinked();
+};
+
 extern const SymmetryPart kSymmetryPart;     // interface/model/symmetry_calls.cpp
 extern const FreeZonePart kFreeZonePart;     // free_zone_calls.cpp
 extern const HolePart kHolePart;             // hole_calls.cpp
@@ -266,6 +273,7 @@ extern const WarningPart kWarningPart;       // warning_calls.cpp
 extern const SearchPart kSearchPart;         // search_calls.cpp
 extern const NewLoadsPart kNewLoadsPart;     // new_loads_calls.cpp
 extern const CompressedPart kCompressedPart; // compressed_calls.cpp
+extern const CyclePart kCyclePart;           // path_cycle_calls.cpp
 
 } // namespace c2d
 
@@ -282,4 +290,10 @@ extern const CompressedPart kCompressedPart; // compressed_calls.cpp
 #define C2D_MEETS(Part, call) C2D_USES(Part)
 #else
 #define C2D_MEETS(Part, call) C2D_BRINGS(call)
+#endif
+// The same of a part that small code meets only in programs that call it.
+#if C2D_SMALL_CODE
+#define C2D_MEETS_IN_FULL(Part, call) C2D_USES(Part)
+#else
+#define C2D_MEETS_IN_FULL(Part, call) C2D_MEETS(Part, call)
 #endif

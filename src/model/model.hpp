@@ -51,7 +51,9 @@ struct SlipGap {
   double good, good_work;   // of the last verified state (solver/judge.hpp)
 };
 struct Path {
-  int32_t increments, padding;
+  int32_t increments;
+  int32_t
+      cycle; // of the first segment of a cycle: twice the limit of cycles, plus C2D_START_...; of the last: less their number
   double load;
 };
 // Body force of one body in a load case: per area (bx, by) + rho_omega2 (x - x0, y - y0).

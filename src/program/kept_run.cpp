@@ -66,8 +66,10 @@ void KeptRun::begin_path(const c2d_summary& now) {
   next_ = clock_seconds(nullptr) + std::max(options_.save_every, kWork * first);
 }
 
-std::string KeptRun::heading(int32_t coefficient, int32_t step) const {
-  return id() + ' ' + std::to_string(coefficient) + ' ' + std::to_string(step) + '\n';
+// States within the cycles of a load path differ by the cycles followed alone.
+std::string KeptRun::heading(int32_t coefficient, int32_t step, int32_t cycles) const {
+  return id() + ' ' + std::to_string(coefficient) + ' ' + std::to_string(step) +
+         (cycles > 0 ? ' ' + std::to_string(cycles) : "") + '\n';
 }
 
 bool KeptRun::write_state(const c2d_step& step, RunResults& run, std::string& error) {
@@ -75,7 +77,7 @@ bool KeptRun::write_state(const c2d_step& step, RunResults& run, std::string& er
   run.path.warnings = run.session.messages.warnings();
   run.path.latest = run.session.messages.latest();
   std::swap(run.path.coefficients, run.record.coefficients);
-  const std::string record = heading(step.coefficient, step.step) + text_of(run.path);
+  const std::string record = heading(step.coefficient, step.step, cycles_followed(run.session.solver)) + text_of(run.path);
   std::swap(run.path.coefficients, run.record.coefficients);
   if (!write_sealed(path_of(slot_), kPathKind, record, error)) return false;
   if (const c2d_status status = c2d_save(run.session.solver); status != C2D_OK)
@@ -98,8 +100,8 @@ bool KeptRun::save(const c2d_step& step, bool at_once, RunResults& run, Outputs&
   return all || error.empty();
 }
 
-bool KeptRun::find_record(const c2d_summary& now, std::string& record, std::string& why) {
-  const std::string wanted = heading(now.run_coefficient, now.run_step);
+bool KeptRun::find_record(const c2d_summary& now, int32_t cycles, std::string& record, std::string& why) {
+  const std::string wanted = heading(now.run_coefficient, now.run_step, cycles);
   why = "the record of the earlier steps is missing";
   for (int slot = 0; slot < 2; ++slot) {
     std::string error;
@@ -128,7 +130,7 @@ c2d_status KeptRun::restore(RunResults& run, Outputs& outputs, std::string& why)
   std::string text;
   PathRecord found;
   found.history.begin(run.summary.steps);
-  const bool there = find_record(now, text, why);
+  const bool there = find_record(now, cycles_followed(run.session.solver), text, why);
   if (!there || !read_path_record(text, run.summary, found)) {
     if (there) why = "the record of the earlier steps belongs to another model";
     why = options_.folder + ": a state is saved at step " + std::to_string(now.run_step) + ", but " + why;

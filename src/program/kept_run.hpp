@@ -43,9 +43,9 @@ public:
 private:
   bool claim(std::string& error);
   std::string path_of(int slot) const { return store_.kept_folder() + (slot == 0 ? "/path0" : "/path1"); }
-  std::string heading(int32_t coefficient, int32_t step) const;
+  std::string heading(int32_t coefficient, int32_t step, int32_t cycles) const;
   bool write_state(const c2d_step& step, RunResults& run, std::string& error);
-  bool find_record(const c2d_summary& now, std::string& record, std::string& why);
+  bool find_record(const c2d_summary& now, int32_t cycles, std::string& record, std::string& why);
 
   const Options& options_;
   StoreChoice& store_;

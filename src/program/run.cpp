@@ -389,6 +389,8 @@ int Run::publish() {
     say("contact2d: tapes are kept in " + shown(store_.folder()) + "\n");
   const CoefficientRecord* stopped = results_.record.incomplete();
   if (exit_put_off() != 0) return exit_put_off();
+  const CoefficientRecord* unsteady = stopped == nullptr ? results_.record.unsteady() : nullptr;
+  if (unsteady != nullptr) return failed(unsteady_text(*unsteady, results_.summary), kExitNoSolution);
   if (stopped == nullptr) return results_.record.meshes.missed() ? kExitInaccurate : kExitSolved;
   return stopped->singular ? kExitNoSolution : failed(incomplete_text(*stopped), kExitNoSolution);
 }

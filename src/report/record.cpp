@@ -24,6 +24,7 @@ const char* RunRecord::outcome() const {
   const CoefficientRecord* stopped = incomplete();
   if (checked_only) return "checked";
   if (stopped != nullptr && stopped->singular) return "singular";
+  if (stopped == nullptr && unsteady() != nullptr) return "not steady";
   return outcome_word(stopped == nullptr ? C2D_REACHED : stopped->outcome);
 }
 
@@ -121,7 +122,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
 }
 
 void keep_corners(CoefficientRecord& c, const c2d_step& step, const std::vector<Corner>& corners) {
-  if (step.kind == C2D_STEP_CHANGE || c.steps.empty()) return;
+  if (step.kind == C2D_STEP_CHANGE || step.kind == C2D_STEP_CYCLE || c.steps.empty()) return;
   for (const Corner& corner : corners) {
     if (corner.zone == 0) continue;
     const CornerState now = corner_state(corner, step.table, step.stride);

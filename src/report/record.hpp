@@ -4,6 +4,7 @@
 
 #include "post/corners.hpp"
 #include "post/cracks.hpp"
+#include "post/cycles.hpp"
 #include "post/mesh_loop.hpp"
 #include "post/quantities.hpp"
 #include "post/summary.hpp"
@@ -44,6 +45,7 @@ struct CoefficientRecord {
   int32_t body = 0, pair = 0;             // then: the body that can move, the pair whose status changed last
   std::vector<double> table;              // C2D_PAIR_FIELDS numbers per pair
   std::vector<StepRecord> steps;          // as many as were recorded
+  std::vector<CycleSeen> cycles;          // of the load path's cycle, before the recorded one
   std::vector<double> slip, slip_at_turn; // C2D_SLIP_SUM of the pairs at the last step, and where the loads last turned
 };
 
@@ -57,10 +59,13 @@ struct RunRecord {
   MeshLoop meshes;                                // how the mesh was found, and errors of the first coefficient's last step
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // of the program, and what is no other phase's
-  bool checked_only = false;                      // the deck asks for a data check, nothing was solved
+  std::string other_start;   // whether the cycle from another start ends in the same steady state; empty: not asked for
+  bool checked_only = false; // the deck asks for a data check, nothing was solved
 
   // The first coefficient whose path ended early; null if all reached their load.
   const CoefficientRecord* incomplete() const;
+  // The first whose cycle is not steady at its limit.
+  const CoefficientRecord* unsteady() const;
   // Gives the quantities of the first coefficient's last step the errors that `meshes` states.
   void take_stated_errors();
   // One word for the whole run.
@@ -75,6 +80,13 @@ std::string fault_of_steps(const c2d_summary& model);
 
 // Stores the data of a step callback. Returns the record of its coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
+// The data of a step of kind C2D_STEP_CYCLE.
+c2d_status keep_cycle(RunRecord& record, const c2d_step& step, c2d_solver* solver, int32_t zones);
+// "steady in cycle 7: it shakes down ...", of a coefficient with cycles; a word for a result of C2D_CYCLE_...; why a run whose
+// cycle is not steady has failed.
+std::string cycle_text(const CoefficientRecord& coefficient, const Summary& summary);
+const char* cycle_word(int32_t result);
+std::string unsteady_text(const CoefficientRecord& coefficient, const Summary& summary);
 // "load factor 1", or "load factors 1, 0.3": loads reached by a coefficient, of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
 // "incomplete: mu 0.3, step 2, load factor 0.5: why".

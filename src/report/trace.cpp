@@ -51,7 +51,7 @@ void Trace::append(std::string& out, const c2d_step& step) {
     const bool turned = now.status == C2D_SLIP && before.status == C2D_SLIP && now.side != before.side && row[C2D_TT] != 0;
     if (begins) {
       append_row(out, step, 0, i, "none", now.status, "start");
-    } else if (now.status != before.status || turned) {
+    } else if (step.kind != C2D_STEP_CYCLE && (now.status != before.status || turned)) {
       if (!any) ++event_;
       any = true;
       append_row(out, step, event_, i, status_word(before.status), now.status, reason(before.status, now.status));

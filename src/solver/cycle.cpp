@@ -128,6 +128,39 @@ void note_corner(Session& session) {
   head.segment = 0;
 }
 
+namespace {
+
+double coefficient_of(const Session& session, int32_t pair) {
+  c2d_solver* s = session.solver;
+  return coefficient_of_zone(s, session.model.pair[pair].zone, s->coefficient - 1);
+}
+
+} // namespace
+
+void stop_friction(Session& session) {
+  for (int32_t i = 0; i < pairs_of(session); ++i)
+    if (session.model.pair[i].law.has_bound()) session.model.pair[i].law.mu = 0.0;
+  note_free_body(session);
+}
+
+c2d_status start_friction(Session& session) {
+  c2d_status status = judge(session, Agree::values); // the state becomes that to which return_to_good returns
+  if (status != C2D_OK) return status == kUnsound ? c2d_status{C2D_OK} : status;
+  for (int32_t i = 0; i < pairs_of(session); ++i) {
+    Pair& pair = session.model.pair[i];
+    if (pair.status == C2D_SLIP && pair.tangential && coefficient_of(session, i) > 0.0) {
+      pair.good_status = C2D_STICK;
+      pair.good_sign = 0;
+      pair.good_slip_done = static_cast<Real>(slip_sum(session.follower, i));
+      pair.good_offset = static_cast<Real>(pair_state(session.tableau, i, session.follower.y).wt);
+    }
+  }
+  for (int32_t i = 0; i < pairs_of(session); ++i) session.model.pair[i].law.mu = coefficient_of(session, i);
+  note_free_body(session);
+  status = return_to_good(session);
+  return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status; // the next segment of the path says so
+}
+
 double least_slip(const CycleHead& head) { return fmax(1e-9, 10.0 * head.change) * head.w_scale; }
 
 namespace {

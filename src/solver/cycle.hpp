@@ -61,6 +61,10 @@ struct CycleRule {
   int32_t mode;     // C2D_CYCLES_...
 };
 c2d_status end_cycle(Session& session, const CycleRule& rule);
+// Bounded friction of the pairs becomes 0, at the beginning of a path; then that of the coefficient that is run, and closed
+// pairs stick where they are. Errors: the block store's.
+void stop_friction(Session& session);
+c2d_status start_friction(Session& session);
 // Slip above this is more than the round-off and the change that is left, in the length unit.
 double least_slip(const CycleHead& head);
 

@@ -383,6 +383,7 @@ class c2d_options(Struct):
 C2D_STEP_RECORDED = 0
 C2D_STEP_CHANGE = 1
 C2D_STEP_STOPPED = 2
+C2D_STEP_CYCLE = 3
 
 
 class c2d_step(Struct):
@@ -621,6 +622,8 @@ class c2d_cycle_state(Struct):
 
 
 c2d_cycle_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(c2d_cycle_state))
+C2D_START_AS_LOADED = 0
+C2D_START_WITHOUT_FRICTION = 1
 C2D_CYCLE_RANGE = 0
 C2D_CYCLE_WALK = 1
 C2D_CYCLE_STUCK = 2
@@ -1241,6 +1244,27 @@ Walks over a deck like c2d_check_deck, without a workspace: `card` receives ever
     ], """c2d_status c2d_cycle(c2d_solver* solver, const c2d_cycle_request* request, c2d_cycle_fn each, void* context, c2d_cycle_state* out);
 
 Follow cycles from the load reached, which must be the last corner, until the change over a followed cycle is within the tolerance, and fill *out. `each` may be null. A state saved in the callback is continued by c2d_restore and the same call, with identical bits. With C2D_STEPPING_DECK, free motions at rest and friction without bound nothing is extrapolated. Energies since zero load skip what an extrapolation passes over; their balance stays. Legal in state running. Errors: STORE_..., CALLBACK, CANCELLED (the solver stays at the last load reached), MEMORY."""),
+    "c2d_repeat_paths": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("pieces", c_int32, False, None),
+        ("limit", c_int32, False, None),
+        ("start", c_int32, False, None),
+    ], """c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t start);"""),
+    "c2d_get_repeated": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("first", POINTER(c_int32), False, None),
+        ("pieces", POINTER(c_int32), False, None),
+        ("limit", POINTER(c_int32), False, None),
+        ("start", POINTER(c_int32), False, None),
+    ], """c2d_status c2d_get_repeated(c2d_solver* solver, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* start);
+
+Which segments are repeated: the first, from 1 (0: none), how many; limit and start. Legal as the lists of section 8."""),
+    "c2d_get_cycle_state": (c_int32, [
+        ("solver", c_void_p, False, None),
+        ("out", POINTER(c2d_cycle_state), False, None),
+    ], """c2d_status c2d_get_cycle_state(c2d_solver* solver, c2d_cycle_state* out);
+
+The cycles followed last, by c2d_cycle or c2d_run, also in its callback."""),
     "c2d_get_cycle": (c_int32, [
         ("solver", c_void_p, False, None),
         ("field", c_int32, False, None),

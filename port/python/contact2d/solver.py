@@ -65,7 +65,8 @@ def table_of(rows: Any, names: Sequence[str]) -> Table:
 class Step:
     """What a callback of run() sees: the members of c2d_step as attributes, and `table`, a row per pair."""
 
-    KINDS = {header.C2D_STEP_RECORDED: "recorded", header.C2D_STEP_CHANGE: "change", header.C2D_STEP_STOPPED: "stopped"}
+    KINDS = {header.C2D_STEP_RECORDED: "recorded", header.C2D_STEP_CHANGE: "change", header.C2D_STEP_STOPPED: "stopped",
+             header.C2D_STEP_CYCLE: "cycle"}
 
     def __init__(self, now):
         self.kind, self.outcome = self.KINDS[now.kind], Outcome(now.outcome)

@@ -47,9 +47,16 @@ template <class Archive> void members(Archive& a, StepRecord& s) {
   a(s.step), a(s.corners), a(s.work), a(s.dissipated), a(s.elastic), a(s.defect), a(s.loads), a(s.work_by_case);
   a(s.zones), a(s.bodies), a(s.cracks), a(s.quantities), a(s.stresses);
 }
+template <class Archive> void members(Archive& a, ZoneCycle& z) {
+  a(z.touched), a(z.stuck), a(z.slipped), a(z.walk), a(z.slip_range);
+}
+template <class Archive> void members(Archive& a, CycleSeen& c) {
+  a(c.result), a(c.cycles), a(c.extrapolations), a(c.stuck), a(c.slipped), a(c.range_pair), a(c.walk_pair);
+  a(c.change), a(c.dissipated), a(c.slip_range), a(c.walk), a(c.elastic), a(c.zones);
+}
 template <class Archive> void members(Archive& a, CoefficientRecord& c) {
   a(c.mu), a(c.load), a(c.loads), a(c.step), a(c.changes), a(c.outcome), a(c.singular), a(c.why), a(c.body), a(c.pair);
-  a(c.table), a(c.steps), a(c.slip), a(c.slip_at_turn);
+  a(c.table), a(c.steps), a(c.cycles), a(c.slip), a(c.slip_at_turn);
 }
 template <class Archive> void members(Archive& a, PathPoint& p) {
   a(p.step), a(p.kind), a(p.load), a(p.travel), a(p.peak), a(p.count), a(p.events), a(p.status);
@@ -82,6 +89,7 @@ struct Sizes {
   bool fit(const CoefficientRecord& c) const {
     bool all = is(c.table, pairs * C2D_PAIR_FIELDS) && is(c.slip, pairs) && is(c.slip_at_turn, pairs) && is(c.loads, cases);
     for (const StepRecord& s : c.steps) all = all && fit(s);
+    for (const CycleSeen& one : c.cycles) all = all && one.zones.size() == zones;
     return all;
   }
   bool fit(const CoefficientHistory& h) const {

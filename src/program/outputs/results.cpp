@@ -42,6 +42,11 @@ c2d_status RunResults::read_stresses() {
 }
 
 c2d_status RunResults::take(const c2d_step& step, StepResults& now) {
+  if (step.kind == C2D_STEP_CYCLE) {
+    const c2d_status status = keep_cycle(record, step, session.solver, summary.zones);
+    now.record = &record.coefficients[static_cast<size_t>(step.coefficient) - 1];
+    return status;
+  }
   if ((needs & kNeedsPictures) != 0) path.history.note(step);
   if (step.kind == C2D_STEP_CHANGE && !shows_changes) return C2D_OK;
   const size_t index = static_cast<size_t>(step.coefficient) - 1;

@@ -127,7 +127,7 @@ void append_warnings(std::string& out, const RunRecord& record) {
   }
 }
 
-void append_outcome(std::string& out, const RunRecord& record) {
+void append_outcome(std::string& out, const RunRecord& record, const Summary& s) {
   append_section(out, "Outcome");
   for (const CoefficientRecord& c : record.coefficients) {
     const bool stopped = c.outcome != C2D_REACHED || c.singular;
@@ -143,6 +143,7 @@ void append_outcome(std::string& out, const RunRecord& record) {
       out += c.why;
     }
     out += '\n';
+    if (!c.cycles.empty() && !stopped) out += "  the cycle is " + cycle_text(c, s) + '\n';
   }
   if (record.checked_only) out += "  data check only: the input is in order, nothing was solved\n";
 }
@@ -153,16 +154,18 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
   if (is_solved(record)) {
     append_balance(out, s);
     append_energy(out, record);
+    append_cycles(out, record, s, true);
     append_findings(out, record, s);
   }
   append_warnings(out, record);
   append_inputs(out, record.inputs);
-  append_outcome(out, record);
+  append_outcome(out, record, s);
 }
 
 void append_short_ending(std::string& out, const RunRecord& record, const Summary& s) {
+  if (is_solved(record)) append_cycles(out, record, s, false);
   if (is_solved(record)) append_findings(out, record, s);
-  append_outcome(out, record);
+  append_outcome(out, record, s);
   out += "\nSummary only: --listing FILE writes the complete listing, --listing - prints it.\n";
 }
 

@@ -33,6 +33,8 @@ void append_key_tables(std::string& out, const RunRecord& record, const Summary&
 void append_accuracy(std::string& out, const RunRecord& record);
 // How wanted numbers change with parameters that have tolerances; nothing if none has.
 void append_tolerances(std::string& out, const RunRecord& record);
+// Cycles of the load path: nothing where there is none; `all`: a row for each.
+void append_cycles(std::string& out, const RunRecord& record, const Summary& summary, bool all);
 // Balance of forces, key numbers of the contact, warnings, and outcome of the run.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 // Its essential part, for a terminal that already shows the warnings.

@@ -79,6 +79,8 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   }
   if (step.kind == C2D_STEP_CHANGE)
     append_column(out, "change", 8);
+  else if (step.kind == C2D_STEP_CYCLE)
+    append_column(out, "cycle", 8);
   else if (step.kind == C2D_STEP_STOPPED)
     append_column(out, "stopped", 8);
   else
