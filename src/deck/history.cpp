@@ -10,6 +10,7 @@
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
 namespace {
@@ -165,9 +166,7 @@ void end_cycle_card(Deck& deck, const CycleCard& card, int32_t pieces, bool soun
     fault(cards, card.column, card.column_end, "the cycle has ", pieces - card.before,
           pieces - card.before == 1 ? " card" : " cards", " below it, expected two or more: increments f1 ... fn");
   } else if (deck.sink != nullptr && deck.sink->repeat_paths == nullptr) {
-    fault(cards, card.column, card.column_end,
-          "a cycle needs a part of the library that this program does not link "
-          "(C2D_PARTS_BY_CALL): c2d_repeat_paths links it");
+    fault(cards, card.column, card.column_end, "a cycle", kNeedsPart, "c2d_repeat_paths links it");
   } else if (deck.sink != nullptr && sound) {
     place(deck, card.column, card.column_end);
     accept(deck, deck.sink->repeat_paths(deck.sink->solver, pieces - card.before, card.limit, card.start));
