@@ -4,6 +4,7 @@
 #include "paths.hpp"
 #include "program/files/sha256.hpp"
 #include "program/sweep/parameters.hpp"
+#include "program/sweep/row_inputs.hpp"
 #include "report/inputs.hpp"
 #include "report/totals.hpp"
 #include "shell.hpp"
@@ -120,6 +121,61 @@ TEST_CASE("inputs: values of a deck's parameters, given or not; of a sweep") {
   CHECK(test::run_shell(in + "sweep n.csv b.c2s mu=0.1 --response load --results n").status == 0);
   CHECK(test::contains(test::read_file(folder / "n"), "P is below 1"));
   CHECK(value_of(test::read_file(folder / "n.inputs"), "parameter mu") == "0.1");
+}
+
+TEST_CASE("inputs: of rows, those that they have in common; from a row on, other ones") {
+  app::Inputs a;
+  a.files = {{"a.c2s", "1234"}};
+  a.parameters = {{"P", "3"}, {"half", "1.5"}};
+  const std::string first = app::inputs_of_rows("", a, 1);
+  CHECK(first == app::inputs_text(a));
+  a.parameters[1].second = "2"; // it follows from one that has a column
+  const std::string second = app::inputs_of_rows(first, a, 2);
+  CHECK((value_of(second, "parameter P") == "3" && value_of(second, "parameter half") == "none"));
+  CHECK(app::inputs_of_rows(second, a, 3) == second);
+  app::Inputs b = a;
+  b.files[0].sha256 = "5678";
+  const std::string other = app::inputs_of_rows(second, b, 4);
+  CHECK(other == second + "row = 4\n" + app::inputs_text(b));
+  b.parameters[0].second = "4";
+  const std::string more = app::inputs_of_rows(other, b, 5);
+  CHECK(more.compare(0, second.size(), second) == 0); // the rows before keep theirs
+  CHECK(more.size() == other.size() - std::string("parameter P = 3\n").size());
+  CHECK(app::inputs_of_rows(more, a, 6) == more + "row = 6\n" + app::inputs_text(a));
+  CHECK(app::inputs_of_rows("", a, 7) == "row = 7\n" + app::inputs_text(a)); // rows of an earlier version have none
+}
+
+TEST_CASE("inputs: beside requested numbers and rows of runs") {
+  const test::Folder folder;
+  const std::string drawn = kSketch + std::string("tolerance off\n");
+  test::write_file(folder / "a.c2s", drawn);
+  const std::string run = "cd '" + folder.path() + "' && " + program() + "run a.c2s -q --response 'contact width' ";
+  REQUIRE(test::run_shell(run + "P=3 --results r --row t.csv").status == 0);
+  REQUIRE(test::run_shell(run + "P=4 --row t.csv").status == 0);
+  const std::string alone = test::read_file(folder / "r.inputs"), rows = test::read_file(folder / "t.csv.inputs");
+  CHECK(value_of(alone, "sha256") == app::sha256_of(drawn));
+  CHECK((value_of(alone, "parameter P") == "3" && value_of(alone, "parameter half") == "1.5"));
+  CHECK(value_of(rows, "sha256") == app::sha256_of(drawn));
+  CHECK((value_of(rows, "parameter P") == "none" && value_of(rows, "parameter half") == "none"));
+  CHECK(value_of(rows, "parameter mu") == "0.25");
+  CHECK(value_of(rows, "row") == "none");
+  test::write_file(folder / "a.c2s", drawn + "! changed\n");
+  REQUIRE(test::run_shell(run + "P=4 --row t.csv").status == 0);
+  CHECK(value_of(test::read_file(folder / "t.csv.inputs"), "row") == "3");
+  CHECK(test::lines_of(test::read_file(folder / "t.csv")).size() == 4);
+  // A run that fails has the numbers of no other run beside it.
+  CHECK(test::run_shell(run + "P=0/ --results r --row t.csv").status != 0);
+  CHECK(test::contains(test::read_file(folder / "r"), "FAIL"));
+  CHECK(value_of(test::read_file(folder / "r.inputs"), "parameter P") == "none");
+  CHECK(value_of(test::read_file(folder / "t.csv.inputs"), "row") == "3");
+  // Places that are taken, or are no files.
+  const test::Result clash = test::run_shell(run + "P=3 --results r --csv r.inputs");
+  CHECK((clash.status == 64 && test::contains(clash.err, "the inputs of --results")));
+  CHECK(test::run_shell(run + "P=3 --results /dev/null").status == 0);
+  REQUIRE(test::run_shell("mkdir '" + (folder / "s.inputs") + "' '" + (folder / "u.inputs") + "'").status == 0);
+  CHECK(test::run_shell(run + "P=3 --results s").status == 3);
+  const test::Result row = test::run_shell(run + "P=3 --row u");
+  CHECK((row.status == 3 && test::contains(row.err, "u.inputs: ")));
 }
 
 TEST_CASE("inputs: the deck of a sketch says what it was made from, and is the deck of a run") {

@@ -122,8 +122,8 @@ TEST_CASE("responses: numbers of pairs, zones and points that are there, and tha
     return app::csv_number(app::evaluate(responses.at(0), record));
   };
   app::RunRecord record;
-  CHECK(value("max tn", record) == "nan"); // nothing was followed
-  CHECK(value("stress 1", record) == "nan");
+  CHECK(value("max tn", record) == ""); // nothing was followed
+  CHECK(value("stress 1", record) == "");
   app::CoefficientRecord c;
   c.load = 0.5;
   c.table.resize(3 * C2D_PAIR_FIELDS);
@@ -140,10 +140,10 @@ TEST_CASE("responses: numbers of pairs, zones and points that are there, and tha
   CHECK(value("touching", record) == "2");
   CHECK(value("sticking zone 2", record) == "1");
   CHECK(value("slipping", record) == "0");
-  CHECK(value("max tn zone 3", record) == "nan");
+  CHECK(value("max tn zone 3", record) == "");
   CHECK(value("load", record) == "0.5");
   const std::string edge = app::name_of(app::Measure::kContactEdge);
-  CHECK(value(edge, record) == "nan"); // no increment
+  CHECK(value(edge, record) == ""); // no increment
   app::StepRecord step;
   const double where[4][3] = {{1, 1, 0.25}, {1, 2, 0.75}, {2, 1, 4}, {2, 2, 5}}; // zone, item, value
   for (const auto& w : where) {
@@ -158,7 +158,7 @@ TEST_CASE("responses: numbers of pairs, zones and points that are there, and tha
   CHECK(value(edge + " zone 2", record) == "4");
   CHECK(value(edge + " 2 zone 2", record) == "5");
   CHECK(value(edge + " zone 2 2", record) == "5");
-  CHECK(value(edge + " 3", record) == "nan");
+  CHECK(value(edge + " 3", record) == "");
   app::Interior interior;
   interior.points.resize(2);
   interior.points[0].values[C2D_POINT_VON_MISES] = 7;
@@ -166,11 +166,80 @@ TEST_CASE("responses: numbers of pairs, zones and points that are there, and tha
   interior.points[1].values[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
   record.interior = &interior;
   CHECK(value("stress 1", record) == "7");
-  CHECK(value("stress 2", record) == "nan");
-  CHECK(value("stress 3", record) == "nan");
+  CHECK(value("stress 2", record) == "");
+  CHECK(value("stress 3", record) == "");
+  std::vector<app::Response> both;
+  std::string error;
+  REQUIRE(app::read_responses("load; stress 3", both, error));
+  CHECK(app::results_text(both, {0.5, NAN}) == "0.5 load\nnan stress 3\n"); // a value and its words
   CHECK(app::failure_text("") == "FAIL reason unknown\n");
   CHECK(app::failure_text("\nwhy") == "FAIL reason unknown\n");
   CHECK(app::csv_field("a \"b\"") == "\"a \"\"b\"\"\"");
+}
+
+TEST_CASE("responses: numbers that a sketch requests, by the names of the listing, with places and planes") {
+  app::RunRecord record;
+  const auto add = [&](app::Measure what, const std::string& of, double value, double x, double angle = NAN) {
+    app::Stated s;
+    s.what = what, s.of = of, s.body = 1, s.value = value, s.at[0] = x, s.at[1] = -x, s.angle = angle;
+    record.meshes.stated.push_back(s);
+  };
+  add(app::Measure::kTractions, "", 0, NAN);
+  add(app::Measure::kSwt, " of top", 1, 10, 45);
+  add(app::Measure::kSwt, " of top at depth 2", 2, 20, 60);
+  add(app::Measure::kSwt, " of x", 3, 30, 75);
+  add(app::Measure::kStressXX, "", 4, 40);
+  add(app::Measure::kStressXX, "", 5, 50);
+  add(app::Measure::kLargestAlong, "hole", 6, 60);
+  add(app::Measure::kCrackRange, " of top, depth 0.1", 7, 70);
+  add(app::Measure::kCycleDissipated, "", 8, NAN);
+  const struct {
+    const char* words;
+    double value;
+  } cases[] = {{"SWT of top", 1},
+               {"SWT of top x", 10},
+               {"SWT of top plane", 45},
+               {"SWT of top at depth 2", 2}, // not the second of its name
+               {"SWT of top at depth 2 y", -20},
+               {"SWT of x", 3}, // not a place
+               {"SWT of x x", 30},
+               {"SWT of x plane", 75},
+               {"stress xx", 4},
+               {"stress xx 2", 5},
+               {"stress xx 2 x", 50},
+               {"stress xx 3", NAN},
+               {"largest stress along hole", 6},
+               {"largest stress along hole plane", NAN},
+               {"largest stress along slot", NAN},
+               {"crack range of K of top, depth 0.1", 7},
+               {"dissipated in the last cycle", 8},
+               {"dissipated in the last cycle x", NAN},
+               {"tractions", NAN}}; // it has no value
+  for (const auto& c : cases) {
+    CAPTURE(c.words);
+    std::vector<app::Response> responses;
+    std::string error;
+    REQUIRE_MESSAGE(app::read_responses(c.words, responses, error), error);
+    CHECK(responses.at(0).words == c.words);
+    const double value = app::evaluate(responses.at(0), record);
+    CHECK((std::isnan(c.value) ? std::isnan(value) : value == c.value));
+  }
+  for (const char* none : {"SWT on top", "of top", "plane", "stress zz", "dissipated in the last cycle plain"}) {
+    CAPTURE(none);
+    std::vector<app::Response> responses;
+    std::string error;
+    CHECK_FALSE(app::read_responses(none, responses, error));
+    CHECK(error.find(none) == 1);
+  }
+  // Of a fatigue parameter, a worst case; a depth is part of the name.
+  record.meshes.tolerances.parameters = {{"R", 5, 0.5, ""}};
+  for (const app::Stated& s : record.meshes.stated)
+    record.meshes.tolerances.numbers.push_back(app::Toleranced{s, {{2 * s.value, ""}}});
+  std::vector<app::Response> worst;
+  std::string error;
+  REQUIRE(app::read_responses("worst case SWT of top; derivative SWT of top at depth 2 by R", worst, error));
+  CHECK(app::evaluate(worst[0], record) == 1);
+  CHECK(app::evaluate(worst[1], record) == 4);
 }
 
 TEST_CASE("sweep: cells of a table with blanks, tabs and quotes around them") {

@@ -336,7 +336,7 @@ TEST_CASE("system: answers of a run, and rows of many, that cannot be written") 
   if (!can_refuse_calls() || !can_judge_calls()) return;
   std::string error;
   const std::string rows = folder / "rows";
-  REQUIRE(app::append_row(rows, "a\n", "1\n", error));
+  REQUIRE(app::append_row(rows, "a\n", "1\n", {}, error));
   const struct {
     const char* call;
     int n, code;
@@ -349,15 +349,15 @@ TEST_CASE("system: answers of a run, and rows of many, that cannot be written") 
   for (const auto& r : refused) {
     CAPTURE(r.call);
     const System system(r.call, r.n, r.code);
-    CHECK_FALSE(app::append_row(rows, "a\n", "2\n", error));
+    CHECK_FALSE(app::append_row(rows, "a\n", "2\n", {}, error));
     CHECK(error == rows + ": a row cannot be added: " + r.told);
   }
   {
     const System interrupted("flock", 1, EINTR);
-    CHECK(app::append_row(rows, "a\n", "3\n", error));
+    CHECK(app::append_row(rows, "a\n", "3\n", {}, error));
   }
   write_file(folder / "short", "a");
-  CHECK_FALSE(app::append_row(folder / "short", "a,b,c\n", "1\n", error));
+  CHECK_FALSE(app::append_row(folder / "short", "a,b,c\n", "1\n", {}, error));
   CHECK(error == (folder / "short") + ": has other columns, expected a,b,c");
   // The rows of a sweep, kept beside its results.
   for (const auto& [name, code] :

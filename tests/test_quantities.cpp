@@ -446,13 +446,14 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
   const std::vector<std::string> rows = test::lines_of(test::read_file(folder / "s"));
-  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along,load2");
+  CHECK(rows.at(0) ==
+        "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along,load2,plane_angle,worst_case,root_of_squares");
   size_t row = 1;
   std::vector<std::pair<double, double>> peaks;
   for (const test::Json& step : json["steps_detail"].items)
     for (const test::Json& q : step["quantities"].items) {
       const std::vector<std::string> f = fields_of(rows.at(row++));
-      REQUIRE(f.size() == 14);
+      REQUIRE(f.size() == 17);
       CHECK(std::stod(f[13]) == step["loads"][1].number);
       CHECK(std::stod(f[1]) == step["step"].number);
       CHECK(f[3] == std::to_string(static_cast<int>(q["zone"].number)));
@@ -520,7 +521,7 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
   append_quantities(listing, record, summary);
   CHECK(test::contains(listing, "2.5  +- 0.013"));
   append_summary(table, record, summary);
-  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125,2.5,\n"));
+  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125,2.5,,,,\n"));
   RunRecord empty;
   empty.take_stated_errors(); // nothing to state of nothing
   CHECK(empty.coefficients.empty());

@@ -259,7 +259,8 @@ TEST_CASE("report: what a run that came to nothing leaves") {
   CHECK(std::string(record.outcome()) == "checked");
 
   Summary summary;
-  const std::string heading = "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along\n";
+  const std::string heading =
+      "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along,plane_angle,worst_case,root_of_squares\n";
   std::string out;
   append_summary(out, RunRecord(), summary);
   CHECK(out == heading);
@@ -284,6 +285,28 @@ TEST_CASE("report: what a run that came to nothing leaves") {
   c.outcome = C2D_TIPPING;
   c.steps[1].loads = {1}, c.steps[0].loads = {0.5};
   CHECK(rows() == 2);
+  CHECK(out.find("nan") == std::string::npos);
+
+  // Behind the factors of the load cases: the plane of a fatigue parameter, and what tolerances of parameters do, at the end.
+  c.outcome = C2D_REACHED;
+  for (StepRecord& step : c.steps) step.loads = {1, 7};
+  summary.load_cases = 2, summary.body_name = {"block"};
+  Stated swt, stress;
+  swt.what = Measure::kSwt, swt.of = " of top", swt.body = 1, swt.value = 3, swt.angle = 12.5;
+  stress.what = Measure::kStressXX, stress.body = 1, stress.at[0] = 1, stress.at[1] = 2;
+  ToleranceTable& table = record.meshes.tolerances;
+  table.parameters = {{"R", 5, 0.5, ""}, {"P", 1, 0.25, ""}};
+  const auto toleranced = [](const Stated& s, double by_r, double by_p) { return Toleranced{s, {{by_r, ""}, {by_p, ""}}}; };
+  Stated peak, elsewhere = stress;
+  peak.what = q.what, peak.zone = 1, elsewhere.at[0] = 0;
+  table.numbers = {toleranced(peak, 6, 16), toleranced(elsewhere, 1, 1), toleranced(stress, -2, NAN), toleranced(swt, -6, -16)};
+  record.meshes.stated = {swt, stress};
+  REQUIRE(rows() == 4);
+  CHECK(out.find("along,load2,plane_angle,worst_case,root_of_squares\n") != std::string::npos);
+  CHECK(out.find("2.5,,,,,,7,,,\n") != std::string::npos);   // the first step
+  CHECK(out.find("2.5,,,,,,7,,7,5\n") != std::string::npos); // 0.5 6 + 0.25 16, and the root of 9 + 16
+  CHECK(out.find("SWT of top,,3,,,,,,7,12.5,7,5\n") != std::string::npos);
+  CHECK(out.find("stress xx,,0,1,2,,,,7,,,\n") != std::string::npos); // without a derivative by P
 }
 
 TEST_CASE("report: what is wrong with all results is told first, with a place alone last") {

@@ -84,7 +84,7 @@ int refuse(const app::Options& options, const std::string& error, int exit) {
   results.row.clear();
   std::string ignored;
   const bool asked = options.command == app::Command::kRun && !options.results.empty();
-  if (asked && ::access(options.results.c_str(), F_OK) != 0) app::write_answer(results, {exit, {}, error}, ignored);
+  if (asked && ::access(options.results.c_str(), F_OK) != 0) app::write_answer(results, {exit, {}, error, {}}, ignored);
   return exit;
 }
 

@@ -36,6 +36,7 @@ public:
   int go();
   // Values of the requested responses; empty if the run ended before.
   const std::vector<double>& values() const { return values_; }
+  const Inputs& inputs() const { return results_.record.inputs; }
   // Why a resumed run must restart from the beginning; empty: it need not.
   const std::string& wants_fresh_start() const { return fresh_start_; }
   // With room for all pairs.
@@ -422,7 +423,7 @@ Answer solve(const Options& options, StoreChoice* store) {
   for (bool anew = false;; anew = true) {
     Run run(now, begun, anew, store);
     const int exit = run.go();
-    if (anew || run.wants_fresh_start().empty()) return {exit, run.values(), reason_told()};
+    if (anew || run.wants_fresh_start().empty()) return {exit, run.values(), reason_told(), run.inputs()};
     if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + "; the run restarts from the beginning\n");
     if (!run.wants_all_pairs()) continue;
     now.touching = 0;

@@ -152,6 +152,33 @@ std::string tail_of(const StepRecord& step) { return tail_of(step.loads.data(), 
 // A number that no step has: of a body, or of the last cycle of the whole contact.
 bool is_stated_alone(const Stated& s) { return s.body != 0 || s.what == Measure::kCycleDissipated; }
 
+// What stands behind the factors of the load cases, where columns are new: the plane of a fatigue parameter, and how far
+// tolerances of parameters move a number.
+constexpr char kAddedColumns[] = ",plane_angle,worst_case,root_of_squares\n";
+std::string with_added(std::string tail, double angle, const ToleranceTable& table, const Toleranced* t) {
+  tail.pop_back();
+  add_if_known(tail, angle);
+  add_if_known(tail, t != nullptr ? table.worst_case(*t) : NAN);
+  add_if_known(tail, t != nullptr ? table.root_of_squares(*t) : NAN);
+  return tail + '\n';
+}
+
+// A number in the table of tolerances; null: it is not there.
+const Toleranced* find_toleranced(const ToleranceTable& table, const Stated& s) {
+  const auto is_same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  for (const Toleranced& t : table.numbers) {
+    const Stated& n = t.number;
+    if (n.what == s.what && n.of == s.of && n.body == s.body && is_same(n.at[0], s.at[0]) && is_same(n.at[1], s.at[1]))
+      return &t;
+  }
+  return nullptr;
+}
+const Toleranced* find_toleranced(const ToleranceTable& table, const Quantity& q) {
+  for (const Toleranced& t : table.numbers)
+    if (t.number.what == q.what && t.number.zone == q.zone && t.number.item == q.item && t.number.body == 0) return &t;
+  return nullptr;
+}
+
 // The requested stresses and the friction loss of the last cycle, of the first coefficient.
 void append_wanted(std::string& out, const RunRecord& record, const Summary& summary) {
   if (record.coefficients.empty() || record.coefficients.front().steps.empty()) return;
@@ -165,7 +192,8 @@ void append_wanted(std::string& out, const RunRecord& record, const Summary& sum
     out += ',';
     add(out, s.value);
     for (const double number : {s.at[0], s.at[1], s.error, double{NAN}, double{NAN}}) add_if_known(out, number);
-    out += tail_of(last);
+    const ToleranceTable& tolerances = record.meshes.tolerances;
+    out += with_added(tail_of(last), s.angle, tolerances, find_toleranced(tolerances, s));
   }
 }
 
@@ -180,9 +208,13 @@ std::string name_for(const Quantity& q, const Summary& summary) {
 void append_summary(std::string& out, const RunRecord& record, const Summary& summary) {
   out += "mu,step,load,zone,name,quantity,item,value,x,y,error,s,along";
   end_heading(out, summary.load_cases);
+  out.pop_back();
+  out += kAddedColumns;
+  const ToleranceTable& tolerances = record.meshes.tolerances;
   for (const CoefficientRecord& c : record.coefficients)
     for (size_t i = 0; i < c.steps.size(); ++i) {
       if (is_repeated(c, i)) continue;
+      const bool has_tolerances = &c == &record.coefficients.front() && i + 1 == c.steps.size();
       for (const Quantity& q : c.steps[i].quantities) {
         out += head_of(c, c.steps[i]);
         add(out, int64_t{q.zone});
@@ -191,7 +223,7 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
         add(out, int64_t{q.item});
         add(out, q.value);
         for (const double number : {q.at[0], q.at[1], q.error, q.s, q.along}) add_if_known(out, number);
-        out += tail_of(c.steps[i]);
+        out += with_added(tail_of(c.steps[i]), NAN, tolerances, has_tolerances ? find_toleranced(tolerances, q) : nullptr);
       }
     }
   append_wanted(out, record, summary);

@@ -22,8 +22,9 @@ void append_bodies_header(std::string& out, int32_t load_cases);
 // A row per body of a recorded or last step; inside the callback.
 void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver);
 
-// mu,step,load,zone,name,quantity,item,value,x,y,error,s,along: key numbers of the contact at every recorded step of a run,
-// with the stated errors; a field without a value is empty.
+// mu,step,load,zone,name,quantity,item,value,x,y,error,s,along, the factors of other load cases,
+// plane_angle,worst_case,root_of_squares: key numbers of the contact at every recorded step of a run, with the stated errors; a
+// field without a value is empty.
 void append_summary(std::string& out, const RunRecord& record, const Summary& summary);
 
 // body,element,node,x,y,ux,uy,tx,ty with a row per element end of every body at the load reached.

@@ -26,7 +26,8 @@ std::string exact_number(double value);
 // Key and value of each input: version, build, file, sha256 (of the file before), parameter, option.
 std::vector<std::pair<std::string, std::string>> rows_of(const Inputs& inputs);
 
-// A line each, for a file beside a table.
+// A line each, for a file beside a table: the table's name with this ending.
+constexpr char kInputsEnding[] = ".inputs";
 std::string inputs_text(const Inputs& inputs);
 
 void append_inputs(std::string& listing, const Inputs& inputs);

@@ -329,6 +329,9 @@ class Solve(unittest.TestCase):
             self.assertAlmostEqual(abs(row["friction force"]), row["push"] * 2, delta=1e-6)
         self.assertTrue(table[2]["outcome"].startswith("FAIL"), table[2])
         self.assertNotEqual(table[2]["peak pressure"], table[2]["peak pressure"])  # nan
+        none = contact2d.sweep(text, {"push": [0.1, 0.2]}, "contact edge 9 x; load")
+        self.assertTrue(all(number != number for number in none["contact edge 9 x"]), none)  # of no row
+        self.assertEqual(list(none["load"]), [1, 1])
         rows = contact2d.sweep(text, [{"push": 0.1, "mu": 0.4}], "peak pressure", options={"threads": 1})
         self.assertAlmostEqual(rows["peak pressure"][0] / table["peak pressure"][0], 1, delta=1e-9)
         for wrong, kind, said in (([], ValueError, "there are no values"),

@@ -397,7 +397,7 @@ def sweep(source: Source, values: Any, responses: Union[str, Iterable[str]], opt
     >>> [row["outcome"] for row in table if row["P"] > 10]
     ['ok', 'ok']
 
-    A row whose run fails has no numbers (nan), and its outcome begins with FAIL and says why.
+    A number that does not exist is nan. A row whose run fails has none, and its outcome begins with FAIL and says why.
     """
     names, rows = rows_of(values)
     if not rows:
@@ -418,7 +418,9 @@ def sweep(source: Source, values: Any, responses: Union[str, Iterable[str]], opt
                 source_name = None if word == "-" else word
                 raise UsageError([Message("error", message.text, name=source_name) for message in fault.messages]) from None
             raise
-        return Table.of_csv(results.read_text(encoding="utf-8"))
+        text_of_rows = results.read_text(encoding="utf-8")
+        heading = next(csv.reader(io.StringIO(text_of_rows)))
+        return Table.of_csv(text_of_rows, numbers=heading[1 + len(names):-1])
 
 
 def mesh(source: Source, **parameters: Any) -> str:

@@ -59,10 +59,13 @@ class Table:
         self._rows = next(iter(lengths.values()), 0)
 
     @classmethod
-    def of_csv(cls, text: str) -> Table:
+    def of_csv(cls, text: str, numbers: Sequence[str] = ()) -> Table:
+        """Of the text of a CSV file. Columns of `numbers` are numbers even if all of their fields are empty."""
         rows = list(csv.reader(io.StringIO(text)))
         names, rows = (rows[0], rows[1:]) if rows else ([], [])
-        return cls((name, arrays.column(parsed(name, [row[i] for row in rows]))) for i, name in enumerate(names))
+        columns = [(name, [row[i] for row in rows]) for i, name in enumerate(names)]
+        return cls((name, arrays.column(parsed(name, [word or "nan" for word in words] if name in numbers else words)))
+                   for name, words in columns)
 
     def __getitem__(self, key: Any) -> Any:
         """A column by its name; a row, a dictionary, by its number from 0; rows by a slice, a mask or a list of numbers."""

@@ -14,13 +14,15 @@
 namespace app {
 namespace {
 
-constexpr char kInputs[] = ".inputs";
+// Is it a regular file, or will it be one?
+bool is_regular_file(const std::string& name) {
+  struct stat about = {};
+  return !name.empty() && name != "-" && (::stat(name.c_str(), &about) != 0 || S_ISREG(about.st_mode));
+}
 
 // Is it a regular file without a place for its inputs? They go into a file beside it.
 bool has_inputs(size_t output, const std::string& name) {
-  if (name.empty() || name == "-" || (kOutputTable[output].needs & kInputsBeside) == 0) return false;
-  struct stat about = {};
-  return ::stat(name.c_str(), &about) != 0 || S_ISREG(about.st_mode);
+  return (kOutputTable[output].needs & kInputsBeside) != 0 && is_regular_file(name);
 }
 
 // One spelling for names that lead to the same place, whether or not anything is there yet.
@@ -69,10 +71,12 @@ std::vector<Named> named_files(const Options& o, const std::vector<std::string>&
   for (size_t i = 0; i < kOutputs; ++i) {
     const char* const option = kOutputTable[i].option;
     if (!o.files[i].empty()) all.emplace_back(o.files[i], option, true);
-    if (has_inputs(i, o.files[i])) all.emplace_back(o.files[i] + kInputs, std::string("the inputs of ") + option, true);
+    if (has_inputs(i, o.files[i])) all.emplace_back(o.files[i] + kInputsEnding, std::string("the inputs of ") + option, true);
   }
-  if (!o.results.empty()) all.emplace_back(o.results, "--results", true);
-  if (!o.row.empty()) all.emplace_back(o.row, "--row", true);
+  for (const auto& [name, option] : {std::make_pair(&o.results, "--results"), std::make_pair(&o.row, "--row")}) {
+    if (!name->empty()) all.emplace_back(*name, option, true);
+    if (is_regular_file(*name)) all.emplace_back(*name + kInputsEnding, std::string("the inputs of ") + option, true);
+  }
   return all;
 }
 
@@ -121,7 +125,7 @@ bool Outputs::open(const Options& o, bool has_points, std::string& error) {
     const bool left_out =
         o.interior_if_any && !has_points && i == static_cast<size_t>(Output::kInterior) && !is_interior(o.files[i]);
     if (!o.files[i].empty() && !left_out && !files[i].open(o.files[i], error)) return false;
-    if (files[i].is_open() && has_inputs(i, o.files[i]) && !inputs[i].open(o.files[i] + kInputs, error)) return false;
+    if (files[i].is_open() && has_inputs(i, o.files[i]) && !inputs[i].open(o.files[i] + kInputsEnding, error)) return false;
   }
   return o.figures.empty() || figures.open(o.figures, error);
 }

@@ -3,6 +3,7 @@
 #include "program/near_word.hpp"
 #include "program/read_number.hpp"
 #include "program/sweep/tolerance_response.hpp"
+#include "program/sweep/wanted_response.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -12,13 +13,11 @@
 namespace app {
 
 const char kResponseWords[] =
-    "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary, or x, y or along of its place (contact edge "
-    "1 "
-    "x); stress or a column of --interior with the "
-    "number of a point; touching, sticking, slipping, load; then, if needed, zone Z and the number of an edge or border; with "
-    "tolerances of parameters derivative or share of a number by a parameter (share peak pressure by R), its worst case or "
-    "root "
-    "of squares";
+    "max or min of tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary, or x, y or along of its place (contact "
+    "edge 1 x); stress or a column of --interior with the number of a point; touching, sticking, slipping, load; then, if "
+    "needed, zone Z and the number of an edge or border; a number that a sketch requests (SWT of top, largest stress along "
+    "hole), or x, y or plane of it; with tolerances of parameters derivative or share of a number by a parameter (share peak "
+    "pressure by R), its worst case or root of squares";
 
 namespace {
 
@@ -120,7 +119,8 @@ std::string with_blanks(const std::vector<std::string>& words) {
   return out;
 }
 
-bool read_response(std::vector<std::string> words, Response& r) {
+bool read_response(const std::vector<std::string>& all, Response& r) {
+  std::vector<std::string> words = all;
   r.words = with_blanks(words);
   if (take_tolerance_words(words, r)) {
     take_tail(words, r);
@@ -128,7 +128,7 @@ bool read_response(std::vector<std::string> words, Response& r) {
     return is_name_of_wanted(r.number);
   }
   take_tail(words, r);
-  return take_head(words, r) || take_place(words, r);
+  return take_head(words, r) || take_place(words, r) || take_wanted_words(all, r);
 }
 
 std::vector<std::string> quantity_names() {
@@ -139,7 +139,7 @@ std::vector<std::string> quantity_names() {
 }
 
 std::vector<std::string> response_words() {
-  std::vector<std::string> out{"zone", "x", "y", "along", "max", "min", "load"};
+  std::vector<std::string> out{"zone", "x", "y", "along", "plane", "max", "min", "load"};
   for (const Word& w : kColumns) out.emplace_back(w.word);
   for (const Word& w : kPointColumns) out.emplace_back(w.word);
   for (const Word& w : kCounts) out.emplace_back(w.word);
@@ -234,6 +234,7 @@ bool read_responses(const std::string& text, std::vector<Response>& responses, s
 double evaluate(const Response& r, const RunRecord& record) {
   if (r.of == Response::Of::kPoint) return of_point(r, record);
   if (r.of == Response::Of::kTolerance) return of_tolerances(r, record.meshes.tolerances);
+  if (r.of == Response::Of::kWanted) return of_wanted(r, record.meshes.stated);
   if (record.coefficients.empty()) return NAN;
   const CoefficientRecord& c = record.coefficients.back();
   if (r.of == Response::Of::kQuantity) return of_quantities(r, c);
@@ -241,15 +242,17 @@ double evaluate(const Response& r, const RunRecord& record) {
 }
 
 std::string csv_number(double value) {
-  if (std::isnan(value)) return "nan";
   std::string text;
-  append_number(text, value);
+  if (std::isfinite(value)) append_number(text, value);
   return text;
 }
 
 std::string results_text(const std::vector<Response>& responses, const std::vector<double>& values) {
   std::string out;
-  for (size_t i = 0; i < responses.size(); ++i) out += csv_number(values[i]) + " " + responses[i].words + "\n";
+  for (size_t i = 0; i < responses.size(); ++i) {
+    const std::string number = csv_number(values[i]);
+    out += (number.empty() ? "nan" : number) + " " + responses[i].words + "\n"; // the words follow a number
+  }
   return out;
 }
 

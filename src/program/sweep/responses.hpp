@@ -11,7 +11,7 @@ namespace app {
 
 // One number of the last recorded state of the last coefficient of friction.
 struct Response {
-  enum class Of { kPairs, kQuantity, kPoint, kCount, kLoad, kTolerance };
+  enum class Of { kPairs, kQuantity, kPoint, kCount, kLoad, kTolerance, kWanted };
   std::string words; // as it is called in tables
   Of of = Of::kLoad;
   int32_t which = 0; // kPairs: a column of the pairs' table; kQuantity: a Measure; kPoint: C2D_POINT_...; kCount: a status, -1:
@@ -21,8 +21,8 @@ struct Response {
   enum class Part { kValue, kX, kY, kAlong } part = Part::kValue; // kQuantity: the number, or where its place is
   int32_t zone = 0;                                               // 0: all
   enum class Effect { kDerivative, kShare, kWorstCase, kRootOfSquares } effect = Effect::kDerivative; // kTolerance: which,
-  std::string number, by;                                                                             // of what, by what
-  int32_t item = 0; // kQuantity: which of several; kPoint: which point; 0: the only one
+  std::string number, by; // of what, by what; kWanted: all words
+  int32_t item = 0;       // kQuantity: which of several; kPoint: which point; 0: the only one
 };
 
 // Reads a list with semicolons. False with an error text.
@@ -41,6 +41,6 @@ std::string failure_text(const std::string& why);
 
 // A field of a CSV file, in quotes where it has to be.
 std::string csv_field(const std::string& text);
-std::string csv_number(double value);
+std::string csv_number(double value); // empty where there is none
 
 } // namespace app

@@ -187,7 +187,7 @@ int Sweep::write() {
   std::string all = heading(), error;
   for (const std::string& row : rows_) all += row + "\n";
   if (!write_output(options_.results, all, error)) return fail(error, kExitFiles);
-  if (keeps_ && !write_output(options_.results + ".inputs", inputs_text(named_), error)) return fail(error, kExitFiles);
+  if (keeps_ && !write_output(options_.results + kInputsEnding, inputs_text(named_), error)) return fail(error, kExitFiles);
   journal_.remove();
   return 0;
 }

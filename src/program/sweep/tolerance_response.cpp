@@ -44,17 +44,11 @@ bool take_tolerance_words(std::vector<std::string>& words, Response& r) {
   return true;
 }
 
-bool is_name_of_wanted(const std::string& text) {
-  for (size_t i = 0; i < kMeasures; ++i) {
-    const std::string name = name_of(static_cast<Measure>(i));
-    const bool ends_in_curve = !name.empty() && name.back() == ' ';
-    if (!name.empty() && (ends_in_curve ? text.compare(0, name.size(), name) == 0 : text == name)) return true;
-  }
-  return false;
-}
-
 double of_tolerances(const Response& r, const ToleranceTable& table) {
+  const std::string with_item =
+      r.number + " " + std::to_string(r.item); // a depth at the end of a name: "SWT of top at depth 1"
   for (const Toleranced& t : table.numbers) {
+    if (t.number.name() == with_item) return effect_of(r, table, t);
     const bool zone = r.zone == 0 || t.number.zone == r.zone, item = r.item == 0 ? t.number.item <= 1 : t.number.item == r.item;
     if (zone && item && t.number.name() == r.number) return effect_of(r, table, t);
   }

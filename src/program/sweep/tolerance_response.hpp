@@ -8,9 +8,6 @@ namespace app {
 // Takes the words before the name of a number, and `by R` at the end. False: the words are none such.
 bool take_tolerance_words(std::vector<std::string>& words, Response& r);
 
-// Does the name of a wanted number begin with these words?
-bool is_name_of_wanted(const std::string& text);
-
 // NaN: there is no such number, it has no derivative, or the parameter has no tolerance.
 double of_tolerances(const Response& r, const ToleranceTable& table);
 
