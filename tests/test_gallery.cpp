@@ -46,6 +46,10 @@ TEST_CASE("gallery: it is made from the sketches as they are (else: make gallery
   for (const char* folder : {"examples/", "examples/families/"})
     for (const std::string& name : files_of(kRoot + "/" + folder, ".c2s"))
       CHECK_MESSAGE(contains(page, "\n`" + (folder + name) + "`\n"), folder << name);
+  for (const auto& lesson : fs::directory_iterator(kRoot + "/examples/tutorial")) {
+    const std::string name = "tutorial/" + lesson.path().filename().string();
+    CHECK_MESSAGE((contains(page, "`examples/" + name + "`") || contains(page, "](../" + name + ")")), name);
+  }
 }
 
 TEST_CASE("gallery: made again it is the same") {

@@ -167,6 +167,34 @@ TEST_CASE("pictures: hoop stress of a ring by images is Lame's, without the line
   CHECK(std::stod(caption.substr(at + words.size())) == doctest::Approx(166.67).epsilon(0.005));
 }
 
+TEST_CASE("pictures: the number of a curve stands on no axis") {
+  Shown shown;
+  show(shown, example("families/hole.c2s"));
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  std::vector<Element> all;
+  REQUIRE(read_xml(shown.figures["boundary"], all) == "");
+  int numbers = 0;
+  for (const Element& e : all) {
+    if (e.name != "text" || (e.text != "1" && e.text != "2") || e.attributes.count("stroke") == 0) continue; // of ticks
+    CHECK_MESSAGE(std::stod(e.attributes.at("x")) > 66.0 + 8.0, e.text); // the axis is at 66
+    ++numbers;
+  }
+  CHECK(numbers == 2);
+}
+
+TEST_CASE("pictures: of a press fit the back of the inner ring does not limit the factor of the deformed shape") {
+  const Folder folder;
+  write_file(folder / "ring.c2s", "symmetry x 0\nsymmetry y 0\nbody shaft E 210e3 nu 0.3\nfrom 25.025 0\n"
+                                  "arc face centre 0 0 turn 90\noutline\nfrom 0 10\narc bore centre 0 0 turn -90\n"
+                                  "body hub E 70e3 nu 0.33\nfrom 50 0\narc rim centre 0 0 turn 90\noutline\nfrom 0 25\n"
+                                  "arc seat centre 0 0 turn -90\ncontact hub.seat shaft.face\ninterference\ntolerance off\n");
+  Shown shown;
+  show(shown, folder / "ring.c2s");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  CHECK(contains(caption_of(shown, "deformed"), "displacements and gaps &#215; 100:"));
+  CHECK(contains(caption_of(shown, "contact"), "gaps &#215; 200."));
+}
+
 TEST_CASE("pictures: zones of meshes that do not match say what tractions are measured by") {
   const Folder folder;
   write_file(folder / "deck", free_deck());

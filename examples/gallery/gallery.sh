@@ -84,6 +84,11 @@ key numbers at the end of the load history, each with its stated error. The valu
 of the contact statement. A picture shows the largest pressure of a pair, the numbers the largest also between pairs. The sketches
 of a half or a quarter give forces of that part. `make gallery` makes this page and its pictures; a test reports when they are
 older than the sketches.
+
+Other lessons of the [tutorial](../TUTORIAL.md): the roller below [with friction](../tutorial/t2_friction.c2s), with
+[mistakes](../tutorial/t3_mistakes.c2s), [more accurate](../tutorial/t4_accuracy.c2s), and as a table of runs
+[a pin in a hole](../tutorial/t10_sweep.c2s); a [rounded pad](../tutorial/t5_report.c2s), a [deck](../tutorial/t11_deck.dat), and
+a [load that cannot be carried](../tutorial/t12_sliding.c2s).
 END
   entries | while read -r sketch picture; do entry "$sketch" "$picture"; done
   printf '\n<!-- made from\n'

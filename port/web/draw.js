@@ -224,12 +224,13 @@ function pairsOf(rows, curves) {
   const directions = directionsOf(rows, curves);
   return rows.map((row, i) => {
     const n = [-directions[i][1], directions[i][0]], initial = row.gap - (row.un2 - row.un1); // material is on the left
-    return {x: row.x + initial * n[0], y: row.y + initial * n[1], n, initial, gap: row.gap, isTied: row.status === "tied"};
+    const moved = [row.un1 * n[0] + row.ut1 * n[1], row.un1 * n[1] - row.ut1 * n[0]]; // side 1; t is n turned by -90 degrees
+    return {x: row.x + initial * n[0], y: row.y + initial * n[1], n, initial, moved, gap: row.gap, row, isTied: row.status === "tied"};
   });
 }
 
 // Beside a zone, up to its length from either end, the sides have a gap as well: along the normal of the end, from places of side 2
-// to the outline of body 1. Without it the shape would have a notch where the zone ends.
+// that face body 1 to its outline. Without it the shape would have a notch where the zone ends.
 function besideZone(pairs, one, two) {
   const found = [], apart = (p, q) => Math.hypot(p.x - q.x, p.y - q.y), last = pairs.length - 1;
   if (last < 1 || pairs.every((pair) => pair.isTied)) return found;
@@ -238,6 +239,7 @@ function besideZone(pairs, one, two) {
     for (const curve of two)
       for (let i = 0; i + 1 < curve.length; ++i) {
         const from = curve[i], to = curve[i + 1], size = apart(from, to), parts = Math.min(BESIDE, Math.ceil(BESIDE * size / length));
+        if ((to.x - from.x) * at.n[1] - (to.y - from.y) * at.n[0] <= 0) continue; // material on the left, n away from body 1
         for (let k = 0; apart(from, at) <= length + size && k < parts; ++k) {
           const p = {x: from.x + k / parts * (to.x - from.x), y: from.y + k / parts * (to.y - from.y), n: at.n}, off = apart(p, at);
           if (!(off < length) || off >= apart(p, next) || off < 0.5 * apart(at, next)) continue;
@@ -319,15 +321,28 @@ function deformation(ends, rows, zones, rigid, symmetry, whole) {
   const least = 0.02 * Math.max(spread(ends, "x"), spread(ends, "y")), half = 0.75 * Math.max(size, near === ends ? 0 : least);
   const closed = new Map([...shapes].map(([body, curves]) => [body, closedBy(symmetry, curves, half)]));
   const out = {shapes, closed, pairs, lifted: new Set(), whole: near === ends, x: middle("x"), y: middle("y"), half, reference: [0, 0]};
+  const inContact = new Set(touching), held = out.whole ? [] : sides.flatMap((side) => side.pairs.filter((pair) => inContact.has(pair.row)));
   const seen = ends.filter((end) => Math.abs(end.x - out.x) <= half && Math.abs(end.y - out.y) <= half);
-  const shown = seen.length > 0 && !out.whole ? seen : ends;
+  const moving = held.length > 0 ? held.map(({moved: [ux, uy]}) => ({ux, uy})) : seen.length > 0 ? seen : ends;
   // images beyond a line in view are drawn where that line is, which does not move
-  const moves = (axis) => !symmetry.some((line) => line.axis === axis && isInView(line, out[axis], half));
-  const mean = (name) => shown.reduce((sum, end) => sum + end[name], 0) / shown.length;
-  if (!out.whole) out.reference = ["x", "y"].map((axis) => (moves(axis) ? mean(`u${axis}`) : 0));
-  const moved = Math.max(...shown.map((end) => Math.hypot(end.ux - out.reference[0], end.uy - out.reference[1])));
-  out.wanted = moved > 0 ? half / 6 / moved : 1;
+  const inView = symmetry.filter((line) => isInView(line, out[line.axis], half));
+  const mean = (name) => moving.reduce((sum, end) => sum + end[name], 0) / moving.length;
+  if (!out.whole) out.reference = ["x", "y"].map((axis) => (inView.some((line) => line.axis === axis) ? 0 : mean(`u${axis}`)));
+  out.wanted = wantedFactor(out, ends, [...moving, ...(out.whole ? ends : seen)], near, inView);
   return out;
+}
+
+// The largest motion, relative to what is not drawn, is at most a twelfth of what touches and a margin, or of the model, no more than
+// twice its smallest body: the rule of the report's pictures (picture_contact.cpp, picture_deformed.cpp).
+const SHARE = 1 / 12, AROUND = 1.25;
+function wantedFactor(d, ends, moving, near, lines) {
+  const larger = (list) => Math.max(spread(list, "x"), spread(list, "y"));
+  const bodies = [...d.shapes.values()].map((curves) => larger(curves.flat()));
+  const shown = imagesOf(lines).flatMap((image) => near.map((each) => turned(image, each)));
+  const size = d.whole ? Math.min(larger(ends), 2 * Math.min(...bodies)) : AROUND * larger(shown) || 2 * d.half;
+  const moved = Math.max(0, ...moving.map((end) => Math.hypot(end.ux - d.reference[0], end.uy - d.reference[1])),
+    ...(d.whole ? d.pairs.map((pair) => Math.abs(pair.initial)) : []));
+  return moved > 0 ? SHARE * size / moved : 1;
 }
 
 function placed(d, curves, factor) {
@@ -389,7 +404,7 @@ function factorsOf(d, wide) {
     }
     out.push(factor);
   }
-  return {factors: out, automatic: out.filter((factor) => factor <= d.wanted).length - 1};
+  return {factors: out, automatic: Math.max(0, out.filter((factor) => factor <= d.wanted).length - 1)};
 }
 
 // Closed outlines of curves that begin and end on lines: from the end of one along its line, material on the left, to the next

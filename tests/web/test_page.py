@@ -478,6 +478,18 @@ class PageTest(unittest.TestCase):
             counts = re.findall(r"(\d+) (?:stick|slip|open)", self.label_of("pressure"))
             self.assertEqual(sum(int(each) for each in counts), len(rows) - len(images))  # of the model
 
+    def test_the_factor_of_the_deformed_shape_is_that_of_the_report(self):
+        for value, whole in (("sketch:press_fit.c2s", 100), ("sketch:roller.c2s", 1)):
+            self.choose(value)
+            text = self.browser.run("return $('editor').value")
+            self.browser.run("$('view').value = 'whole'; $('view').onchange()")
+            self.assertEqual(self.text("magnify-text"), "to scale" if whole == 1 else "times %d" % whole)
+            with tempfile.TemporaryDirectory() as folder:  # as the page solves it: on the first mesh
+                pathlib.Path(folder, "a.c2s").write_text(text + "\ntolerance off\n")
+                subprocess.run([PROGRAM, "run", "a.c2s", "-q", "--figures", "f", "--listing", "l"], cwd=folder, check=True)
+                caption = re.search("<desc>(.*)</desc>", pathlib.Path(folder, "f", "deformed.svg").read_text()).group(1)
+            self.assertIn("to scale" if whole == 1 else "displacements and gaps &#215; %d:" % whole, caption)
+
     def test_a_rigid_body_is_drawn_rigid(self):
         lifts = """
           const lift = (end) => String(end.lift.map((each) => each.toFixed(12)));

@@ -45,7 +45,7 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
 }
 
 // Beside a zone, up to its length from either end, the sides have a gap as well: along the normal of the end, from places of
-// side 2 to the outline of body 1. Without it the shape would have a notch where the zone ends.
+// side 2 that face body 1 to its outline. Without it the shape would have a notch where the zone ends.
 std::vector<GapLift::Source> GapLift::beside(const Scene& scene, const ZoneScene& zone) {
   const BodyScene& one = scene.bodies[static_cast<size_t>(zone.body[0]) - 1];
   const BodyScene& two = scene.bodies[static_cast<size_t>(zone.body[1]) - 1];
@@ -55,9 +55,10 @@ std::vector<GapLift::Source> GapLift::beside(const Scene& scene, const ZoneScene
   const double length = distance(pairs[0].on[1], pairs[zone.pairs - 1].on[1]);
   for (const size_t end : {size_t{0}, zone.pairs - 1}) {
     const Point at = pairs[end].on[1], next = pairs[end == 0 ? 1 : end - 1].on[1], n = pairs[end].normal;
-    const auto take = [&](Point p) {
+    const auto take = [&](Point p, Point way) {
       const double off = distance(p, at);
-      if (!(off < length) || off >= distance(p, next) || off < 0.5 * distance(at, next)) return;
+      const bool faces = way.x * n.y - way.y * n.x > 0.0; // material is on the left, n points away from body 1
+      if (!faces || !(off < length) || off >= distance(p, next) || off < 0.5 * distance(at, next)) return;
       const double gap = -distance_along(one, p, n, length);
       if (std::isfinite(gap) && gap >= 0.0) found.push_back({p, {gap * n.x, gap * n.y}});
     };
@@ -66,7 +67,7 @@ std::vector<GapLift::Source> GapLift::beside(const Scene& scene, const ZoneScene
         const Point from = curve[i].at, way = curve[(i + 1) % curve.size()].at - from;
         if (distance(from, at) > length + app::length(way)) continue;
         const int parts = static_cast<int>(std::min(kBeside, std::ceil(kBeside * app::length(way) / length)));
-        for (int k = 0; k < parts; ++k) take(from + (static_cast<double>(k) / parts) * way);
+        for (int k = 0; k < parts; ++k) take(from + (static_cast<double>(k) / parts) * way, way);
       }
   }
   return found;

@@ -78,7 +78,7 @@ c2d_status collect(const Scene& scene, size_t b, Curves& out) {
   return status;
 }
 
-// The number of a curve where its stress is largest in size.
+// The number of a curve where its stress is largest in size, on no axis.
 void label_curve(Svg& svg, const Chart& chart, const Pieces& pieces, size_t number) {
   BoundarySample most{0.0, 0.0};
   for (const std::vector<BoundarySample>& piece : pieces)
@@ -86,8 +86,9 @@ void label_curve(Svg& svg, const Chart& chart, const Pieces& pieces, size_t numb
       if (std::fabs(p.hoop) >= std::fabs(most.hoop)) most = p;
   const Point at = chart.at(most.s, most.hoop);
   const double y = most.hoop < 0.0 ? at.y + 14.0 : at.y - 5.0;
-  svg.text({std::min(at.x, chart.frame.right - 6.0), std::max(chart.frame.top + 12.0, std::min(y, chart.frame.bottom - 4.0))},
-           std::to_string(number + 1), 11.0, Anchor::kMiddle, kBodyLines[number % 4].colour, false, true);
+  const double x = at.x < chart.frame.left + 8.0 ? chart.frame.left + 16.0 : std::min(at.x, chart.frame.right - 8.0);
+  svg.text({x, std::max(chart.frame.top + 12.0, std::min(y, chart.frame.bottom - 4.0))}, std::to_string(number + 1), 11.0,
+           Anchor::kMiddle, kBodyLines[number % 4].colour, false, true);
 }
 
 c2d_status draw_boundary_of(const Scene& scene, size_t b, Pictures& out) {

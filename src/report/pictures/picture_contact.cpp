@@ -14,7 +14,7 @@ constexpr double kLeft = 62.0, kRight = 14.0;
 constexpr double kDiagram = 92.0;        // pixels: height of the diagram of the largest pressure
 constexpr double kRound = 60.0;          // the same where it would reach out of the frame: all round a contact
 constexpr double kArrowSpacing = 17.0;   // pixels along the surface
-constexpr double kDeformed = 1.0 / 12.0; // of the window: largest displacement relative to the mean
+constexpr double kDeformed = 1.0 / 12.0; // of what touches and a margin: largest displacement relative to the mean
 constexpr double kLittleFriction = 0.25; // of the pressure: less is drawn to a scale of its own
 const Stroke kPressure{colour::kBlue, 1.8, ""}, kFriction{colour::kOrange, 1.8, ""};
 
@@ -100,6 +100,16 @@ void extent_of(const Contact& c, Point mean, Range& x, Range& y) {
       const Point at = place_of(c, image, p, mean);
       x.include(at.x), y.include(at.y);
     }
+}
+
+// Of the largest relative motion as it is drawn, a multiple: of what touches, whatever the shape of the frame around it (the
+// same as in the browser, port/web/draw.js).
+constexpr double kContactMargin = 1.25;
+double size_of_contact(const Contact& c, Point mean, const Chart& view) {
+  Range x, y;
+  extent_of(c, mean, x, y);
+  const double width = view.x.high - view.x.low, size = kContactMargin * std::max(x.high - x.low, y.high - y.low);
+  return size > 0.0 ? std::min(size, width) : width;
 }
 
 // The contact in the middle, with `margin` pixels around it.
@@ -338,7 +348,7 @@ void draw_contact_of(const Scene& scene, size_t coefficient, size_t zone_index, 
   const Point mean = mean_motion(c);
   const FramedContact drawn = view_of_contact(c, mean, top);
   const Chart& view = drawn.chart;
-  const double wanted = wanted_factor(view.x.high - view.x.low, relative_motion(c, mean, view), kDeformed);
+  const double wanted = wanted_factor(size_of_contact(c, mean, view), relative_motion(c, mean, view), kDeformed);
   const GapLift lift(scene);
   const Deformation deformation = choose_deformation(scene, lift, wanted, mean, [&](const Deformation&) { return view; });
   const std::string suffix = scene.zones.size() > 1 ? "_zone" + std::to_string(zone_index + 1) : "", name = "contact" + suffix;
