@@ -1,5 +1,6 @@
 #include "solver/cycle.hpp"
 
+#include <float.h>
 #include <string.h>
 
 #include "memory/math.hpp"
@@ -18,8 +19,6 @@ constexpr int kChange = 2, kMemory = 4; // numbers of a direction for each pair
 static_assert(sizeof(CycleMemory) == kMemory * sizeof(double), "a direction has the numbers of CycleMemory");
 static_assert(sizeof(CyclePair) <= 128 && sizeof(CycleHead) <= 2 * 128, "contact2d_memory.h has room for these");
 
-// Round-off of a state that is a combination of others, of the largest values: ten times that of following a path.
-constexpr double kViolation = 10 * kValueTolerance;
 // A direction whose change is less than this part of itself lies in the span of those before.
 constexpr double kDependent = 1e-8;
 constexpr double kNothing = 1e-14; // of the largest value: round-off
@@ -90,7 +89,6 @@ c2d_status note_change(void* context, double load) {
 } // namespace
 
 CycleRecord cycle_record(c2d_solver* s) {
-  if (s->sizes.cycle_states == 0) return {nullptr, nullptr, nullptr};
   char* const at = array_of<char>(s, kCycles);
   CyclePair* const pair = reinterpret_cast<CyclePair*>(at + 2 * 128);
   return {reinterpret_cast<CycleHead*>(at), pair, reinterpret_cast<double*>(pair + s->model.path_pairs)};
@@ -171,7 +169,7 @@ namespace {
 void find_change(const Session& session, const CycleRecord& record) {
   CycleHead& head = *record.head;
   const Follower& f = session.follower;
-  const double p_scale = f.pressure_scale > 0.0 ? f.pressure_scale : 1.0, w_scale = f.gap_scale > 0.0 ? f.gap_scale : 1.0;
+  const double p_scale = fmax(f.pressure_scale, DBL_MIN), w_scale = fmax(f.gap_scale, DBL_MIN); // 0: nothing has touched
   if (head.repeated <= 1) head.p_scale = p_scale, head.w_scale = w_scale;
   head.change = 0.0;
   for (int32_t i = 0; i < pairs_of(session); ++i) {
@@ -263,14 +261,11 @@ void keep_end(const Session& session, const CycleRecord& record) {
 
 // ---- extrapolation ---------------------------------------------------------------------------------------------------------
 
+// Not while contact leaves a body free: its place is no part of what is kept.
 bool may_extrapolate(const Session& session) {
-  const c2d_solver* s = session.solver;
   const Tableau& t = session.tableau;
-  if (s->options.stepping != C2D_STEPPING_EVENTS || s->floating != 0 || s->unsound != 0 || s->blocked != 0) return false;
-  if (t.guided != 0 || t.may_rest != 0 || t.resting != 0) return false;
-  for (int32_t i = 0; i < t.pairs; ++i)
-    if (t.pair[i].tangential && !t.pair[i].law.has_bound()) return false;
-  return true;
+  const bool is_free = (t.guided | t.may_rest | t.resting) != 0;
+  return session.solver->options.stepping == C2D_STEPPING_EVENTS && !is_free;
 }
 
 // Moves what the pairs remember by factor times a direction; the statuses stay.
@@ -280,8 +275,7 @@ void move_memory(Session& session, const Direction& by, double factor) {
     Pair& pair = t.pair[i];
     const double* step = by.memory + kMemory * static_cast<int64_t>(i);
     const double offset = factor * step[0];
-    if (pair.status == C2D_STICK && pair.tangential && offset != 0.0)
-      add_column_to(t, column_of(t, i, 1), offset, constants(t));
+    if (pair.status == C2D_STICK && pair.tangential) add_column_to(t, column_of(t, i, 1), offset, constants(t));
     pair.offset += static_cast<Real>(offset);
     pair.slip_done += static_cast<Real>(factor * step[1]);
     pair.slip_from += static_cast<Real>(factor * step[2]);
@@ -292,20 +286,6 @@ void move_memory(Session& session, const Direction& by, double factor) {
   for (int32_t i = 0; i < t.pairs; ++i) t.slip[i].now += t.slip[i].rate;
   for (int32_t i = 0; i < t.m; ++i) constants(t)[i] += slip_rates(t)[i];
   hold_gaps(t);
-}
-
-// Does every pair satisfy the conditions of its status?
-bool is_admissible(const Session& session) {
-  const Follower& f = session.follower;
-  const double p = kViolation * f.pressure_scale, w = kViolation * f.gap_scale;
-  for (int32_t i = 0; i < pairs_of(session); ++i) {
-    const Pair& pair = session.model.pair[i];
-    const PairState now = pair_state(session.tableau, i, f.y);
-    if (pair.status == C2D_OPEN ? now.wn < -w : now.p < -p) return false;
-    if (pair.status != C2D_STICK || !pair.tangential) continue;
-    if (pair.law.margin(now.p, now.q, 1) < -p || pair.law.margin(now.p, now.q, -1) < -p) return false;
-  }
-  return true;
 }
 
 // Energies as before a state is moved. What its elastic energy and the loads' work then differ by counts as dissipated, so that
@@ -381,7 +361,7 @@ c2d_status extrapolate(Session& session, const CycleRecord& record) {
   move_all(session, record);
   s->table_is_current = s->back_substituted = 0;
   c2d_status status = kUnsound;
-  if (is_admissible(session)) {
+  if (may_be_shown(session, Agree::values)) {
     balance.close();
     status = judge(session, Agree::values);
   }
@@ -409,7 +389,7 @@ bool continues(CycleHead& head) {
 
 bool may_stray(const CycleHead& head, const CycleRule& rule) {
   if (rule.mode == C2D_CYCLES_FAST && head.change <= kBetter * head.previous) return true;
-  return head.change <= rule.tolerance && head.previous <= kNear * rule.tolerance;
+  return fmax(head.change, head.previous / kNear) <= rule.tolerance;
 }
 
 bool is_due(const CycleHead& head, const CycleRule& rule) {
@@ -445,8 +425,7 @@ c2d_status end_cycle(Session& session, const CycleRule& rule) {
   if (same) keep_direction(session, record);
   keep_end(session, record);
   ++head.plain;
-  if (!is_due(head, rule) || !may_extrapolate(session)) return C2D_OK;
-  return extrapolate(session, record);
+  return may_extrapolate(session) && is_due(head, rule) ? extrapolate(session, record) : c2d_status{C2D_OK};
 }
 
 } // namespace c2d

@@ -44,11 +44,11 @@ struct CycleHead {
   double previous, change, dissipated, dissipated_before;
 };
 struct CycleRecord {
-  CycleHead* head;   // null: there is no room for cycles
+  CycleHead* head;
   CyclePair* pair;   // [pairs]
   double* direction; // [cycle_states] each: 2 numbers of change a pair, then CycleMemory of each
 };
-CycleRecord cycle_record(c2d_solver* solver);
+CycleRecord cycle_record(c2d_solver* solver); // of one with room for cycles
 
 // No cycle has been followed. begin_cycle: at its first load; note_corner: at the end of each of its segments.
 void start_cycles(Session& session);
