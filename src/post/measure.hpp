@@ -59,8 +59,14 @@ enum class Measure {
   kRuiz1,
   kRuiz2,
   kCrackRange, // of the stress intensity of an edge crack
+  // Round the axis of bodies of revolution: estimate/torsion.cpp.
+  kTorque,       // on curves or a rigid body that are turned
+  kAngle,        // of curves with a traction
+  kSlipStart,    // torque on a contact as its first pair slips
+  kTurnsThrough, // the largest torque that a contact carries
+  kShear,        // largest shear stress on curves
 };
-constexpr size_t kMeasures = static_cast<size_t>(Measure::kCrackRange) + 1;
+constexpr size_t kMeasures = static_cast<size_t>(Measure::kShear) + 1;
 
 enum class Unit { kNone, kLength, kStress, kForce, kWork };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "post/tolerances.hpp"
+#include "post/torsion/table.hpp"
 
 #include <array>
 
@@ -40,6 +41,7 @@ struct MeshLoop {
   int32_t positions = 0; // of moving loads, in a period; errors include the change from half as many; 0: no load moves
   std::string stopped;   // why it ended before all tolerances were met; empty: they are
   std::vector<FatigueLine> fatigue;
+  TorsionTable torsion;      // loads round the axis; empty: there are none
   ToleranceTable tolerances; // of parameters; empty: none has one
   bool ran() const { return !rounds.empty(); }
   // Is a requested tolerance not met? Meshes of a deck are not adapted and have no tolerances.

@@ -375,6 +375,10 @@ constexpr MeasureRow surface(M what, const char* name, U unit = U::kStress) {
   return {what, name, unit, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
 
+constexpr MeasureRow round_axis(M what, const char* name, U unit) {
+  return {what, name, unit, S::kGiven, {kTorque, kTorque}, {0, 0}, false, PlaceKind::kNone, nullptr, nullptr};
+}
+
 constexpr MeasureRow kRows[] = {
     place(M::kPeakPressure, "peak pressure", U::kStress, S::kOwn, take_peak, kPeak, kPeak),
     zone(M::kMeanPressure, "mean pressure", U::kStress, S::kOwn, take_mean, kMean),
@@ -425,6 +429,11 @@ constexpr MeasureRow kRows[] = {
     surface(M::kRuiz1, "Ruiz F1", U::kForce),
     surface(M::kRuiz2, "Ruiz F2", U::kNone),
     surface(M::kCrackRange, "crack range of K", U::kNone),
+    round_axis(M::kTorque, "torque on ", U::kWork),
+    round_axis(M::kAngle, "angle of ", U::kNone),
+    round_axis(M::kSlipStart, "torque at the start of slip of ", U::kWork),
+    round_axis(M::kTurnsThrough, "torque that turns through ", U::kWork),
+    round_axis(M::kShear, "largest shear stress on ", U::kStress),
 };
 
 constexpr double kRoundOff = 1e-10; // of the largest force

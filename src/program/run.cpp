@@ -392,6 +392,10 @@ int Run::publish() {
   if (exit_put_off() != 0) return exit_put_off();
   const CoefficientRecord* unsteady = stopped == nullptr ? results_.record.unsteady() : nullptr;
   if (unsteady != nullptr) return failed(unsteady_text(*unsteady, results_.summary), kExitNoSolution);
+  const TorsionTable& torsion = results_.record.meshes.torsion;
+  if (stopped == nullptr && !(torsion.why + torsion.ended).empty())
+    return failed("loads round the axis: " + (torsion.why.empty() ? torsion.ended : "no results: " + torsion.why),
+                  kExitNoSolution);
   if (stopped == nullptr) return results_.record.meshes.missed() ? kExitInaccurate : kExitSolved;
   return stopped->singular ? kExitNoSolution : failed(incomplete_text(*stopped), kExitNoSolution);
 }

@@ -1,6 +1,7 @@
 #include "report/json.hpp"
 
 #include "report/json_object.hpp"
+#include "report/json_torsion.hpp"
 #include "report/text.hpp"
 #include "report/totals.hpp"
 
@@ -421,6 +422,7 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   append_corners(o, record.corners, "\n    ");
   if (record.meshes.ran()) append_accuracy(o.key("accuracy"), record.meshes);
   if (record.meshes.tolerances.any()) append_tolerances(o.key("tolerances"), record.meshes.tolerances);
+  if (record.meshes.torsion.any()) append_json_torsion(o.key("torsion"), record.meshes.torsion);
   if (record.interior != nullptr) append_interior(o.key("interior"), *record.interior);
   append_json_warnings(o.key("warnings"), record);
   out += "\n}\n";

@@ -6,6 +6,7 @@
 #include "report/listing/key_table.hpp"
 #include "report/page_fatigue.hpp"
 #include "report/page_tolerances.hpp"
+#include "report/page_torsion.hpp"
 #include "report/text.hpp"
 #include "report/totals.hpp"
 
@@ -388,6 +389,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   page += "</div>\n";
   if (scene.solved) append_steps(page, scene);
   append_page_fatigue(page, scene);
+  append_page_torsion(page, scene);
   append_page_tolerances(page, scene);
   append_warnings(page, scene);
   page += "<div class=\"pictures\">\n";

@@ -3,6 +3,7 @@
 #include "program/estimate/fatigue.hpp"
 #include "program/estimate/positions.hpp"
 #include "program/estimate/tolerances.hpp"
+#include "program/estimate/torsion.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/sha256.hpp"
@@ -183,6 +184,14 @@ void add_tolerances(const Drawn& drawn, const DeckFile& deck, const sketch::Mesh
   loop.tolerances.why = why;
 }
 
+// Loads round the axis, on a mesh that was not searched for.
+void add_torsion(const Drawn& drawn, const sketch::Mesh& mesh, estimate::Demand demand, MeshLoop& loop) {
+  estimate::Trial trial;
+  demand.drawn = true, demand.store = nullptr;
+  if (estimate::solve(sketch::deck_of(drawn.sketch, mesh), demand, trial, loop.torsion.why) == C2D_OK)
+    loop.torsion = estimate::twist(drawn.sketch, mesh, trial).table;
+}
+
 // Replaces a valid sketch by its deck. Throws a sketch::Fault.
 int mesh_sketch(DeckFile& deck, const Drawn& drawn, const Drawing& drawing, MeshLoop& loop) {
   const sketch::Sketch& sketch = drawn.sketch;
@@ -198,6 +207,7 @@ int mesh_sketch(DeckFile& deck, const Drawn& drawn, const Drawing& drawing, Mesh
   if (!drawing.adapts || !sketch.adapts) {
     const sketch::Mesh mesh = sketch.adapts ? sketch::first_mesh(sketch, sketch::kWithoutSearch) : sketch::given_mesh(sketch);
     if (toleranced) add_tolerances(drawn, deck, mesh, demand, loop);
+    if (sketch.torsion.any() && (drawing.store != nullptr || drawing.keeper != nullptr)) add_torsion(drawn, mesh, demand, loop);
     deck.replace_by_deck(sketch::deck_of(sketch, mesh));
     return toleranced && interrupted() ? kExitCancelled : 0;
   }

@@ -17,8 +17,19 @@ template <class Archive> void members(Archive& a, Influence& i) { a(i.derivative
 template <class Archive> void members(Archive& a, Toleranced& t) { a(t.number), a(t.by); }
 template <class Archive> void members(Archive& a, ToleranceTable& t) { a(t.parameters), a(t.numbers), a(t.why); }
 template <class Archive> void members(Archive& a, FatigueLine& f) { a(f.what), a(f.body), a(f.along), a(f.points); }
+template <class Archive> void members(Archive& a, TorsionPart& p) { a(p.name), a(p.body), a(p.is_loaded); }
+template <class Archive> void members(Archive& a, TorsionContact& c) {
+  a(c.name), a(c.tied), a(c.turns_through), a(c.start), a(c.start_at), a(c.through);
+}
+template <class Archive> void members(Archive& a, TorsionBorder& b) { a(b.contact), a(b.at); }
+template <class Archive> void members(Archive& a, TorsionStep& s) {
+  a(s.loads), a(s.angle), a(s.torque), a(s.carried), a(s.slipping);
+}
+template <class Archive> void members(Archive& a, TorsionTable& t) {
+  a(t.cases), a(t.parts), a(t.contacts), a(t.steps), a(t.borders), a(t.residual), a(t.imbalance), a(t.ended), a(t.why);
+}
 template <class Archive> void members(Archive& a, MeshLoop& l) {
-  a(l.rounds), a(l.taken), a(l.stated), a(l.stopped), a(l.fatigue), a(l.tolerances);
+  a(l.rounds), a(l.taken), a(l.stated), a(l.stopped), a(l.fatigue), a(l.tolerances), a(l.torsion);
 }
 
 } // namespace app

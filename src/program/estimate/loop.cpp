@@ -14,6 +14,7 @@
 #include "program/estimate/mesh/gaps.hpp"
 #include "program/estimate/mesh/halved.hpp"
 #include "program/estimate/mesh/mesh_curves.hpp"
+#include "program/estimate/torsion.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/refine.hpp"
@@ -55,6 +56,7 @@ struct Level {
   sketch::Mesh mesh;
   std::string deck;
   Trial trial;
+  std::shared_ptr<const Twisted> twisted{}; // with loads round the axis
 };
 
 class Loop {
@@ -122,6 +124,11 @@ private:
 
 // A displacement or a stress at a point inside a body.
 bool is_inside(const app::Stated& s) { return s.zone == 0 && s.of.empty() && is_place(s); }
+
+// Is it a number of torsion that is too inaccurate, or not yet confirmed?
+bool is_torsion_missed(const app::Stated& s) {
+  return s.what >= app::Measure::kTorque && s.what <= app::Measure::kShear && !s.is_met();
+}
 
 double least_tolerance(const sketch::Sketch& s) {
   double out = s.tolerance;
@@ -236,6 +243,7 @@ bool Loop::solve_level(Level& level, bool adapted) {
     return false;
   }
   last_work_ = level.trial.work, last_size_ = level.trial.elements * s_.order;
+  if (s_.torsion.any()) level.twisted = std::make_shared<const Twisted>(twist(s_, level.mesh, level.trial));
   out_.loop.rounds.push_back(round_of(level.trial));
   out_.loop.rounds.back().adapted = adapted;
   out_.loop.rounds.back().curves = curves_of(level.mesh);
@@ -273,6 +281,9 @@ void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& 
   for (const app::Stated& s :
        state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
+  if (coarse.twisted != nullptr && fine.twisted != nullptr)
+    for (const app::Stated& s : state_wanted(coarse.twisted->numbers, fine.twisted->numbers, between, before))
+      stated.push_back(s);
   // While contact is neither found nor excluded somewhere, no number has an error.
   const std::vector<OpenContact> open =
       open_contacts(s_, {coarse.mesh, coarse.trial}, {fine.mesh, fine.trial}, kOfMotion * stage_);
@@ -367,6 +378,8 @@ sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Dista
   std::vector<app::Stated> stated = out_.loop.stated;
   for (app::Stated& s : stated) s.tolerance *= stage_ / least_;
   if (near) mark_places(s_, fine.trial, stated, mesh, levels);
+  if (coarse.twisted != nullptr && fine.twisted != nullptr && std::any_of(stated.begin(), stated.end(), is_torsion_missed))
+    mark_torsion(s_, *coarse.twisted, *fine.twisted, mesh, levels);
   return sketch::refined(s_, mesh, levels, edges_of(fine.trial));
 }
 
@@ -413,6 +426,7 @@ void Loop::take(const Level& level) {
   if (!s_.tolerances.empty()) out_.trial = level.trial;
   out_.deck = is_cut_off(level.trial, level.mesh) ? level.deck : app::without_cut_ends(level.deck);
   out_.loop.taken = out_.loop.rounds.size() - 1;
+  if (level.twisted != nullptr) out_.loop.torsion = level.twisted->table;
   out_.loop.fatigue = fatigue_lines(s_, level.mesh, level.trial);
   has_tapes_ = true;
   history_ = level.trial.why;

@@ -62,6 +62,7 @@ struct Interface {
   Side side[2];
   bool tied = false;
   double friction = 0;
+  std::optional<double> friction_round; // round the axis, if it is another
   std::string name;
   Place at;
 };
@@ -103,6 +104,18 @@ struct Condition {
   std::optional<MovedLoad> moved; // of a traction or pressure
   Place at;
   Point value_at(Point place) const; // along x and y; 0 where none is given; of a pressure x
+};
+
+// A rotation round the axis or a shear traction round it, of bodies of revolution.
+struct Turn {
+  std::optional<Side> side; // empty: a rigid body
+  int body = 0;
+  bool is_traction = false;
+  double value = 0;                // radians, or the traction
+  std::optional<Expression> field; // of a traction that is a formula of the place
+  int load_case = -1;              // -1: it holds in every case
+  Place at;
+  bool loads() const { return load_case >= 0 && (field || value != 0); }
 };
 
 struct PointLoad {
@@ -162,6 +175,14 @@ struct LoadCase {
   std::vector<double> factors; // at the end of each piece of the load history
   std::optional<Course> course;
   std::vector<double> places; // of a case with a course: the periods gone at the end of each piece
+};
+
+// Loads round the axis. Their cases act after all others, on the pressures of the last state.
+struct Torsion {
+  std::vector<Turn> turns;
+  std::vector<LoadCase> cases;
+  int first_piece = 0, pieces = 0; // of the history; the numbers of steps count from the first piece of all
+  bool any() const { return !cases.empty(); }
 };
 
 // Elements of a stretch of a curve: equal, or graded from given sizes at its ends.
@@ -230,6 +251,7 @@ struct Sketch {
   std::vector<Drive> drives;
   std::vector<LoadCase> cases{LoadCase{}}; // the first exists without a statement
   int pieces = 0;                          // of the history; 0: factor 1 of the first case
+  Torsion torsion;
   std::vector<WantedPoint> points;
   std::vector<WantedPoint> fatigue_points; // of wants of fatigue parameters inside
   std::vector<int> steps{10};              // increments per piece of the history; the last number applies to all later pieces

@@ -16,6 +16,9 @@ const std::vector<WantRow>& wants() {
       {"stick", WantOf::kContact, false, true, {M::kStuckWidth, M::kEccentricity}, false},
       {"stress", WantOf::kPoints, false, false, {}, false},
       {"hoop", WantOf::kCurves, false, false, {}, false},
+      {"torque", WantOf::kTorsion, true, false, {M::kTorque, M::kTurnsThrough}, false},
+      {"angle", WantOf::kTorsion, true, false, {M::kAngle}, false},
+      {"shear", WantOf::kTorsion, false, false, {M::kShear}, false},
       {"fatigue", WantOf::kFatigue, false, false, {}, false},
   };
   return rows;

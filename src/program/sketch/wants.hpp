@@ -10,7 +10,8 @@ namespace sketch {
 
 // What follows the word: nothing, a body and points inside, curves, curves and points on them, two points inside, or a fatigue
 // parameter with one of these.
-enum class WantOf { kContact, kPoints, kCurves, kPlaces, kPair, kFatigue };
+// Of torsion: nothing, or curves.
+enum class WantOf { kContact, kPoints, kCurves, kPlaces, kPair, kFatigue, kTorsion };
 
 // Fatigue parameters over the last cycle, and the stress intensity of a crack.
 enum class FatigueKind { kSwt, kFatemiSocie, kFindley, kCrossland, kDangVan, kRuiz1, kRuiz2, kCrack };

@@ -113,6 +113,7 @@ void append_findings(std::string& out, const RunRecord& record, const Summary& s
   append_quantities(out, record, s);
   append_accuracy(out, record);
   append_tolerances(out, record);
+  append_torsion(out, record);
   append_stress_intensity(out, record);
   append_corners(out, record, s);
 }

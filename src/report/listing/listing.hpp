@@ -35,6 +35,8 @@ void append_accuracy(std::string& out, const RunRecord& record);
 void append_tolerances(std::string& out, const RunRecord& record);
 // Cycles of the load path: nothing where there is none; `all`: a row for each.
 void append_cycles(std::string& out, const RunRecord& record, const Summary& summary, bool all);
+// Angles, torques and slip of loads round the axis; nothing if there are none.
+void append_torsion(std::string& out, const RunRecord& record);
 // Balance of forces, key numbers of the contact, warnings, and outcome of the run.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 // Its essential part, for a terminal that already shows the warnings.

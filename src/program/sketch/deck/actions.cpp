@@ -131,7 +131,7 @@ void ActionCheck::check_rigid() {
     if (w.of == WantOf::kPair)
       for (const int b : {w.body, w.other})
         check(b, w.at, "its motion is one of the contact numbers, expected an elastic body");
-    else if (w.of != WantOf::kContact)
+    else if (w.of != WantOf::kContact && (w.of != WantOf::kTorsion || w.side))
       check(w.body, w.at, "it has no stresses, expected an elastic body");
 }
 

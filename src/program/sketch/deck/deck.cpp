@@ -501,6 +501,7 @@ std::string Writer::write() {
   comment("load cards, limit of iterations");
   card("1 50");
   card("1 1");
+  if (s_.torsion.any()) comment("loads round the axis are not part of the deck");
   if (!s_.units[0].empty()) card("*UNITS " + s_.units[0] + " " + s_.units[1]);
   for (size_t b = 0; b < s_.bodies.size(); ++b) card("*NAME BODY " + std::to_string(b + 1) + " " + s_.bodies[b].name);
   for (size_t axis = 0; axis < 2; ++axis)

@@ -4,6 +4,7 @@
 #include "program/sketch/moving.hpp"
 #include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
+#include "program/sketch/torsion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,8 @@ void Reader::finish() {
   end_body();
   if (!faults_.empty()) return;
   if (s_.bodies.empty()) faults_.push_back({{}, "the sketch has no body, expected at least one"});
+  for (Fault& fault : take_torsion(s_)) faults_.push_back(std::move(fault));
+  if (!faults_.empty()) return;
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
   for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
   if (faults_.empty())

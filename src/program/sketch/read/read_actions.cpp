@@ -72,8 +72,14 @@ void Reader::interface(Statement& s, bool tied) {
   out.side[0] = side(s);
   out.side[1] = side(s);
   while (s.has_more()) {
-    const size_t kind = tied ? s.choice({"name"}) + 1 : s.choice({"mu", "name"});
-    if (kind == 1) {
+    const size_t kind = tied ? s.choice({"name"}) + 1
+                             : s.choice(s_.axisymmetric || s.is_next("turn") ? std::vector<const char*>{"mu", "name", "turn"}
+                                                                             : std::vector<const char*>{"mu", "name"});
+    if (kind == 2) {
+      out.friction_round = s.number("the coefficient of friction round the axis", true);
+      if (!s_.axisymmetric) s.fail("only bodies of revolution turn round an axis, expected 'axisymmetric' before the bodies");
+      if (*out.friction_round < 0) s.fail(show(*out.friction_round) + ": expected a coefficient of friction, 0 or above");
+    } else if (kind == 1) {
       out.name = s.take("the name of the interface").text;
       if (out.name.size() > kLongestName)
         s.fail(in_quotes(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
@@ -128,26 +134,64 @@ Point Reader::force_vector(Statement& s) {
   return {value[0].value_or(0), value[1].value_or(0)};
 }
 
-void Reader::components(Statement& s, Condition& c) {
+// Directions of a displacement; `turn` is offered for bodies of revolution alone, and read in others for its own message.
+std::vector<const char*> Reader::axes_of(const Statement& s) const {
+  if (s_.axisymmetric || s.is_next("turn")) return {"x", "y", "turn"};
+  return {"x", "y"};
+}
+
+// The value after the word `turn`: radians, or of a traction a formula too.
+void Reader::turn(Statement& s, const std::optional<Side>& side, int body, bool is_traction, int load_case) {
+  if (!s_.axisymmetric) s.fail("only bodies of revolution turn round an axis, expected 'axisymmetric' before the bodies");
+  Turn t;
+  t.side = side, t.body = body, t.is_traction = is_traction, t.load_case = load_case, t.at = s.at();
+  if (is_traction) {
+    const Expression value = s.field("the shear traction round the axis");
+    t.value = value.varies() ? NAN : value.value();
+    if (value.varies()) t.field = value;
+  } else if (load_case >= 0) {
+    t.value = s.number("the angle of rotation in radians");
+  }
+  s_.torsion.turns.push_back(t);
+}
+
+// Of a rotation round the axis the component alone: false, and nothing is left of the condition.
+bool Reader::components(Statement& s, Condition& c) {
+  if (s.accept("turn")) {
+    if (c.part != Condition::kAll) s.fail("a point is turned, expected curves");
+    turn(s, c.side, c.side.body, false, case_);
+    if (s.has_more()) s.missing("nothing after the angle, x and y in a statement of their own");
+    return false;
+  }
   do {
-    const size_t axis = s.choice({"x", "y"});
+    const size_t axis = s.choice(axes_of(s));
+    if (axis == 2) s.fail("'turn' stands behind x or y, expected a statement 'move' of its own");
     if (c.value[axis]) s.fail(std::string(axis == 0 ? "x" : "y") + " is given twice");
     field(s, c, axis, "its value");
   } while (s.has_more());
+  return true;
 }
 
 void Reader::fix(Statement& s) {
   end_body();
   Condition c;
   c.at = s.at(), c.load_case = case_, c.side = side(s, &c.part);
-  if (!s.has_more()) c.value[0] = c.value[1] = 0;
+  if (!s.has_more()) {
+    c.value[0] = c.value[1] = 0;
+    if (s_.axisymmetric && c.part == Condition::kAll) turn(s, c.side, c.side.body, false, -1);
+  }
   while (s.has_more()) {
-    c.value[s.choice({"x", "y"})] = 0;
-    if (s.is_next("x") || s.is_next("y")) continue; // a parameter may have this name
+    const size_t axis = s.choice(axes_of(s));
+    if (axis == 2 && c.part != Condition::kAll) s.fail("a point is kept from turning, expected curves");
+    if (axis == 2)
+      turn(s, c.side, c.side.body, false, -1);
+    else
+      c.value[axis] = 0;
+    if (s.is_next("x") || s.is_next("y") || s.is_next("turn")) continue; // a parameter may have this name
     if (double value = 0; s.accept_number(value) && value != 0)
       s.fail(show(value) + ": expected 0, or the statement 'move' for another value");
   }
-  s_.conditions.push_back(c);
+  if (c.value[0] || c.value[1]) s_.conditions.push_back(c);
 }
 
 // Components of a displacement (also at an end of a curve) or of a traction.
@@ -156,7 +200,12 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   Condition c;
   c.at = s.at(), c.load_case = case_, c.kind = kind;
   c.side = side(s, kind == Condition::kDisplacement ? &c.part : nullptr);
-  if (kind == Condition::kDisplacement) components(s, c);
+  if (kind == Condition::kDisplacement && !components(s, c)) return;
+  if (kind == Condition::kTraction && s.accept("turn")) {
+    turn(s, c.side, c.side.body, true, case_);
+    if (s.has_more()) s.missing("nothing after the traction, fx and fy in a statement of their own");
+    return;
+  }
   while (kind == Condition::kTraction && (s.has_more() || (!c.value[0] && !c.value[1]))) {
     field(s, c, force_axis(s, c.value), "its value");
   }
@@ -236,12 +285,19 @@ void Reader::drive_of(Statement& s, Drive d) {
       s.fail("the reference point differs from that of line " + std::to_string(before->at.line) +
              ", expected one point for all load cases");
   }
+  bool turns = false; // round the axis
   const auto set = [&s](std::optional<double>& to, const std::string& what) {
     if (to) s.fail(what + " is given twice");
     to = s.number(what);
   };
   while (s.has_more()) {
     const size_t kind = s.choice({"x", "y", "turn", "force", "fx", "fy", "moment"});
+    if (kind == 2 && s_.axisymmetric) {
+      if (turns) s.fail("the angle of rotation is given twice");
+      turn(s, d.side, d.body, false, case_);
+      turns = true;
+      continue;
+    }
     if (kind < 3) set(d.motion[kind], kind < 2 ? "the displacement" : "the angle of rotation in radians");
     if (kind == 3 || kind == 4) set(d.load[0], "the force along x");
     if (kind == 3 || kind == 5) set(d.load[1], "the force along y");
@@ -249,9 +305,10 @@ void Reader::drive_of(Statement& s, Drive d) {
   }
   for (size_t i = 0; i < 3 && s_.axisymmetric; i += 2) {
     if (d.load[i] || d.motion[i].value_or(0) != 0)
-      s.fail("a rigid part of a body of revolution moves along y only, expected y or fy");
+      s.fail("a rigid part of a body of revolution moves along y and turns round the axis, expected y, fy or turn");
     d.motion[i] = 0;
   }
+  if (s_.axisymmetric && before == nullptr) turn(s, d.side, d.body, false, -1); // rigid parts turn only as given
   for (size_t i = 0; i < 3; ++i) {
     if (d.motion[i] && d.load[i]) s.fail("both a motion and its load are given, expected one of them");
     for (const Drive& other : s_.drives)

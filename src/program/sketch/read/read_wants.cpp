@@ -7,20 +7,14 @@
 namespace sketch {
 namespace {
 
-// Those of a body and `cycle`, or all.
-std::vector<const char*> words_of_wants(bool all) {
+// Those of a body and `cycle`, or all; of torsion in sketches of bodies of revolution.
+std::vector<const char*> words_of_wants(bool all, bool axisymmetric) {
   std::vector<const char*> out;
   for (const WantRow& row : wants())
-    if (all || (row.of != WantOf::kContact && row.of != WantOf::kFatigue)) out.push_back(row.word);
+    if (row.of == WantOf::kTorsion ? all && axisymmetric : all || row.of == WantOf::kPoints || row.of == WantOf::kCurves)
+      out.push_back(row.word);
   if (all) out.push_back("cycle");
   return out;
-}
-
-// Is the next word a number and not the name of a result? A parameter may have such a name.
-bool is_number(const Statement& s, size_t ahead = 0) {
-  const std::vector<const char*> words = words_of_wants(true);
-  return s.is_number(ahead) &&
-         std::none_of(words.begin(), words.end(), [&](const char* word) { return s.is_next(word, ahead); });
 }
 
 // A tolerance of 1 without % would be 100 %: an error.
@@ -39,6 +33,13 @@ const WantRow* row_of_number(Statement& s) {
 }
 
 } // namespace
+
+// Is the next word a number and not the name of a result? A parameter may have such a name.
+bool Reader::may_be_number(const Statement& s, size_t ahead) const {
+  const std::vector<const char*> words = words_of_wants(true, s_.axisymmetric);
+  return s.is_number(ahead) &&
+         std::none_of(words.begin(), words.end(), [&](const char* word) { return s.is_next(word, ahead); });
+}
 
 void Reader::steps(Statement& s) {
   once(s, "the statement 'steps'");
@@ -64,7 +65,7 @@ void Reader::want(Statement& s) {
 void Reader::want_one(Statement& s) {
   Want want;
   want.at = s.at();
-  const std::vector<const char*> all = words_of_wants(true), of_body = words_of_wants(false);
+  const std::vector<const char*> all = words_of_wants(true, s_.axisymmetric), of_body = words_of_wants(false, false);
   const WantRow* const named = row_of_number(s); // by the name that the number has in tables and responses
   want.word = named != nullptr ? named->word : all[s.choice(all)];
   want.cycle = want.word == "cycle";
@@ -74,8 +75,8 @@ void Reader::want_one(Statement& s) {
   if (want.of == WantOf::kFatigue) return want_fatigue(s, want);
   if (want.word == "pressure" && s.accept("at")) return want_pressure_at(s, want);
   if (want.word == "approach" && s.accept("at")) return want_pair(s, want);
-  if (want.of == WantOf::kCurves) want.side = side(s), want.body = want.side->body;
-  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  if (want.of == WantOf::kCurves || want.word == "shear") want.side = side(s), want.body = want.side->body;
+  if (may_be_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.wants.push_back(want);
 }
 
@@ -83,8 +84,8 @@ void Reader::want_one(Statement& s) {
 void Reader::want_points(Statement& s, Want want) {
   const size_t first = s_.wants.size();
   do want.where = s.point("a point"), s_.wants.push_back(want);
-  while (is_number(s) && !s.is_share() && is_number(s, 1));
-  if (!is_number(s)) return;
+  while (may_be_number(s) && !s.is_share() && may_be_number(s, 1));
+  if (!may_be_number(s)) return;
   const double tolerance = tolerance_of(s, s.share("a tolerance"));
   for (size_t i = first; i < s_.wants.size(); ++i) s_.wants[i].tolerance = tolerance;
 }
@@ -104,7 +105,7 @@ void Reader::want_pair(Statement& s, Want want) {
   want.other = body_named(s.take("the name of the body of the second point"));
   want.to = s.point("a second point");
   if (length(want.to - want.where) == 0) s.fail("both points are the same, expected two points");
-  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  if (may_be_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.points.push_back({want.body, want.where, want.at}), s_.points.push_back({want.other, want.to, want.at});
   s_.wants.push_back(want);
 }
@@ -153,7 +154,7 @@ void Reader::want_fatigue(Statement& s, Want want) {
     want.fatigue.place = at_depth ? FatiguePlace::kDepth : FatiguePlace::kMean;
     want.fatigue.depth = s.positive(is_crack ? "the length of the crack" : "a depth below the surface");
   }
-  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  if (may_be_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
   s_.wants.push_back(want);
 }
 

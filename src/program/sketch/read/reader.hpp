@@ -89,6 +89,7 @@ private:
   void drive(Statement& s);
   void history(Statement& s);
   void interference(Statement& s);
+  void turn(Statement& s, const std::optional<Side>& side, int body, bool is_traction, int load_case);
   int body_named(const Word& word) const;
   Side side(Statement& s, Condition::Part* part = nullptr);
   int curves_named(int body, const std::string& name) const;
@@ -97,7 +98,8 @@ private:
   void given(Statement& s, Condition::Kind kind);
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
-  void components(Statement& s, Condition& c);
+  bool components(Statement& s, Condition& c);
+  std::vector<const char*> axes_of(const Statement& s) const;
   size_t force_axis(Statement& s, const std::optional<double> value[2]);
   Point force_vector(Statement& s);
   void field(Statement& s, Condition& c, size_t axis, const std::string& what);
@@ -113,6 +115,7 @@ private:
   void stress(Statement& s);
   void want(Statement& s);
   void want_one(Statement& s);
+  bool may_be_number(const Statement& s, size_t ahead = 0) const;
   void want_stress(Statement& s, Want want);
   void want_pair(Statement& s, Want want);
   void want_pressure_at(Statement& s, Want want);
