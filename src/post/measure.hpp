@@ -65,8 +65,16 @@ enum class Measure {
   kSlipStart,    // torque on a contact as its first pair slips
   kTurnsThrough, // the largest torque that a contact carries
   kShear,        // largest shear stress on curves
+  // The stress out of the plane, of bodies of revolution round the axis.
+  kStressZZ,
+  kRangeZZ,
+  kCycleZZ,
+  kLargestZZ, // on curves
+  kSmallestZZ,
+  kRangeZZOn,
+  kCycleZZOn,
 };
-constexpr size_t kMeasures = static_cast<size_t>(Measure::kShear) + 1;
+constexpr size_t kMeasures = static_cast<size_t>(Measure::kCycleZZOn) + 1;
 
 enum class Unit { kNone, kLength, kStress, kForce, kWork };
 

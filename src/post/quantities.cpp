@@ -434,6 +434,13 @@ constexpr MeasureRow kRows[] = {
     round_axis(M::kSlipStart, "torque at the start of slip of ", U::kWork),
     round_axis(M::kTurnsThrough, "torque that turns through ", U::kWork),
     round_axis(M::kShear, "largest shear stress on ", U::kStress),
+    inside(M::kStressZZ, "stress zz", U::kStress),
+    inside(M::kRangeZZ, "range of stress zz", U::kStress),
+    inside(M::kCycleZZ, "cycle range of stress zz", U::kStress),
+    surface(M::kLargestZZ, "largest stress zz on "),
+    surface(M::kSmallestZZ, "smallest stress zz on "),
+    surface(M::kRangeZZOn, "range of stress zz on "),
+    surface(M::kCycleZZOn, "cycle range of stress zz on "),
 };
 
 constexpr double kRoundOff = 1e-10; // of the largest force

@@ -51,6 +51,7 @@ public:
   HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const std::vector<State>& states, const sketch::Side& side,
              size_t first);
   Hoop run();
+  Hoop run_zz();
   PressureAt pressure_at(sketch::Point near) const;
   std::vector<SurfaceCycle> cycles(double poisson_ratio);
   std::vector<RubbedPlace> rubbed() const;
@@ -67,7 +68,7 @@ private:
   bool find_beside(const std::vector<double>& v, size_t element, size_t node, bool up, double& value, double& away) const;
   sketch::Point place_beside(size_t element, size_t node, double away) const;
   Along top_at(const std::vector<double>& v, size_t element, size_t node) const;
-  void take_nodes(Hoop& out) const;
+  void take_nodes(Field stress, Hoop& out) const;
   void take_edges(Hoop& out) const;
   double value_at(size_t state, const HoopEdge& edge, double* doubt, int* way) const;
   SurfaceCycle cycle_at_node(size_t element, size_t node) const;
@@ -285,7 +286,7 @@ Along HoopFinder::top_at(const std::vector<double>& v, size_t e, size_t i) const
   return {most + (slope + curvature * at) * at, kOfStanding * curvature * a * b, place_beside(e, i, at)};
 }
 
-void HoopFinder::take_nodes(Hoop& out) const {
+void HoopFinder::take_nodes(Field stress, Hoop& out) const {
   const auto n = static_cast<size_t>(trial_.nodes);
   std::vector<double> high(elements_.size() * n, -HUGE_VAL), below = high, range = high; // below: minus the smallest
   const auto most = [&](const std::vector<double>& v) {                                  // over the nodes in use
@@ -296,7 +297,7 @@ void HoopFinder::take_nodes(Hoop& out) const {
   };
   for (size_t k = 0; k < high.size(); ++k) {
     for (size_t state = first_; state < states_.size(); ++state) {
-      const double v = states_[state].ends[body_][kHoop][k];
+      const double v = states_[state].ends[body_][stress][k];
       high[k] = std::max(high[k], v), below[k] = std::max(below[k], -v);
     }
     range[k] = high[k] + below[k];
@@ -480,8 +481,14 @@ Hoop HoopFinder::run() {
   out.high.value = -HUGE_VAL, out.low.value = HUGE_VAL, out.widest.value = -1;
   if (first_ >= states_.size()) return out;
   find_edges();
-  take_nodes(out);
+  take_nodes(kHoop, out);
   take_edges(out);
+  return out;
+}
+
+Hoop HoopFinder::run_zz() {
+  Hoop out;
+  if (first_ < states_.size()) take_nodes(kSzz, out);
   return out;
 }
 
@@ -499,6 +506,10 @@ std::vector<SurfaceCycle> surface_cycles(const sketch::Mesh& mesh, const Trial& 
 std::vector<RubbedPlace> rubbed_places(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side) {
   if (trial.cycle.empty()) return {};
   return HoopFinder(mesh, trial, trial.cycle, side, 0).rubbed();
+}
+
+Hoop find_zz(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first) {
+  return HoopFinder(mesh, trial, trial.states, side, first).run_zz();
 }
 
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first) {

@@ -51,6 +51,8 @@ struct RubbedPlace {
 };
 std::vector<RubbedPlace> rubbed_places(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side);
 
+// The same of the stress out of the plane, at the nodes.
+Hoop find_zz(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
 Hoop find_hoop(const sketch::Mesh& mesh, const Trial& trial, const sketch::Side& side, size_t first);
 
 } // namespace estimate

@@ -298,11 +298,11 @@ c2d_status History::note(bool turn) {
   c2d_status status = app::get_summary(solver_, now);
   if (status != C2D_OK) return status;
   state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
-  const int32_t fields[] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS, C2D_END_HOOP};
+  const int32_t fields[] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS, C2D_END_HOOP, C2D_END_SZZ};
   state.ends.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
     std::vector<std::vector<double>> values;
-    status = app::get_ends(solver_, summary_, b, fields, demand_.hoop ? kHoop + 1 : kHoop, values);
+    status = app::get_ends(solver_, summary_, b, fields, demand_.zz ? kSzz + 1 : demand_.hoop ? kHoop + 1 : kHoop, values);
     for (size_t f = 0; f < values.size(); ++f) state.ends[static_cast<size_t>(b) - 1][f] = std::move(values[f]);
   }
   if (status == C2D_OK) status = note_contact(state);

@@ -39,6 +39,7 @@ struct Demand {
   bool drawn = false;     // the deck was made from a sketch
   bool all_steps = false; // states of every increment; else only at turns of the loads and midway
   bool hoop = false;      // also stresses along the surfaces, which are expensive
+  bool zz = false;        // these, and stresses out of the plane
   CycleDemand cycle;
   // Store in memory for the tapes of the last factorisation, unless it is large: a run of the same deck need not prepare
   // again. Null: none.

@@ -63,6 +63,21 @@ struct Range {
   double largest() const { return std::max(std::fabs(low), std::fabs(high)); }
 };
 
+// The stress out of the plane at a place at the end and its range from state `first` on; for a cycle only the range.
+void add_zz(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance, size_t first) {
+  Range range;
+  double largest = least_stress(trial, static_cast<size_t>(want.body));
+  for (size_t i = first; i < trial.states.size(); ++i) range.take(trial.states[i].inside[place][5]);
+  if (first >= trial.states.size()) return;
+  largest = std::max(largest, range.largest());
+  const auto add = [&](Measure what, double value) {
+    out.push_back(number(what, static_cast<size_t>(want.body), value, largest, tolerance));
+    put_place(want.where, out.back());
+  };
+  if (!want.cycle) add(Measure::kStressZZ, trial.states.back().inside[place][5]);
+  add(want.cycle ? Measure::kCycleZZ : Measure::kRangeZZ, range.size());
+}
+
 // The three stresses at a place at the end and their ranges from state `first` on; for a cycle only the ranges.
 void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance,
                size_t first) {
@@ -114,7 +129,7 @@ void add_pair(std::vector<app::Stated>& out, const Trial& trial, const Want& wan
 // For a cycle only the range.
 void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want, double tolerance,
               size_t first) {
-  const Hoop hoop = find_hoop(mesh, trial, *want.side, first);
+  const Hoop hoop = want.is_zz ? find_zz(mesh, trial, *want.side, first) : find_hoop(mesh, trial, *want.side, first);
   if (!hoop.any) return;
   const auto add = [&](Measure what, const Along& a) {
     const double scale = std::max(
@@ -124,6 +139,9 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
     put_place(a.at, out.back());
     out.back().doubt = a.doubt, out.back().way = a.way;
   };
+  if (want.is_zz && want.cycle) return add(Measure::kCycleZZOn, hoop.widest);
+  if (want.is_zz)
+    return add(Measure::kLargestZZ, hoop.high), add(Measure::kSmallestZZ, hoop.low), add(Measure::kRangeZZOn, hoop.widest);
   if (want.cycle) return add(Measure::kCycleAlong, hoop.widest);
   add(Measure::kLargestAlong, hoop.high), add(Measure::kSmallestAlong, hoop.low), add(Measure::kRangeAlong, hoop.widest);
 }
@@ -221,7 +239,8 @@ void ask(const sketch::Sketch& sketch, Demand& demand) {
       demand.points.push_back({want.body + 1, want.where.x, want.where.y});
     if (want.of == WantOf::kPair) demand.points.push_back({want.other + 1, want.to.x, want.to.y});
     demand.all_steps = demand.all_steps || want.of == WantOf::kPoints || want.of == WantOf::kCurves;
-    demand.hoop = demand.hoop || want.of == WantOf::kCurves;
+    demand.hoop = demand.hoop || (want.of == WantOf::kCurves && !want.is_zz);
+    demand.zz = demand.zz || (want.of == WantOf::kCurves && want.is_zz);
   }
   ask_for_cycle(sketch, demand.cycle);
   for (const sketch::WantedPoint& p : not_wanted(sketch)) demand.points.push_back({p.body + 1, p.at.x, p.at.y});
@@ -239,6 +258,10 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
       if (want.of == WantOf::kPair) places += 2;
       if (want.cycle != cycle) continue;
       const double tolerance = want.tolerance.value_or(sketch.tolerance);
+      if (want.of == WantOf::kPoints && want.is_zz) {
+        add_zz(out, trial, want, place, tolerance, first);
+        continue;
+      }
       if (want.of == WantOf::kPoints && !cycle)
         add_displacements(out, trial, static_cast<size_t>(want.body), want.where, place, tolerance);
       if (want.of == WantOf::kPoints) add_place(out, trial, want, place, tolerance, first);

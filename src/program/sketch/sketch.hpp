@@ -220,6 +220,7 @@ struct Want {
   Point to;
   std::optional<Side> side; // of kCurves: its largest and smallest values; of kPlaces: the nearest point on it
   bool cycle = false;       // of kPoints and kCurves: only the range over the last cycle of the history
+  bool is_zz = false;       // of kPoints and kCurves: of the stress out of the plane alone
   FatigueWant fatigue;      // of kFatigue; with `side`, or with `where` at an interior point
   Place at;
 };

@@ -90,7 +90,16 @@ void Reader::want_points(Statement& s, Want want) {
   for (size_t i = first; i < s_.wants.size(); ++i) s_.wants[i].tolerance = tolerance;
 }
 
+// `want stress body x y`, `want stress zz body x y`, `want stress zz body.curve`.
 void Reader::want_stress(Statement& s, Want want) {
+  const bool is_body = std::any_of(s_.bodies.begin(), s_.bodies.end(), [](const Body& b) { return b.name == "zz"; });
+  want.is_zz = !is_body && s.accept("zz");
+  if (want.is_zz && s.is_side()) {
+    want.of = WantOf::kCurves, want.side = side(s), want.body = want.side->body;
+    if (may_be_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+    s_.wants.push_back(want);
+    return;
+  }
   s.accept("at");
   want.body = body_named(s.take("the name of a body"));
   const size_t first = s_.wants.size();

@@ -16,6 +16,10 @@ bool Statement::is_next(const char* word, size_t ahead) const {
 
 bool Statement::is_number(size_t ahead) const { return next_ + ahead < words_.size() && begins_number(words_[next_ + ahead]); }
 
+bool Statement::is_side() const {
+  return has_more() && !words_[next_].quoted && words_[next_].text.find('.') != std::string::npos && !is_number();
+}
+
 bool Statement::accept(const char* word) {
   if (!is_next(word)) return false;
   ++next_;
