@@ -116,6 +116,17 @@ TEST_CASE("cycle edges: fast, a cycle from an extrapolated state that is another
   CHECK(fast.state.cycles < 30);
 }
 
+TEST_CASE("cycle edges: fast, with 80 elements on the half width of contact") {
+  Machine machine(cylinder(80));
+  for (const Loads& cycle : {kPressed, kRound}) {
+    const Run fast = follow(machine, cycle, kMu, {C2D_CYCLES_FAST, 400, 1e-6});
+    CHECK((fast.state.result == C2D_CYCLE_SLIPS && fast.state.cycles <= 20));
+    const Run exact = follow(machine, cycle, kMu);
+    CHECK((apart(fast.tt, exact.tt) < 1e-4 && apart(fast.tn, exact.tn) < 1e-4));
+    CHECK(fast.state.dissipated == doctest::Approx(exact.state.dissipated).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("cycle edges: the increments of 1987 extrapolate nothing") {
   const Model model = cylinder(8);
   Machine one(model, 0, C2D_STEPPING_DECK), two(model, 0, C2D_STEPPING_DECK);

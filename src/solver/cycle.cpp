@@ -26,12 +26,12 @@ constexpr double kNothing = 1e-14; // of the largest value: round-off
 // another one. More of it is left after a cycle that was another one, and less after one that was not.
 constexpr double kGain = 0.7; // of the change of the cycle before, that an extrapolation has to leave at most
 constexpr double kLeastLeft = 1e-3, kMostLeft = 0.3;
-// Fast: a cycle from an extrapolated state that has other events is no worse a start if its change is less than this part of
-// that of the cycle before.
-constexpr double kBetter = 0.5;
+// Fast: the state at the end of a cycle that has other events than the extrapolated one before it is taken all the same, unless
+// its change is more than so many times that of the cycle before: the way to the fixed point leads through other sequences.
+constexpr double kWorse = 2.0;
 // Near the tolerance the last digits decide about events.
 constexpr double kNear = 100.0; // times the tolerance
-// Cycles with the same events before the first extrapolation; fast: 2.
+// Cycles with the same events before the first extrapolation. Fast: none, as the difference of two cycles leads on all the same.
 constexpr int32_t kRepeats = 3;
 
 int32_t pairs_of(const Session& session) { return session.tableau.pairs; }
@@ -388,12 +388,12 @@ bool continues(CycleHead& head) {
 }
 
 bool may_stray(const CycleHead& head, const CycleRule& rule) {
-  if (rule.mode == C2D_CYCLES_FAST && head.change <= kBetter * head.previous) return true;
+  if (rule.mode == C2D_CYCLES_FAST && head.change <= kWorse * head.previous) return true;
   return fmax(head.change, head.previous / kNear) <= rule.tolerance;
 }
 
 bool is_due(const CycleHead& head, const CycleRule& rule) {
-  const int32_t repeats = rule.mode == C2D_CYCLES_FAST ? 2 : kRepeats;
+  const int32_t repeats = rule.mode == C2D_CYCLES_FAST ? 1 : kRepeats;
   return rule.mode != C2D_CYCLES_PLAIN && head.steady == 0 && head.repeated >= repeats && head.plain > head.wait &&
          head.directions > 0;
 }
@@ -422,7 +422,7 @@ c2d_status end_cycle(Session& session, const CycleRule& rule) {
   const bool same = continues(head);
   find_change(session, record); // by new scales, if directions begin anew
   head.steady = head.change <= rule.tolerance ? 1 : 0;
-  if (same) keep_direction(session, record);
+  if (same || (rule.mode == C2D_CYCLES_FAST && head.cycles > 1)) keep_direction(session, record);
   keep_end(session, record);
   ++head.plain;
   return may_extrapolate(session) && is_due(head, rule) ? extrapolate(session, record) : c2d_status{C2D_OK};
