@@ -31,7 +31,8 @@ constexpr double kLeastLeft = 1e-3, kMostLeft = 0.3;
 constexpr double kWorse = 2.0;
 // Near the tolerance the last digits decide about events.
 constexpr double kNear = 100.0; // times the tolerance
-// Cycles with the same events before the first extrapolation. Fast: none, as the difference of two cycles leads on all the same.
+// Cycles with the same events before the first extrapolation. Fast: none, as the difference of two cycles leads on all the
+// same.
 constexpr int32_t kRepeats = 3;
 
 int32_t pairs_of(const Session& session) { return session.tableau.pairs; }
