@@ -1,4 +1,5 @@
 // A draw of random sketches (more of them: make estimate), and that their judge sees what is wrong.
+#include "effort.hpp"
 #include "random/children.hpp"
 #include "random/sketch_judge.hpp"
 #include "random/sketches.hpp"
@@ -18,6 +19,8 @@ constexpr Limits kSmall = {300, 0, 420}; // without a limit of time: the same on
 // Half a punch, a press fit, a wedge on a bonded layer, half a roller, a parabola; a spline and a flat with fillets that stop
 // at the limit of elements; two feet that slide off.
 constexpr uint64_t kSeeds[] = {3, 4, 20, 39, 56, 6, 52, 119};
+
+constexpr uint64_t kRevolved[] = {10, 9, 12, 1, 2}; // the first always, the others in full
 
 } // namespace
 
@@ -40,6 +43,31 @@ TEST_CASE("random sketches: no fault, none ends without a word, and what was met
     }
   }
   CHECK(compared > 50); // or the draw says little
+}
+
+TEST_CASE("random sketches: of revolution") {
+  size_t compared = 0;
+  std::string scenes;
+  for (uint64_t seed = 1; seed < 40; ++seed) scenes += draw_revolved(seed).scene + ", ";
+  for (const char* kind : {"of revolution", "half drawn", "press fit", "round", "flat rounded"})
+    CHECK_MESSAGE(scenes.find(kind) != std::string::npos, kind);
+  for (const uint64_t seed : kRevolved) {
+    if (seed != kRevolved[0] && !test::in_full()) break;
+    CAPTURE(seed);
+    const Drawn drawn = draw_revolved(seed);
+    CAPTURE(drawn.scene);
+    const Judged j = judge(drawn.text, kSmall);
+    CHECK(j.fault == "");
+    CHECK(j.failure == "");
+    CHECK(j.silent == "");
+    for (const Compared& c : j.numbers) {
+      if (!j.stopped.empty() || std::isnan(c.stated.tolerance)) continue;
+      ++compared;
+      CAPTURE(c.stated.name());
+      CHECK(c.off <= c.stated.tolerance * c.stated.scale);
+    }
+  }
+  CHECK(compared > 2);
 }
 
 // Slip without friction that two meshes had at one node; a moment that a tie does not have.

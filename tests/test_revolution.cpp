@@ -150,3 +150,20 @@ TEST_CASE("revolution: ball in a conical seat: statics; the pressure of a line")
     check_number(smooth.of("peak pressure"), std::sqrt(line * 210e3 / 1.82 / (kPi * 5)), 3e-3);
   }
 }
+
+TEST_CASE("revolution: a platen on a bar: the exponent of its edge is that of the plane") {
+  // Fixed and free faces of a right angle: sin^2(pi e/2) = (4 (1 - nu)^2 - e^2)/(3 - 4 nu), Williams 1952.
+  const Folder folder;
+  write_file(folder / "a.c2s",
+             "axisymmetric\nbody bar E 2600 nu 0.3\nfrom 0 0\nline base to 1 0\nline side to 1 3\nline top to 0 3\n"
+             "fix bar.base y\nplaten bar.top y -0.01\ntolerance off\n");
+  const Result run =
+      run_shell("'" + paths::program() + "' run -q '" + (folder / "a.c2s") + "' --json '" + (folder / "j") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const std::string text = read_file(folder / "j");
+  const size_t at = text.find("\"exponents\": [");
+  REQUIRE(at != std::string::npos);
+  const double e = std::atof(text.c_str() + at + 14), sine = std::sin(kPi * e / 2);
+  CHECK(sine * sine == doctest::Approx((4 * 0.49 - e * e) / 1.8).epsilon(1e-6));
+  CHECK((e > 0.5 && e < 1));
+}

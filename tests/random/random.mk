@@ -2,7 +2,7 @@
 # named after its seed. KIND=few: few pairs, all their statuses tried. KIND=lift: lifted off and put back. KIND=mirror:
 # symmetric bodies. KIND=three: three bodies. KIND=resume: runs that are ended and taken up. KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
-# build/estimate. ELEMENTS and SECONDS are the limits of each.
+# build/estimate. ELEMENTS and SECONDS are the limits of each. KIND=revolved: bodies of revolution.
 #: make random                      random decks with independent checks (N=, SEED=, KIND=)
 #: make estimate                    random sketches against finer meshes (N=, SEED=, ELEMENTS=, SECONDS=)
 .PHONY: random estimate
@@ -27,4 +27,4 @@ $(BUILD)/tests/run_sketches: $(BUILD)/tests/random_main_sketches.o $(SKETCH_JUDG
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 estimate: $(BUILD)/tests/run_sketches
 	@mkdir -p $(BUILD)/estimate
-	@$(BUILD)/tests/run_sketches $(if $(filter file,$(origin N)),200,$(N)) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS)
+	@$(BUILD)/tests/run_sketches $(if $(filter file,$(origin N)),200,$(N)) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS) $(if $(filter revolved,$(KIND)),700 revolved)

@@ -328,7 +328,28 @@ void crack_scene(Pen& p) {
   p.line("tolerance 2 %");
 }
 
+// The x line of symmetry becomes the axis.
+std::string revolved(const std::string& text) {
+  std::string out;
+  for (size_t at = 0, end; at < text.size(); at = end + 1) {
+    end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    if (line.compare(0, 5, "plane") == 0) continue;
+    out += (line == "symmetry x 0" ? "axisymmetric" : line) + "\n";
+  }
+  return out;
+}
+
 } // namespace
+
+Drawn draw_revolved(uint64_t seed) {
+  Drawn out;
+  Pen p(seed, out);
+  p.tell("of revolution");
+  (p.dice.chance(0.75) ? half_scene : press_scene)(p);
+  out.text = revolved(out.text);
+  return out;
+}
 
 Drawn draw(uint64_t seed) {
   Drawn out;

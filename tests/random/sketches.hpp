@@ -13,5 +13,7 @@ struct Drawn {
 };
 
 Drawn draw(uint64_t seed);
+// Bodies of revolution: an indenter on a block, a hollow ball pressed into a shell.
+Drawn draw_revolved(uint64_t seed);
 
 } // namespace random_sketches
