@@ -305,6 +305,7 @@ REPORT_SOURCES += src/report/listing/listing_tolerances.cpp
 REPORT_SOURCES += src/report/listing/listing_torsion.cpp
 REPORT_SOURCES += src/report/page.cpp
 REPORT_SOURCES += src/report/page_fatigue.cpp
+REPORT_SOURCES += src/report/page_terms.cpp
 REPORT_SOURCES += src/report/page_tolerances.cpp
 REPORT_SOURCES += src/report/page_torsion.cpp
 REPORT_SOURCES += src/report/pictures/contour.cpp

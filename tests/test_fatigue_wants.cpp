@@ -243,8 +243,10 @@ TEST_CASE("fatigue wants: the table and the picture of the page") {
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const std::string page = test::read_file(folder / "r.html"), picture = test::read_file(folder / "p/fatigue.svg");
   CHECK(test::contains(page, "<h2>Fatigue, last cycle</h2>"));
-  CHECK(test::contains(page, "<tr><td>SWT of e</td><td>body 1 (b)</td><td>0.1</td>"));
-  CHECK(test::contains(page, "<tr><td>Findley of w at depth 0.1</td>"));
+  CHECK(test::contains(page, "<tr><td><a href=\"#term-SWT\">SWT</a> of e</td><td>body 1 (b)</td><td>0.1</td>"));
+  CHECK(test::contains(page, "<tr><td><a href=\"#term-Findley\">Findley</a> of w at depth 0.1</td>"));
+  for (const char* term : {"SWT", "Findley"}) // links that lead somewhere, without a contact too
+    CHECK(test::contains(page, std::string("<dt id=\"term-") + term + "\">"));
   CHECK(test::contains(picture, "distance along e"));
   CHECK(test::contains(picture, "SWT, body 1 (b)"));
   CHECK_FALSE(test::contains(picture, "Findley"));

@@ -429,6 +429,14 @@ TEST_CASE("convert: every sample deck there and back") {
   CHECK(converted >= 15);
 }
 
+TEST_CASE("convert: a sketch is refused as one") {
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", "title none\n");
+  const test::Result run = test::run_shell("'" + paths::program() + "' convert '" + (folder / "a.c2s") + "'");
+  CHECK(run.status == 2);
+  CHECK(test::contains(run.err, "a.c2s: error: is a sketch, expected a deck; contact2d mesh makes one of a sketch\n"));
+}
+
 TEST_CASE("convert: a run of the converted deck writes the same bytes") {
   const test::Folder folder;
   for (const char* name : {"sample.dat", "layer_mu.dat", "plate.dat", "ring3.dat"}) {

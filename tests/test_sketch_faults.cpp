@@ -212,6 +212,14 @@ TEST_CASE("sketch: tolerances, limits, wants") {
   tells(kTwo + "want pressure 1 % 2 %\n", "'2': expected pressure, edges");
 }
 
+TEST_CASE("sketch: a misspelt parameter is answered by the one that may be meant, a short word is not") {
+  const std::string with = "parameter friction 0.2 t 1\n" + std::string(kTwo);
+  tells(with + "steps frictoin\n", "'frictoin': expected ");
+  tells(with + "steps frictoin\n", ", did you mean 'friction'?");
+  tells(with + "steps tt\n", "'tt': expected");
+  CHECK(fault(with + "steps tt\n").find("did you mean") == std::string::npos);
+}
+
 TEST_CASE("sketch: the name of a number in tables requests it") {
   const std::vector<std::pair<std::string, const char*>> names = {
       {"contact width", "width"}, {"half width 2 %", "width"}, {"stuck width", "stick"},      {"eccentricity", "stick"},

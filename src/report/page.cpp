@@ -5,6 +5,7 @@
 #include "report/frames.hpp"
 #include "report/listing/key_table.hpp"
 #include "report/page_fatigue.hpp"
+#include "report/page_terms.hpp"
 #include "report/page_tolerances.hpp"
 #include "report/page_torsion.hpp"
 #include "report/text.hpp"
@@ -96,71 +97,16 @@ std::string zone_title(const Scene& scene, size_t coefficient, size_t zone) {
   return out;
 }
 
-std::string unit_of(Measure what, const Scene& scene) {
-  if (what == Measure::kRotation) return "rad";
-  if (what == Measure::kEdgePressure)
-    return scene.stress_unit.empty() ? "" : scene.stress_unit + "/&#8730;" + scene.length_unit;
-  if (what == Measure::kEdgeFriction)
-    return scene.stress_unit.empty() ? "" : scene.stress_unit + " &#8730;" + scene.length_unit;
-  switch (row_of(what).unit) {
-  case Unit::kStress: return scene.stress_unit;
-  case Unit::kLength: return scene.length_unit;
-  case Unit::kForce: return scene.force_unit;
-  case Unit::kWork: return scene.work_unit;
-  case Unit::kNone: break;
-  }
-  return "";
-}
-
-// Words that name a quantity, as they end a link.
-std::string term_of(Measure what) {
-  std::string out = name_of(what);
-  std::replace(out.begin(), out.end(), ' ', '-');
-  return out;
-}
-
-// What the numbers of the page mean.
-const char* meaning_of(Measure what) {
-  switch (what) {
-  case Measure::kPeakPressure:
-    return "The largest pressure and its place. It is found between nodes where the pressure has a smooth top, and so may "
-           "exceed "
-           "the largest pressure of a pair that pictures show; at a sharp corner it is the value of the last pair, which grows "
-           "with every refinement.";
-  case Measure::kMeanPressure: return "The resultant of the pressure over the length in contact.";
-  case Measure::kContactEdge: return "Where contact ends: the distance along the second side, and the place.";
-  case Measure::kStickBorder: return "The border between stick and slip: the distance along the second side, and the place.";
-  case Measure::kContactWidth: return "The length in contact; where a line of symmetry cuts it, with its image.";
-  case Measure::kHalfWidth: return "Half the contact width.";
-  case Measure::kStuckWidth: return "The length that sticks; where a line of symmetry cuts it, with its image.";
-  case Measure::kEccentricity: return "The middle of the stick zone less that of the contact, along the second side.";
-  case Measure::kForceX:
-  case Measure::kForceY: return "A component of the force of the contact on side 2.";
-  case Measure::kMoment: return "The moment of the contact on side 2, about the origin.";
-  case Measure::kApproach: return "How far the bodies have approached each other, along the mean normal of the contact.";
-  case Measure::kShift: return "How far the bodies have moved against each other, along the mean tangent of the contact.";
-  case Measure::kDissipated: return "Energy that friction has dissipated since zero load.";
-  case Measure::kEdgePressure: return "L of the pressure L &#8730;d at an edge of contact, d the distance inside it.";
-  case Measure::kEdgeFriction:
-    return "K of the friction K/&#8730;d where a contact that sticks ends, d the distance inside it.";
-  case Measure::kSlipRange: return "The largest slip of what touches since the load last turned, and its place.";
-  case Measure::kFrictionForce: return "The resultant of the friction along the surface, on side 2.";
-  case Measure::kMotionX:
-  case Measure::kMotionY: return "Displacement of the point of a rigid body or platen.";
-  case Measure::kRotation: return "Rotation of a rigid body or platen, counter-clockwise.";
-  default: break; // a number that is wanted alone has its place in its name
-  }
-  return "";
-}
-
 using Numbers = std::vector<Quantity>;
 
 void append_number_row(std::string& out, const Scene& scene, const TableNumber& number, const Numbers& all, bool stated) {
   const Quantity& q = number.is;
   const RoundOff noise = round_off(all, size_of(scene));
-  const std::string none = "&#8211;", item = q.item > 0 ? " " + std::to_string(q.item) : number.of;
+  const std::string none = "&#8211;", item = q.is_of_body() ? ", " + body_label(scene, q.item)
+                                             : q.item > 0   ? " " + std::to_string(q.item)
+                                                            : number.of;
   std::vector<std::string> row{
-      "<a href=\"#term-" + term_of(q.what) + "\">" + name_of(q.what) + "</a>" + item,
+      term_link(q.what) + item,
       figure(noise.shown(q.what, shown_value(q.what, q.value, q.along), q.error), unit_of(q.what, scene), 6)};
   if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(noise.shown(q.what, q.error), 2) : none);
   for (const double at : {q.at[0], q.at[1], q.along})
@@ -209,6 +155,8 @@ void append_terms(std::string& out, const Scene& scene) {
   for (const CoefficientRecord& c : scene.record->coefficients)
     for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
       terms.push_back(c.steps.back().quantities[k].what);
+  for (const Stated& s : scene.record->meshes.stated)
+    if (is_fatigue(s)) terms.push_back(s.what);
   if (terms.empty()) return;
   std::sort(terms.begin(), terms.end());
   terms.erase(std::unique(terms.begin(), terms.end()), terms.end());

@@ -1,6 +1,7 @@
 // The table of tolerances of parameters on the page.
 #include "report/page_tolerances.hpp"
 
+#include "report/page_terms.hpp"
 #include "report/pictures/pictures.hpp"
 
 #include <cmath>
@@ -43,12 +44,14 @@ void append_page_tolerances(std::string& out, const Scene& scene) {
       std::string name = escape_xml(table.name_of(t));
       if (t.number.zone > 0 && table.is_of_several_zones())
         name += ", " + zone_label(scene, static_cast<size_t>(t.number.zone) - 1);
-      out += "<tr>" + cell(name) + cell(figure(shown_value(t.number.what, t.number.value, t.number.along), 6)) +
+      out += "<tr>" + cell(name) +
+             cell(figure(shown_value(t.number.what, t.number.value, t.number.along), unit_of(t.number.what, scene), 6)) +
              cell(figure_or_dash(table.worst_case(t), 3)) + cell(figure_or_dash(table.root_of_squares(t), 3));
       for (size_t p = 0; p < t.by.size(); ++p) out += cell(figure_or_dash(table.share(t, p), 3));
       out += "</tr>\n";
     }
-    out += "</table></div>\n<p>By a parameter: the share, the magnitude of the derivative times the tolerance.</p>\n";
+    out += "</table></div>\n<p>By a parameter: the share, the magnitude of the derivative times the tolerance, in the unit of "
+           "the value.</p>\n";
     append_reasons(out, table);
   }
   out += "</section>\n";

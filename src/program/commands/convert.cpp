@@ -4,6 +4,7 @@
 #include "program/files/deck_file.hpp"
 #include "program/messages.hpp"
 #include "program/real_in_columns.hpp"
+#include "program/sketch/read/read.hpp"
 #include "report/text.hpp"
 
 #include <contact2d_cards.h>
@@ -237,6 +238,10 @@ int convert_deck(const Options& options) {
   Messages messages(deck);
   c2d_error fault = C2D_INIT(c2d_error);
   if (!deck.read(options.deck, fault)) return messages.fault(fault, kExitInput);
+  if (sketch::is_sketch(deck.text(), deck.name())) {
+    messages.fail("is a sketch, expected a deck; contact2d mesh makes one of a sketch");
+    return kExitInput;
+  }
   std::vector<Item> items;
   std::vector<c2d_body_limits> bodies = room_for_bodies(deck);
   const c2d_status status = c2d_walk_deck(DeckFile::read_line, &deck, bodies.data(), static_cast<int32_t>(bodies.size()), keep,

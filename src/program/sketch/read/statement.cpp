@@ -71,8 +71,16 @@ Expression Statement::field(const std::string& what) {
 
 Expression Statement::arithmetic(const std::string& what, const Expression::Variables& variables) {
   const Word& word = take(what);
-  if (!begins_number(word)) throw Fault{word.at, in_quotes(word.text) + ": expected " + what};
+  if (!begins_number(word)) throw Fault{word.at, in_quotes(word.text) + ": expected " + what + like_parameter(word)};
   return Expression(word, parameters_, variables);
+}
+
+// ", did you mean 'load'?"; empty for short words, which are like many.
+std::string Statement::like_parameter(const Word& word) const {
+  if (word.quoted || word.text.size() < 3) return "";
+  std::vector<std::string> names;
+  for (const auto& parameter : parameters_) names.push_back(parameter.first);
+  return app::did_you_mean(word.text, names);
 }
 
 double Statement::finite(const Expression& expression, const std::string& what) const {

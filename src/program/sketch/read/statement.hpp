@@ -47,6 +47,7 @@ public:
 private:
   Expression arithmetic(const std::string& what, const Expression::Variables& variables);
   double finite(const Expression& expression, const std::string& what) const;
+  std::string like_parameter(const Word& word) const;
   bool begins_number(const Word& word) const;
   std::vector<Word> words_;
   size_t next_ = 1;
