@@ -224,7 +224,7 @@ TEST_CASE("responses: numbers that a sketch requests, by the names of the listin
     const double value = app::evaluate(responses.at(0), record);
     CHECK((std::isnan(c.value) ? std::isnan(value) : value == c.value));
   }
-  for (const char* none : {"SWT on top", "of top", "plane", "stress zz", "dissipated in the last cycle plain"}) {
+  for (const char* none : {"SWT on top", "of top", "plane", "stress zx", "dissipated in the last cycle plain"}) {
     CAPTURE(none);
     std::vector<app::Response> responses;
     std::string error;
