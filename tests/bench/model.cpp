@@ -257,11 +257,12 @@ host::Limits Disc::limits() const {
 void Disc::build(const Solver& s) const {
   c2d_problem problem = C2D_INIT(c2d_problem);
   problem.analysis = C2D_ANALYSIS_STRESS;
+  problem.plane = radius > 0 ? C2D_AXISYMMETRIC : C2D_PLANE_STRAIN;
   s.must(c2d_set_problem(s, &problem));
   std::vector<double> xy;
   for (int32_t i = 0; i < elements; ++i) {
     const double angle = 2 * kPi * i / elements;
-    xy.push_back(std::cos(angle)), xy.push_back(std::sin(angle));
+    xy.push_back(radius + std::cos(angle)), xy.push_back(std::sin(angle));
   }
   add_body(s, 1, xy, 1000);
   condition(s, 1, 1, elements / 4, "1100");

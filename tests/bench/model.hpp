@@ -57,6 +57,7 @@ struct Ring {
 // A disc of straight linear elements, radius 1: held on a quarter of its boundary, pressed on another.
 struct Disc {
   int32_t elements;
+  double radius = 0; // above 0: a ring of revolution, of its middle
   host::Limits limits() const;
   void build(const Solver& solver) const;
 };
