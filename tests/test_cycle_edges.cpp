@@ -108,7 +108,7 @@ const How kPlain = {C2D_CYCLES_PLAIN, 2000, 1e-12};
 
 } // namespace
 
-TEST_CASE("cycle edges: fast, a cycle from an extrapolated state that is another one and no better is dropped") {
+TEST_CASE("cycle edges: fast, cycles of slowly changing events") {
   const Model model = cylinder(28);
   Machine machine(model), other(model);
   const Run fast = follow(machine, kPressed, .1, {C2D_CYCLES_FAST});
@@ -407,4 +407,108 @@ TEST_CASE("cycle edges: a tolerance out of range; what a restored state says of 
     REQUIRE(c2d_cycle(s, &request, nullptr, nullptr, &state) == C2D_OK);
     CHECK((state.result == C2D_CYCLE_SLIPS && apart(field(s, C2D_TT), whole.tt) < 1e-9)); // begun anew
   }
+}
+
+TEST_CASE("cycle edges: a path that begins without friction, and none of it or friction without bound after that") {
+  for (const double mu : {0.0, static_cast<double>(HUGE_VAL)}) {
+    Model model = cylinder(6);
+    model.friction = mu;
+    model.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
+    model.repeated = 2;
+    Machine loaded(model);
+    model.cycle_start = C2D_START_WITHOUT_FRICTION;
+    Machine smooth(model);
+    std::vector<double> tn[2], tt[2];
+    for (Machine* machine : {&loaded, &smooth}) {
+      REQUIRE(machine->status == C2D_OK);
+      REQUIRE(c2d_prepare(machine->solver) == C2D_OK);
+      REQUIRE(c2d_run(machine->solver, nullptr, nullptr) == C2D_OK);
+      c2d_cycle_state state = C2D_INIT(c2d_cycle_state);
+      REQUIRE(c2d_get_cycle_state(machine->solver, &state) == C2D_OK);
+      CHECK((state.outcome == C2D_REACHED && state.cycles <= 3 && std::fabs(state.dissipated) < 1e-15));
+      const int k = machine == &smooth ? 1 : 0;
+      tn[k] = field(machine->solver, C2D_TN), tt[k] = field(machine->solver, C2D_TT);
+    }
+    CHECK(apart(tn[1], tn[0]) < 1e-12); // friction without bound holds from the beginning
+    if (mu > 0) CHECK(apart(tt[1], tt[0]) < 1e-12);
+  }
+}
+
+TEST_CASE("cycle edges: paths with a cycle whose callback or store fails") {
+  Model model = cylinder(6);
+  model.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
+  model.repeated = 2;
+  Machine called(model);
+  REQUIRE(c2d_prepare(called.solver) == C2D_OK);
+  CHECK(c2d_run(
+            called.solver, [](void*, const c2d_step* now) { return now->kind == C2D_STEP_CYCLE ? 3 : 0; }, nullptr) ==
+        C2D_ERR_CALLBACK);
+  Machine machine(model);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  whole_read = machine.solver->port.read;
+  machine.solver->port.read = [](void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
+    return reads_left-- == 0 ? 5 : whole_read(context, tape, block, data, bytes);
+  };
+  const c2d_status status = c2d_run(
+      machine.solver,
+      [](void*, const c2d_step* now) {
+        if (now->kind == C2D_STEP_CYCLE) reads_left = 0;
+        return 0;
+      },
+      nullptr);
+  reads_left = -1;
+  CHECK((status == C2D_ERR_STORE_READ && c2d_get_state(machine.solver) == C2D_STATE_BROKEN));
+}
+
+TEST_CASE("cycle edges: calls that make a cycle of a path, without room, twice, or before there is any") {
+  Model model = cylinder(4);
+  model.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
+  model.repeated = 2, model.cycle_states = 0;
+  CHECK(Machine(model).status == C2D_ERR_LIMIT);
+  model.cycle_states = 4;
+  std::vector<c2d_body_limits> list;
+  const c2d_limits limits = limits_of(model, list);
+  uint64_t bytes = 0;
+  REQUIRE(c2d_memory_need(&limits, &bytes, nullptr, nullptr) == C2D_OK);
+  std::vector<double> room(bytes / sizeof(double) + 64);
+  c2d_solver* s = nullptr;
+  REQUIRE(c2d_create(&s, room.data(), room.size() * sizeof(double), &limits, nullptr, nullptr) == C2D_OK);
+  int32_t first = 0, pieces = 0, limit = 0, start = 0;
+  CHECK(c2d_get_repeated(s, &first, &pieces, &limit, &start) == C2D_ERR_STATE);
+  c2d_problem problem = C2D_INIT(c2d_problem);
+  REQUIRE(c2d_set_problem(s, &problem) == C2D_OK);
+  for (const double load : {1.0, 0.4, 1.0}) {
+    const double factors[2] = {load, 0};
+    REQUIRE(c2d_add_path(s, 1, factors, 2) == C2D_OK);
+  }
+  REQUIRE(c2d_repeat_paths(s, 2, 0, 0) == C2D_OK);
+  CHECK(c2d_repeat_paths(s, 2, 0, 0) == C2D_ERR_ARGUMENT);
+  c2d_close(s);
+}
+
+TEST_CASE("cycle edges: a cycle of a path with overlaps that are closed first and stay closed") {
+  Model model = cylinder(6);
+  for (size_t i = 1; i < model.body(2).xy.size(); i += 2) model.body(2).xy[i] -= 1e-3;
+  model.interference = 2;
+  model.platens[0].second_load[0] = 0;
+  model.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
+  model.repeated = 2;
+  Machine machine(model);
+  REQUIRE(machine.status == C2D_OK);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  REQUIRE(c2d_run(machine.solver, nullptr, nullptr) == C2D_OK);
+  c2d_cycle_state state = C2D_INIT(c2d_cycle_state);
+  REQUIRE(c2d_get_cycle_state(machine.solver, &state) == C2D_OK);
+  CHECK((state.result == C2D_CYCLE_SLIPS && state.outcome == C2D_REACHED));
+  const std::vector<double> tn = field(machine.solver, C2D_TN), tt = field(machine.solver, C2D_TT);
+  Machine other(model);
+  const double mu = kMu, closed[] = {0, 1}, loaded[] = {1, 1}, cycle[] = {0.4, 1, 1, 1};
+  c2d_outcome outcome = C2D_NO_PROGRESS;
+  c2d_solver* const s = other.solver;
+  REQUIRE((c2d_prepare(s) == C2D_OK && c2d_begin(s, &mu, 1) == C2D_OK));
+  REQUIRE((c2d_advance(s, closed, 2, &outcome) == C2D_OK && c2d_advance(s, loaded, 2, &outcome) == C2D_OK));
+  c2d_cycle_request request = C2D_INIT(c2d_cycle_request);
+  request.corners = request.cases = 2, request.load = cycle;
+  REQUIRE(c2d_cycle(s, &request, nullptr, nullptr, &state) == C2D_OK);
+  CHECK((apart(field(s, C2D_TN), tn) < 1e-9 && apart(field(s, C2D_TT), tt) < 1e-9));
 }

@@ -60,7 +60,7 @@ uint64_t hash_of(const c2d_cycle_request& r) {
 // Is what a state that was restored knows of cycles that of this request? (A stranger's may be anything.)
 bool may_continue(c2d_solver* s, const c2d_cycle_request& r) {
   const CycleHead& head = *cycle_record(s).head;
-  return head.request == hash_of(r) && in_range(head.directions, 0, s->sizes.cycle_states) && head.cycles > 0;
+  return head.request == hash_of(r) && in_range(head.directions, 0, s->sizes.cycle_states);
 }
 
 // ---- the cycles ------------------------------------------------------------------------------------------------------------

@@ -26,9 +26,6 @@ constexpr double kNothing = 1e-14; // of the largest value: round-off
 // another one. More of it is left after a cycle that was another one, and less after one that was not.
 constexpr double kGain = 0.7; // of the change of the cycle before, that an extrapolation has to leave at most
 constexpr double kLeastLeft = 1e-3, kMostLeft = 0.3;
-// Fast: the state at the end of a cycle that has other events than the extrapolated one before it is taken all the same, unless
-// its change is more than so many times that of the cycle before: the way to the fixed point leads through other sequences.
-constexpr double kWorse = 2.0;
 // Near the tolerance the last digits decide about events.
 constexpr double kNear = 100.0; // times the tolerance
 // Cycles with the same events before the first extrapolation. Fast: none, as the difference of two cycles leads on all the
@@ -388,9 +385,10 @@ bool continues(CycleHead& head) {
   return same;
 }
 
+// May a cycle that has other events than the extrapolated one before it count all the same? Fast: the way to the fixed point
+// leads through other sequences.
 bool may_stray(const CycleHead& head, const CycleRule& rule) {
-  if (rule.mode == C2D_CYCLES_FAST && head.change <= kWorse * head.previous) return true;
-  return fmax(head.change, head.previous / kNear) <= rule.tolerance;
+  return rule.mode == C2D_CYCLES_FAST || fmax(head.change, head.previous / kNear) <= rule.tolerance;
 }
 
 bool is_due(const CycleHead& head, const CycleRule& rule) {
