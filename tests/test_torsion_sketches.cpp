@@ -203,6 +203,29 @@ TEST_CASE("torsion in sketches: shear stress at the surface") {
   CHECK(seen);
 }
 
+TEST_CASE("torsion in sketches: derivatives by parameters, responses of a sweep") {
+  // Without friction in the plane of the section pressures do not depend on mu: the torque is proportional to it.
+  std::string text = "parameter mu 0.15 +- 0.01\n" + hub("linear", "hub first", "move hub.rim turn 0.005\nwant torque 1 %\n");
+  text.replace(text.find("mu 0.15\ninterference"), 7, "mu 0 turn mu");
+  text.replace(text.find("tolerance off\n"), 14, "");
+  const test::Folder folder;
+  test::write_file(folder / "a.c2s", text);
+  const test::Result r =
+      test::run_shell("'" + paths::program() + "' run -q '" + (folder / "a.c2s") + "' --json '" + (folder / "j") +
+                      "' --response 'torque on hub.rim' --results '" + (folder / "r") + "'");
+  REQUIRE_MESSAGE(r.status == 0, r.err);
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  const double through = json["torsion"]["interfaces"][0]["turns_through"].number;
+  size_t seen = 0;
+  for (const test::Json& number : json["tolerances"]["numbers"].items)
+    if (number["name"].text == "torque on hub.rim" || number["name"].text == "torque that turns through bore on seat") {
+      ++seen;
+      CHECK(number["by"][0]["derivative"].number == doctest::Approx(through / 0.15).epsilon(1e-6));
+    }
+  CHECK(seen == 2);
+  CHECK(std::atof(test::read_file(folder / "r").c_str()) == doctest::Approx(through).epsilon(1e-9));
+}
+
 TEST_CASE("torsion in sketches: what is refused") {
   const std::string plane = "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\nfix b.s\n";
   const auto refuses = [](const std::string& text, int line, const std::string& words) {

@@ -6,6 +6,8 @@
 //   3. The same with half the step and the moves found in phase 2. Where both differences agree, the second is the derivative.
 #include "program/estimate/tolerances.hpp"
 
+#include "program/estimate/torsion.hpp"
+
 #include "program/estimate/error.hpp"
 #include "program/estimate/fatigue.hpp"
 #include "program/estimate/marks.hpp"
@@ -264,6 +266,8 @@ std::vector<app::Stated> numbers_of(const Nominal& at) {
   none.pressure.assign(at.trial.zones.size(), 0.0);
   std::vector<app::Stated> out = state_numbers(at.trial, at.trial, none, nullptr);
   for (const app::Stated& s : wanted_of(at.sketch, at.mesh, at.trial)) out.push_back(s);
+  if (at.sketch.torsion.any())
+    for (const app::Stated& s : twist(at.sketch, at.mesh, at.trial).numbers) out.push_back(s);
   return out;
 }
 
