@@ -82,10 +82,11 @@ c2d_status c2d_cycle(c2d_solver* solver, const c2d_cycle_request* request, c2d_c
 /* ---- the cycle of a load path that c2d_run follows ----
 
    The last `pieces` segments of the load path given so far (at least 2, and one before them) are a cycle: they end at the load
-   factors at which they begin. c2d_run repeats them as c2d_cycle does, C2D_CYCLES_EXACT to its default tolerance, until they
-   are steady, at most `limit` times (0: 50), and then records their steps over one more cycle, whether the limit was met or
-   not: c2d_get_cycle_state gives which. After each cycle the step callback is called with kind C2D_STEP_CYCLE, the number of
-   the last step before the cycle and the results at the end of the cycle; c2d_save and c2d_restore there as at a recorded step.
+   factors at which they begin. c2d_run repeats them as c2d_cycle does, with C2D_CYCLES_EXACT and the tolerance 10^-digits
+   (1 to 12; 0: 10), until they are steady, at most `limit` times (0: 50), and then records their steps over one more cycle,
+   whether the limit was met or not: c2d_get_cycle_state gives which. After each cycle the step callback is called with kind
+   C2D_STEP_CYCLE, the number of the last step before the cycle and the results at the end of the cycle; c2d_save and
+   c2d_restore there as at a recorded step.
    Part of the model: legal with c2d_add_path, with c2d_limits.cycle_states above 0. Errors: ARGUMENT also where the cycle does
    not close. */
 enum {
@@ -93,9 +94,10 @@ enum {
   C2D_START_WITHOUT_FRICTION = 1 /* up to the cycle bodies slide without friction, where it is bounded; then the pairs that
                                     touch stick. If that ends in another steady cycle, the state depends on how it began */
 };
-c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t start);
-/* Which segments are repeated: the first, from 1 (0: none), how many; limit and start. Legal as the lists of section 8. */
-c2d_status c2d_get_repeated(c2d_solver* solver, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* start);
+c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t digits, int32_t start);
+/* Which segments are repeated: the first, from 1 (0: none), how many; limit, digits and start. Legal as the lists of section 8. */
+c2d_status c2d_get_repeated(c2d_solver* solver, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* digits,
+                            int32_t* start);
 /* The cycles followed last, by c2d_cycle or c2d_run, also in its callback. */
 c2d_status c2d_get_cycle_state(c2d_solver* solver, c2d_cycle_state* out);
 

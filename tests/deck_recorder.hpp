@@ -116,8 +116,8 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});
   };
-  sink.repeat_paths = [](c2d_solver* s, int32_t pieces, int32_t limit, int32_t start) -> c2d_status {
-    return recorder(s)->record("repeat paths", {double(pieces), double(limit), double(start)});
+  sink.repeat_paths = [](c2d_solver* s, int32_t pieces, int32_t limit, int32_t digits, int32_t start) -> c2d_status {
+    return recorder(s)->record("repeat paths", {double(pieces), double(limit), double(digits), double(start)});
   };
   sink.has_free_zones = true;
   sink.add_points = [](c2d_solver* s, const c2d_points* p) -> c2d_status {

@@ -324,7 +324,8 @@ c2d_status feed(c2d_solver* s, const Model& m) {
     const double factors[2] = {p.load, p.second};
     if (status == C2D_OK) status = c2d_add_path(s, p.increments, factors, m.cases);
   }
-  if (status == C2D_OK && m.repeated > 0) status = c2d_repeat_paths(s, m.repeated, m.cycle_limit, m.cycle_start);
+  if (status == C2D_OK && m.repeated > 0)
+    status = c2d_repeat_paths(s, m.repeated, m.cycle_limit, m.cycle_digits, m.cycle_start);
   for (int32_t axis = 0; axis < 2; ++axis)
     if (status == C2D_OK && (m.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, m.symmetry_at[axis]);
   return status == C2D_OK ? c2d_complete(s) : status;

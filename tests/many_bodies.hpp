@@ -90,8 +90,9 @@ struct Model {
   std::vector<PointLoad> point_loads;
   double friction = 0;
   std::vector<Path> paths = {{1, 1.0}};
-  int32_t repeated = 0, cycle_limit = 0, cycle_start = 0; // of c2d_repeat_paths: the last so many paths; 0: no cycle
-  int32_t symmetry = 0;                                   // 1: x = symmetry_at[0], 2: y = symmetry_at[1]
+  int32_t repeated = 0, cycle_limit = 0, cycle_digits = 0,
+          cycle_start = 0; // of c2d_repeat_paths: the last so many paths; 0: no cycle
+  int32_t symmetry = 0;    // 1: x = symmetry_at[0], 2: y = symmetry_at[1]
   double symmetry_at[2] = {0, 0};
   int32_t elimination = 0, touching = 0, cycle_states = 0; // C2D_ELIMINATION_; of c2d_limits
   uint64_t bytes = 0;                                      // of workspace; 0: as many as are of use, 1: the minimum

@@ -68,9 +68,9 @@ TEST_CASE("cycle: what is wrong with it is told") {
   tells(history + "want cycle stress b 0.5 0.5\n", "12:12 'stress': expected range");
   tells(history + "want cycle range pressure\n", "12:18 'pressure': expected stress or hoop");
   tells(history + "want cycle range\n", "12:17 the statement ends here, expected stress or hoop");
-  tells(history + "want forces hop b.n\n",
-        "12:13 'hop': expected pressure, edges, forces, approach, dissipation, width, stick, stress, hoop, fatigue or "
-        "cycle");
+  tells(history + "want forces hop b.n\n", "12:13 'hop': expected pressure, edges, forces, approach, dissipation, width, "
+                                           "stick, slip, walk, loss, stress, hoop, fatigue or "
+                                           "cycle");
   tells(history + "want cycle range hoop b.top\n", "'top', expected 's', 'e', 'n' or 'w'");
   tells(history + "want cycle range stress b 2 0.5\n", "is not inside body 'b'");
   for (const char* none : {"history pull 1\n", "history pull 1, 0\n"})

@@ -255,10 +255,12 @@ TEST_CASE("a cycle below *PATH") {
     return std::vector<double>{};
   };
   CHECK(last_call({"*PATH", "1 1", "1 0.5", "1 1"}).empty());
-  CHECK(last_call({"*PATH", "1 1", "cycle", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 0});
-  CHECK(last_call({"*PATH", "1 1", "CYCLE 12 ! twelve", "1 0.5", "2 0.6", "1 1"}) == std::vector<double>{3, 12, 0});
-  CHECK(last_call({"*PATH", "1 1", "cycle 7 frictionless", "1 0.5", "1 1", "*UNITS mm N"}) == std::vector<double>{2, 7, 1});
-  CHECK(last_call({"*PATH", "1 1", "cycle frictionless", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 1});
+  CHECK(last_call({"*PATH", "1 1", "cycle", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 0, 0});
+  CHECK(last_call({"*PATH", "1 1", "CYCLE 12 ! twelve", "1 0.5", "2 0.6", "1 1"}) == std::vector<double>{3, 12, 0, 0});
+  CHECK(last_call({"*PATH", "1 1", "cycle 7 frictionless", "1 0.5", "1 1", "*UNITS mm N"}) == std::vector<double>{2, 7, 0, 1});
+  CHECK(last_call({"*PATH", "1 1", "cycle frictionless", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 0, 1});
+  CHECK(last_call({"*PATH", "1 1", "cycle digits 5", "1 0.5", "1 1"}) == std::vector<double>{2, 0, 5, 0});
+  CHECK(last_call({"*PATH", "1 1", "cycle 9 digits 5 frictionless", "1 0.5", "1 1"}) == std::vector<double>{2, 9, 5, 1});
   // A fault of a segment is reported alone.
   const Fault f = the_fault({"*PATH", "1 1", "cycle", "1 x", "1 1"});
   CHECK(f.line == 4);

@@ -122,6 +122,20 @@ TEST_CASE("cycle of a path: without extrapolation after the last cycle that is a
   CHECK(seen.cycles[i].result == C2D_CYCLE_NOT_STEADY);
 }
 
+TEST_CASE("cycle of a path: steady to so many digits") {
+  Model model = with_cycle(10, 1);
+  int32_t before = 0;
+  for (const int32_t digits : {2, 4, 8}) {
+    model.cycle_digits = digits;
+    Machine machine(model);
+    const std::vector<c2d_cycle_state> cycles = run(machine).cycles;
+    const double tolerance = std::pow(10.0, -digits);
+    CHECK((cycles.back().result != C2D_CYCLE_NOT_STEADY && cycles.back().change <= tolerance));
+    CHECK((cycles[cycles.size() - 2].change > tolerance && cycles.back().cycles > before));
+    before = cycles.back().cycles;
+  }
+}
+
 TEST_CASE("cycle of a path: started without friction, a contact of unlike bodies ends in another steady cycle") {
   Model model = with_cycle(10);
   Machine loaded(model);
@@ -178,13 +192,13 @@ TEST_CASE("cycle of a path: two coefficients of friction, each with its cycles")
 TEST_CASE("cycle of a path: what is refused, and what is given back") {
   Model model = with_cycle(4);
   Machine machine(model);
-  int32_t first = 0, pieces = 0, limit = 0, start = -1;
-  REQUIRE(c2d_get_repeated(machine.solver, &first, &pieces, &limit, &start) == C2D_OK);
-  CHECK((first == 2 && pieces == 2 && limit == 50 && start == C2D_START_AS_LOADED));
-  CHECK(c2d_get_repeated(machine.solver, nullptr, &pieces, &limit, &start) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_repeat_paths(machine.solver, 2, 0, 0) == C2D_ERR_STATE);
+  int32_t first = 0, pieces = 0, limit = 0, digits = 0, start = -1;
+  REQUIRE(c2d_get_repeated(machine.solver, &first, &pieces, &limit, &digits, &start) == C2D_OK);
+  CHECK((first == 2 && pieces == 2 && limit == 50 && digits == 10 && start == C2D_START_AS_LOADED));
+  CHECK(c2d_get_repeated(machine.solver, nullptr, &pieces, &limit, &digits, &start) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_repeat_paths(machine.solver, 2, 0, 0, 0) == C2D_ERR_STATE);
   Machine plain(cyclic::cylinder(4));
-  REQUIRE(c2d_get_repeated(plain.solver, &first, &pieces, &limit, &start) == C2D_OK);
+  REQUIRE(c2d_get_repeated(plain.solver, &first, &pieces, &limit, &digits, &start) == C2D_OK);
   CHECK((first == 0 && pieces == 0 && limit == 0 && start == 0));
 
   const auto refused = [](const Model& m, const std::string& words) {
@@ -201,7 +215,9 @@ TEST_CASE("cycle of a path: what is refused, and what is given back") {
   refused(model, "limit is -1, expected 0 to 1000000");
   model.cycle_limit = 0, model.cycle_start = 2;
   refused(model, "start is 2, expected 0 to 1");
-  model.cycle_start = 0, model.paths[2].load = 0.9;
+  model.cycle_start = 0, model.cycle_digits = 13;
+  refused(model, "digits is 13, expected 0 to 12");
+  model.cycle_digits = 0, model.paths[2].load = 0.9;
   refused(model, "the cycle does not close: its last load is not the one at which it begins");
   model.paths = {{1, 1.0}, {1, 1.0}, {1, 1.0}};
   refused(model, "all loads of the cycle are the same, expected two different ones");

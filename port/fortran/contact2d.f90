@@ -1161,20 +1161,22 @@ module contact2d
       type(c2d_cycle_state), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
-    function c2d_repeat_paths(solver, pieces, limit, start) bind(C) result(status)
+    function c2d_repeat_paths(solver, pieces, limit, digits, start) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: pieces
       integer(c_int32_t), value :: limit
+      integer(c_int32_t), value :: digits
       integer(c_int32_t), value :: start
       integer(c_int32_t) :: status
     end function
-    function c2d_get_repeated(solver, first, pieces, limit, start) bind(C) result(status)
+    function c2d_get_repeated(solver, first, pieces, limit, digits, start) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), intent(out) :: first
       integer(c_int32_t), intent(out) :: pieces
       integer(c_int32_t), intent(out) :: limit
+      integer(c_int32_t), intent(out) :: digits
       integer(c_int32_t), intent(out) :: start
       integer(c_int32_t) :: status
     end function

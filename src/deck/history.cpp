@@ -5,8 +5,8 @@
 //   load body x y fx fy                           a point load, in global coordinates
 // *PATH: replaces the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
 //   a straight path segment, which begins at the end of the last one (the first at zero). The factors may be any number:
-//   they are read a few at a time. A card `cycle [limit] [FRICTIONLESS]` between them: those below it are repeated until
-//   steady.
+//   they are read a few at a time. A card `cycle [limit] [DIGITS n] [FRICTIONLESS]` between them: those below it are repeated
+//   until steady.
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
@@ -137,22 +137,26 @@ void read_factors(Deck& deck, Words& words, int32_t increments, bool sound) {
   }
 }
 
-// The card `cycle [limit] [FRICTIONLESS]`: the segments below it are a cycle.
+// The card `cycle [limit] [DIGITS n] [FRICTIONLESS]`: the segments below it are a cycle.
 struct CycleCard {
   int32_t line, column, column_end; // line 0: there is none
   int32_t before;                   // segments above it
-  int32_t limit, start;
+  int32_t limit, digits, start;
 };
 
 void read_cycle(Deck& deck, const Words& words, int32_t pieces, CycleCard& out) {
-  constexpr int32_t kStates = 30, kMostCycles = 1000000;
+  constexpr int32_t kStates = 30, kMostCycles = 1000000, kMostDigits = 12;
   Cards& cards = deck.cards;
   if (out.line != 0) return void(word_fault(cards, words, 0, "a second cycle below *PATH, expected one"));
   if (deck.sizes.cycle_states < kStates) deck.sizes.cycle_states = kStates;
-  out = CycleCard{cards.line, words.word[0].column, words.word[0].column_end, pieces, 0, C2D_START_AS_LOADED};
+  out = CycleCard{cards.line, words.word[0].column, words.word[0].column_end, pieces, 0, 0, C2D_START_AS_LOADED};
   int32_t at = 1;
-  if (at < words.count && !word_is(words, at, "FRICTIONLESS"))
+  if (at < words.count && !word_is(words, at, "DIGITS") && !word_is(words, at, "FRICTIONLESS"))
     integer_word(cards, words, at++, "limit of cycles", 1, kMostCycles, &out.limit);
+  if (at < words.count && word_is(words, at, "DIGITS")) {
+    integer_word(cards, words, at + 1, "number of digits", 1, kMostDigits, &out.digits);
+    at += 2;
+  }
   if (at < words.count && word_is(words, at, "FRICTIONLESS")) ++at, out.start = C2D_START_WITHOUT_FRICTION;
   end_of_words(cards, words, at);
 }
@@ -169,7 +173,7 @@ void end_cycle_card(Deck& deck, const CycleCard& card, int32_t pieces, bool soun
     fault(cards, card.column, card.column_end, "a cycle", kNeedsPart, "c2d_repeat_paths links it");
   } else if (deck.sink != nullptr && sound) {
     place(deck, card.column, card.column_end);
-    accept(deck, deck.sink->repeat_paths(deck.sink->solver, pieces - card.before, card.limit, card.start));
+    accept(deck, deck.sink->repeat_paths(deck.sink->solver, pieces - card.before, card.limit, card.digits, card.start));
   }
   cards.line = line;
 }

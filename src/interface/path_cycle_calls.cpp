@@ -14,17 +14,30 @@ C2D_BRINGS(c2d_link_search);
 
 namespace {
 
-constexpr int32_t kMostCycles = 1000000;
+constexpr int32_t kMostCycles = 1000000, kMostDigits = 12, kDigitsByDefault = 10;
 
 // A cycle of the load path: its first segment, from 0, and how many it has.
 struct PathCycle {
-  int32_t first, pieces, limit, start;
+  int32_t first, pieces, limit, digits, start;
 };
 
+// What Path::cycle of the first segment contains.
+constexpr int32_t kDigitCodes = 16;
+int32_t code_of(int32_t limit, int32_t digits, int32_t start) { return (2 * limit + start) * kDigitCodes + digits; }
+
+double power_of_tenth(int32_t digits) {
+  double out = 1.0;
+  for (int32_t i = 0; i < digits; ++i) out *= 10.0;
+  return 1.0 / out;
+}
+
 PathCycle cycle_of(const ModelHeader& head, const Path* path) {
-  PathCycle out = {-1, 0, 0, 0};
+  PathCycle out = {-1, 0, 0, 0, 0};
   for (int32_t p = 0; p < head.paths; ++p) {
-    if (path[p].cycle > 0) out.first = p, out.limit = path[p].cycle / 2, out.start = path[p].cycle % 2;
+    if (path[p].cycle > 0) {
+      const int32_t rest = path[p].cycle / kDigitCodes;
+      out.first = p, out.limit = rest / 2, out.start = rest % 2, out.digits = path[p].cycle % kDigitCodes;
+    }
     if (path[p].cycle < 0) out.pieces = -path[p].cycle;
   }
   return out;
@@ -55,7 +68,8 @@ c2d_status repeat(Session& session, int32_t first, c2d_status (*show)(Session&, 
   c2d_solver* s = session.solver;
   const PathCycle cycle = cycle_of(*session.model.head, session.model.path);
   const double* const load = session.model.path_load + static_cast<int64_t>(first) * s->model.load_cases;
-  CyclePlan plan = {load, cycle.pieces, s->model.load_cases, s->model.interference, {kChangeByDefault, C2D_CYCLES_EXACT}};
+  CyclePlan plan = {
+      load, cycle.pieces, s->model.load_cases, s->model.interference, {power_of_tenth(cycle.digits), C2D_CYCLES_EXACT}};
   const c2d_step_fn step = session.step;
   c2d_status status = is_before_friction(session, cycle) ? start_friction(session) : c2d_status{C2D_OK};
   while (status == C2D_OK && goes_on(session, cycle.limit)) {
@@ -90,11 +104,12 @@ const CyclePart kCyclePart = {true, c2d_repeat_paths, begin_run, repeat};
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_repeat_paths(c2d_solver* s, int32_t pieces, int32_t limit, int32_t start) {
+extern "C" c2d_status c2d_repeat_paths(c2d_solver* s, int32_t pieces, int32_t limit, int32_t digits, int32_t start) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK)
     status = check_ranges(s, {{"pieces", pieces, 2, INT32_MAX},
                               {"limit", limit, 0, kMostCycles},
+                              {"digits", digits, 0, kMostDigits},
                               {"start", start, C2D_START_AS_LOADED, C2D_START_WITHOUT_FRICTION}});
   if (status != C2D_OK) return status;
   if (s->sizes.cycle_states == 0) return refuse_limit(s, "cycle_states", 0, 1);
@@ -103,19 +118,23 @@ extern "C" c2d_status c2d_repeat_paths(c2d_solver* s, int32_t pieces, int32_t li
   Path* const path = array_of<Path>(s, kPaths);
   if (cycle_of(s->model, path).first >= 0)
     return refuse(s, C2D_ERR_ARGUMENT, "the load path has a cycle already, expected one");
-  path[s->model.paths - pieces].cycle = 2 * (limit == 0 ? kCyclesByDefault : limit) + start;
+  path[s->model.paths - pieces].cycle =
+      code_of(limit == 0 ? kCyclesByDefault : limit, digits == 0 ? kDigitsByDefault : digits, start);
   path[s->model.paths - 1].cycle = -pieces;
   return built(s);
 }
 
-extern "C" c2d_status c2d_get_repeated(c2d_solver* s, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* start) {
+extern "C" c2d_status c2d_get_repeated(c2d_solver* s, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* digits,
+                                       int32_t* start) {
   c2d_status status = enter(s, kComplete);
-  if (status == C2D_OK) status = check_pointers(s, {{"first", first}, {"pieces", pieces}, {"limit", limit}, {"start", start}});
+  if (status == C2D_OK)
+    status = check_pointers(s, {{"first", first}, {"pieces", pieces}, {"limit", limit}, {"digits", digits}, {"start", start}});
   if (status != C2D_OK) return status;
   const PathCycle cycle = cycle_of(s->model, array_of<Path>(s, kPaths));
   *first = cycle.first + 1;
   *pieces = cycle.pieces;
   *limit = cycle.limit;
+  *digits = cycle.digits;
   *start = cycle.start;
   return C2D_OK;
 }

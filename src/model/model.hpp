@@ -52,8 +52,7 @@ struct SlipGap {
 };
 struct Path {
   int32_t increments;
-  int32_t
-      cycle; // of the first segment of a cycle: twice the limit of cycles, plus C2D_START_...; of the last: less their number
+  int32_t cycle; // of the first segment of a cycle: see interface/path_cycle_calls.cpp; of the last: less their number
   double load;
 };
 // Body force of one body in a load case: per area (bx, by) + rho_omega2 (x - x0, y - y0).

@@ -30,7 +30,7 @@ c2d_status find_cycle_results(c2d_solver* solver, int32_t zones, int32_t pairs, 
 
 RepeatedPaths repeated_paths(c2d_solver* solver) {
   RepeatedPaths out;
-  c2d_get_repeated(solver, &out.first, &out.pieces, &out.limit, &out.start);
+  c2d_get_repeated(solver, &out.first, &out.pieces, &out.limit, &out.digits, &out.start);
   return out;
 }
 

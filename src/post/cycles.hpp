@@ -36,7 +36,7 @@ c2d_status find_cycle_results(c2d_solver* solver, int32_t zones, int32_t pairs, 
 
 // The cycle of the load path that c2d_run repeats.
 struct RepeatedPaths {
-  int32_t first = 0, pieces = 0, limit = 0, start = 0; // first: from 1; 0: none
+  int32_t first = 0, pieces = 0, limit = 0, digits = 0, start = 0; // first: from 1; 0: none
 };
 RepeatedPaths repeated_paths(c2d_solver* solver);
 

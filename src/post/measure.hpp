@@ -27,6 +27,8 @@ enum class Measure {
   kDissipated, // since zero load; zone 0: by the whole contact
   kApproach, // c2d_zone_state; in a model without a contact, zone 0: of the rigid body or platen `item` along its driving force
   kShift,    // c2d_zone_state
+  kWalk,     // of a cycle that is repeated until steady: (u2 - u1).t over the last one, mean of the pairs that touch
+  kStuckAll, // length that sticks all through that cycle
   kMotionX,  // zone 0: of the rigid body or platen with the number `item`: its point and rotation
   kMotionY,
   kRotation,
@@ -79,7 +81,7 @@ constexpr size_t kMeasures = static_cast<size_t>(Measure::kCycleZZOn) + 1;
 enum class Unit { kNone, kLength, kStress, kForce, kWork };
 
 // What a stated error is compared with, S of METHOD-MESHES, "Scales".
-enum class Scale { kOwn, kForce, kMoment, kPlace, kContact, kApproach, kMotion, kRotation, kWork, kSlip, kGiven };
+enum class Scale { kOwn, kForce, kMoment, kPlace, kContact, kApproach, kMotion, kRotation, kWork, kSlip, kWalk, kGiven };
 
 // A stated error is the largest of these multiples, METHOD (16.7): of the difference on two meshes, of that of the round
 // before, of the distance of the tractions times the scale, of the spacing of pairs, and of the difference from another method.

@@ -29,6 +29,7 @@ struct ZoneStep {
   bool contact;
   std::vector<ContactEdge> edges;
   const c2d_zone_state* now;
+  const CycleResults* cycle; // null: no cycle is repeated
   bool moves() const { return contact && now != nullptr && !state.line.self; }
 };
 
@@ -325,6 +326,17 @@ void take_shift(const ZoneStep& z, Quantities& out) {
   if (z.moves()) out.add(Measure::kShift, z.now->shift);
 }
 
+void take_walk(const ZoneStep& z, Quantities& out) {
+  if (z.contact && z.cycle != nullptr) out.add(Measure::kWalk, z.cycle->zones[static_cast<size_t>(z.state.line.zone) - 1].walk);
+}
+void take_stuck_all(const ZoneStep& z, Quantities& out) {
+  if (!z.contact || z.cycle == nullptr) return;
+  const ZoneLine& line = z.state.line;
+  double sum = 0;
+  for (size_t i = 0; i < line.size(); ++i) sum += line.weight[i] * z.cycle->stuck[static_cast<size_t>(line.pair[i])];
+  out.add(Measure::kStuckAll, sum).spacing = mean_spacing(z.state, z.edges);
+}
+
 // Without a contact: along the driving force, which the contact of other models balances.
 void take_driven(const BodyStep& b, Quantities& out) {
   const double *motion = b.now.motion, *contact = b.now.contact, force = std::hypot(contact[0], contact[1]);
@@ -339,7 +351,8 @@ template <Measure What, size_t Component> void take_motion(const BodyStep& b, Qu
 constexpr ErrorRule kNone{0, 0, 0, 0, 0}, kPeak{1.1, 0.5, 0.3, 0, 0}, kMean{0.8, 0.1, 0, 0, 1}, kForce{1, 0.3, 0.1, 0, 0},
     kEdge{1.2, 0.4, 0.15, 0, 1}, kBorder{1, 0.5, 0.05, 0.05, 0}, kMovedBorder{1.5, 0.7, 0.05, 0.03, 0},
     kIntensity{1, 0.5, 0.5, 0, 1}, kSlip{1, 0.5, 1.5, 0, 1}, kTorque{1, 0.4, 0.03, 0, 0}, kEnergy{1, 0.5, 0.7, 0, 0},
-    kMotion{1, 1, 0, 0, 0}, kInside{1, 0.3, 0.07, 0, 0}, kSurface{1.5, 0.1, 0.2, 0, 1}, kExtrapolated{1, 0.1, 0.05, 0, 1};
+    kMotion{1, 1, 0, 0, 0}, kOfCycle{1.5, 0.7, 0.05, 0, 0}, kCycleEnergy{2, 0.7, 0.2, 0, 0}, kWholePairs{1, 0.5, 0.05, 0.5, 0},
+    kInside{1, 0.3, 0.07, 0, 0}, kSurface{1.5, 0.1, 0.2, 0, 1}, kExtrapolated{1, 0.1, 0.05, 0, 1};
 
 using M = Measure;
 using U = Unit;
@@ -398,6 +411,8 @@ constexpr MeasureRow kRows[] = {
     local(M::kDissipated, "dissipated", U::kWork, S::kWork, take_dissipated, kEnergy),
     zone(M::kApproach, "approach", U::kLength, S::kApproach, take_approach, kMotion, take_driven),
     zone(M::kShift, "shift", U::kLength, S::kApproach, take_shift, kMotion),
+    zone(M::kWalk, "walk", U::kLength, S::kWalk, take_walk, kOfCycle),
+    zone(M::kStuckAll, "stuck all through", U::kLength, S::kContact, take_stuck_all, kWholePairs),
     body(M::kMotionX, "motion x", U::kLength, S::kMotion, take_motion<M::kMotionX, 0>),
     body(M::kMotionY, "motion y", U::kLength, S::kMotion, take_motion<M::kMotionY, 1>),
     body(M::kRotation, "rotation", U::kNone, S::kRotation, take_motion<M::kRotation, 2>),
@@ -420,7 +435,7 @@ constexpr MeasureRow kRows[] = {
     surface(M::kPressureOn, "pressure on "),
     inside(M::kApproachOf, "approach of points", U::kLength),
     inside(M::kShiftOf, "shift of points", U::kLength),
-    zone(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, S::kGiven, nullptr, kSurface),
+    zone(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, S::kGiven, nullptr, kCycleEnergy),
     surface(M::kSwt, "SWT"),
     surface(M::kFatemiSocie, "Fatemi-Socie", U::kNone),
     surface(M::kFindley, "Findley"),
@@ -464,10 +479,12 @@ static_assert(is_in_order(), "row i is that of Measure i");
 
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
                                     const std::vector<c2d_zone_state>& states, double dissipated,
-                                    const std::vector<double>& slip_at_turn, const std::vector<c2d_body_state>& bodies) {
+                                    const std::vector<double>& slip_at_turn, const std::vector<c2d_body_state>& bodies,
+                                    const CycleResults* cycle) {
   std::vector<Quantity> out;
   for (size_t z = 0; z < lines.size(); ++z) {
-    ZoneStep step{line_state(lines[z], table, stride, slip_at_turn), false, {}, z < states.size() ? &states[z] : nullptr};
+    ZoneStep step{
+        line_state(lines[z], table, stride, slip_at_turn), false, {}, z < states.size() ? &states[z] : nullptr, cycle};
     const std::vector<int32_t>& status = step.state.status;
     const bool touches = std::any_of(status.begin(), status.end(), [](int32_t s) { return s != C2D_OPEN; });
     step.contact = touches && !lines[z].tied;

@@ -2,6 +2,7 @@
 // Edges and borders lie between nodes (METHOD 16.4). A number may carry a stated error, which is an estimate.
 #pragma once
 
+#include "post/cycles.hpp"
 #include "post/measure.hpp"
 #include "post/summary.hpp"
 #include "post/zone_line.hpp"
@@ -36,11 +37,11 @@ struct Quantity {
 // Tied zones have forces alone, those without a touching pair also what they have dissipated. `states` is one per zone
 // (c2d_get_zone_state), `bodies` one per body (c2d_get_body_state), `dissipated` as in c2d_step. `slip_at_turn`: C2D_SLIP_SUM
 // of every pair where the loads last changed their direction; without it (empty) stick borders are right on a load path that
-// has not turned yet.
+// has not turned yet. `cycle`: null if no cycle has been repeated.
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
                                     const std::vector<c2d_zone_state>& states, double dissipated,
                                     const std::vector<double>& slip_at_turn = {},
-                                    const std::vector<c2d_body_state>& bodies = {});
+                                    const std::vector<c2d_body_state>& bodies = {}, const CycleResults* cycle = nullptr);
 
 // What is round-off: forces and moments beside the largest force of a state, lengths beside the size of the model.
 struct RoundOff {

@@ -71,8 +71,11 @@ c2d_status keep_cycle(RunRecord& record, const c2d_step& step, c2d_solver* solve
   CycleSeen now;
   const c2d_status status = find_cycle_seen(solver, zones, now);
   now.elastic = step.elastic;
-  record.coefficients[index].changes += step.changes;
-  record.coefficients[index].cycles.push_back(now);
+  CoefficientRecord& c = record.coefficients[index];
+  c.changes += step.changes;
+  c.cycles.push_back(now);
+  for (size_t p = 0; p < c.slip.size(); ++p) // that of the turn at which the recorded cycle begins
+    c.slip[p] = step.table[static_cast<int64_t>(p) * step.stride + C2D_SLIP_SUM];
   return status;
 }
 

@@ -418,7 +418,6 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   const auto has_cycles = [](const CoefficientRecord& c) { return !c.cycles.empty(); };
   if (std::any_of(record.coefficients.begin(), record.coefficients.end(), has_cycles))
     append_json_cycles(o.key("cycles"), record, s);
-  if (!record.other_start.empty()) o.word("other_start", record.other_start.c_str());
   append_corners(o, record.corners, "\n    ");
   if (record.meshes.ran()) append_accuracy(o.key("accuracy"), record.meshes);
   if (record.meshes.tolerances.any()) append_tolerances(o.key("tolerances"), record.meshes.tolerances);

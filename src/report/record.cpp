@@ -116,8 +116,12 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   c2d_body_state body = C2D_INIT(c2d_body_state);
   for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
   for (const CrackTip& tip : tips) now.cracks.push_back(stress_intensity(tip, step.table, step.stride));
+  CycleResults cycle;
+  const bool repeats = solver != nullptr && !c.cycles.empty() &&
+                       find_cycle_results(solver, static_cast<int32_t>(lines.size()), step.pairs, cycle) == C2D_OK;
   if (solver != nullptr)
-    now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn, now.bodies);
+    now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn, now.bodies,
+                                   repeats ? &cycle : nullptr);
   c.steps.push_back(now);
 }
 

@@ -59,8 +59,7 @@ struct RunRecord {
   MeshLoop meshes;                                // how the mesh was found, and errors of the first coefficient's last step
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // of the program, and what is no other phase's
-  std::string other_start;   // whether the cycle from another start ends in the same steady state; empty: not asked for
-  bool checked_only = false; // the deck asks for a data check, nothing was solved
+  bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 
   // The first coefficient whose path ended early; null if all reached their load.
   const CoefficientRecord* incomplete() const;

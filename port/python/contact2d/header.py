@@ -1248,17 +1248,19 @@ Follow cycles from the load reached, which must be the last corner, until the ch
         ("solver", c_void_p, False, None),
         ("pieces", c_int32, False, None),
         ("limit", c_int32, False, None),
+        ("digits", c_int32, False, None),
         ("start", c_int32, False, None),
-    ], """c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t start);"""),
+    ], """c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t digits, int32_t start);"""),
     "c2d_get_repeated": (c_int32, [
         ("solver", c_void_p, False, None),
         ("first", POINTER(c_int32), False, None),
         ("pieces", POINTER(c_int32), False, None),
         ("limit", POINTER(c_int32), False, None),
+        ("digits", POINTER(c_int32), False, None),
         ("start", POINTER(c_int32), False, None),
-    ], """c2d_status c2d_get_repeated(c2d_solver* solver, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* start);
+    ], """c2d_status c2d_get_repeated(c2d_solver* solver, int32_t* first, int32_t* pieces, int32_t* limit, int32_t* digits, int32_t* start);
 
-Which segments are repeated: the first, from 1 (0: none), how many; limit and start. Legal as the lists of section 8."""),
+Which segments are repeated: the first, from 1 (0: none), how many; limit, digits and start. Legal as the lists of section 8."""),
     "c2d_get_cycle_state": (c_int32, [
         ("solver", c_void_p, False, None),
         ("out", POINTER(c2d_cycle_state), False, None),

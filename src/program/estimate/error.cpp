@@ -116,6 +116,12 @@ Sizes sizes_of(const Trial& trial, size_t last) {
 }
 
 // The scale S of the error of a number.
+double slip_range_of(const State& state, int32_t zone) {
+  for (const app::Quantity& q : state.quantities)
+    if (q.zone == zone && q.what == Measure::kSlipRange) return q.value;
+  return 0;
+}
+
 double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) {
   using app::Scale;
   const double size = std::fabs(q.value);
@@ -126,6 +132,7 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Scale::kApproach: return sizes.approach;
   case Scale::kMotion: return sizes.motion;
   case Scale::kRotation: return sizes.rotation;
+  case Scale::kWalk: return std::max(size, slip_range_of(state, q.zone));
   case Scale::kWork: return size > kUnseen * sizes.work ? std::max(size, sizes.work) : 0;
   case Scale::kSlip: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
   case Scale::kContact: return sizes.length[zone];

@@ -430,6 +430,7 @@ void Loop::take(const Level& level) {
   out_.loop.fatigue = fatigue_lines(s_, level.mesh, level.trial);
   has_tapes_ = true;
   history_ = level.trial.why;
+  if (level.trial.outcome != C2D_REACHED) history_ = "the history ended early: " + history_;
   is_whole_ = level.trial.outcome == C2D_REACHED;
 }
 
@@ -558,7 +559,7 @@ Adapted Loop::run() {
     stopped = fault.text;
   }
   if (demand_.store != nullptr && !has_tapes_) demand_.store->drop_tapes(); // they belong to another mesh
-  if (!history_.empty()) stopped = "the history ended early: " + history_ + (stopped.empty() ? "" : "; " + stopped);
+  if (!history_.empty()) stopped = history_ + (stopped.empty() ? "" : "; " + stopped);
   return std::move(out_);
 }
 

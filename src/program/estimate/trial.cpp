@@ -1,7 +1,8 @@
 // One solution of a model along its whole load history, with the data needed for comparison. Phases: size the workspace and the
 // tapes; read and prepare the deck; advance through all increments; record the states at turns of the loads and midway between
 // them. For stresses of a cycle the history is followed three times: to find the loads at its events, to record the states
-// there, and once more for places that depend on these states.
+// there, and once more for places that depend on these states. A cycle that is repeated until steady is followed
+// first; then its pieces follow, as those of any other history.
 #include "program/estimate/trial.hpp"
 
 #include "post/corners.hpp"
@@ -129,6 +130,10 @@ private:
   c2d_status go_to(const std::vector<double>& loads);
   c2d_status follow_once();
   c2d_status find_events();
+  c2d_status repeat(int32_t press);
+  c2d_status start_without_friction();
+  static int32_t before_steady(void* context, const c2d_step* step);
+  c2d_status end_cycles(const c2d_cycle_state& now);
   c2d_status note_step(int32_t increment, int32_t increments);
   c2d_status visit_events(int32_t step, const std::vector<double>& to);
   c2d_status note_of_cycle();
@@ -151,6 +156,9 @@ private:
   std::vector<Place> below_;                                   // places of the third time
   bool is_third_ = false;
   size_t noted_ = 0; // states of the cycle, the third time
+  app::RepeatedPaths repeated_;
+  bool has_cycles_ = false; // followed, until steady or to their limit
+  c2d_cycle_state cycle_ = C2D_INIT(c2d_cycle_state);
 };
 
 c2d_status History::measure(int32_t body) {
@@ -202,6 +210,7 @@ c2d_status History::describe(const std::string& deck) {
     out_.zones.push_back({side(zone.side1), side(zone.side2)});
     out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
   }
+  repeated_ = app::repeated_paths(solver_);
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
   if (demand_.drawn) app::take_statements(deck, lines_);
   return status;
@@ -275,12 +284,14 @@ c2d_status History::note_contact(State& state) {
   for (int32_t z = 1; z <= summary_.zones && status == C2D_OK; ++z)
     status = c2d_get_zone_state(solver_, z, &zones[static_cast<size_t>(z) - 1]);
   app::turn_forces(lines_, zones);
+  app::CycleResults cycle;
+  if (status == C2D_OK && has_cycles_) status = app::find_cycle_results(solver_, summary_.zones, summary_.pairs, cycle);
   std::vector<c2d_body_state> bodies(static_cast<size_t>(summary_.bodies), C2D_INIT(c2d_body_state));
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b)
     status = c2d_get_body_state(solver_, b, &bodies[static_cast<size_t>(b) - 1]);
   if (status == C2D_OK)
-    state.quantities =
-        app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_, bodies);
+    state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_, bodies,
+                                          has_cycles_ ? &cycle : nullptr);
   drop_places_without_pressure(state, out_.states, summary_.zones);
   if (status == C2D_OK && state.turn) status = find_unbounded(table, state);
   if (status == C2D_OK && state.turn) {
@@ -420,6 +431,56 @@ c2d_status History::note_step(int32_t i, int32_t increments) {
   return status;
 }
 
+// The cycles from the loads reached, as c2d_run repeats them.
+c2d_status History::repeat(int32_t press) {
+  c2d_cycle_request request = C2D_INIT(c2d_cycle_request);
+  const size_t cases = loads_.size();
+  std::vector<double> load(static_cast<size_t>(repeated_.pieces) * cases);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0, ignored = 0; i < repeated_.pieces && status == C2D_OK; ++i) {
+    double* const corner = load.data() + static_cast<size_t>(i) * cases;
+    status = c2d_get_path(solver_, repeated_.first + i, &ignored, corner, static_cast<int32_t>(cases));
+    if (press > 0) corner[press - 1] = 1;
+  }
+  request.corners = repeated_.pieces, request.cases = static_cast<int32_t>(cases), request.load = load.data();
+  request.limit = repeated_.limit, request.tolerance = std::pow(10.0, -repeated_.digits);
+  c2d_cycle_state now = C2D_INIT(c2d_cycle_state);
+  if (status == C2D_OK) status = c2d_cycle(solver_, &request, nullptr, nullptr, &now);
+  return status == C2D_OK ? end_cycles(now) : status;
+}
+
+// The state in which the steady cycle begins, in place of that before the cycles.
+c2d_status History::end_cycles(const c2d_cycle_state& now) {
+  out_.outcome = now.outcome;
+  if (out_.outcome != C2D_REACHED) return C2D_OK;
+  has_cycles_ = true;
+  out_.cycles = now.cycles;
+  if (now.result == C2D_CYCLE_NOT_STEADY)
+    out_.why = "the cycle is not steady after " + std::to_string(now.cycles) + (now.cycles == 1 ? " cycle" : " cycles");
+  c2d_status status = C2D_OK;
+  if (!is_third_ && !out_.states.empty()) out_.states.pop_back();
+  if (!is_third_) status = note(true);
+  return status == C2D_OK && demand_.cycle.from > 0 ? note_of_cycle() : status;
+}
+
+// Ends the run of c2d_run after the last cycle.
+int32_t History::before_steady(void* context, const c2d_step* step) {
+  History& history = *static_cast<History*>(context);
+  history.loads_.assign(step->loads, step->loads + step->cases);
+  history.out_.outcome = step->outcome;
+  if (step->kind != C2D_STEP_CYCLE) return 0;
+  if (c2d_get_cycle_state(history.solver_, &history.cycle_) != C2D_OK) return 1;
+  return history.cycle_.result == C2D_CYCLE_NOT_STEADY && history.cycle_.cycles < history.repeated_.limit ? 0 : 1;
+}
+
+// From zero load through cycles that begin without friction; states before them are not recorded.
+c2d_status History::start_without_friction() {
+  cycle_ = C2D_INIT(c2d_cycle_state);
+  const c2d_status status = c2d_run(solver_, before_steady, this);
+  if (status != C2D_ERR_CALLBACK) return status; // the path has ended early
+  return end_cycles(cycle_);
+}
+
 c2d_status History::follow() {
   const CycleDemand& cycle = demand_.cycle;
   c2d_status status = C2D_OK;
@@ -432,17 +493,22 @@ c2d_status History::follow() {
 }
 
 c2d_status History::follow_once() {
-  c2d_status status = begin();
+  has_cycles_ = false;
   loads_.assign(static_cast<size_t>(std::max(1, summary_.load_cases)), 0);
   int32_t step = 0;
+  const bool is_smooth = repeated_.first > 0 && repeated_.start == C2D_START_WITHOUT_FRICTION;
+  c2d_status status = is_smooth ? start_without_friction() : begin();
   int32_t press = 0; // the load case that closes overlaps
   if (status == C2D_OK) status = c2d_get_interference(solver_, &press);
-  if (status == C2D_OK && press > 0) {
+  if (status == C2D_OK && press > 0 && !is_smooth) {
     std::vector<double> to = loads_;
     to[static_cast<size_t>(press) - 1] = 1;
     status = go_to(to);
   }
-  for (int32_t p = 1; p <= summary_.paths && status == C2D_OK && out_.outcome == C2D_REACHED; ++p) {
+  for (int32_t p = is_smooth ? repeated_.first : 1; p <= summary_.paths && status == C2D_OK && out_.outcome == C2D_REACHED;
+       ++p) {
+    if (p == repeated_.first && !is_smooth) status = repeat(press);
+    if (status != C2D_OK || out_.outcome != C2D_REACHED) break;
     const std::vector<double> from = loads_;
     std::vector<double> to(from.size());
     int32_t increments = 1;
@@ -455,7 +521,8 @@ c2d_status History::follow_once() {
       if (demand_.cycle.from > 0 && p > demand_.cycle.from) status = visit_events(step, now);
       if (status == C2D_OK && out_.outcome == C2D_REACHED) status = go_to(now);
       if (status == C2D_OK) status = note_step(i, increments);
-      if (status == C2D_OK && i == increments && demand_.cycle.from > 0 && p >= demand_.cycle.from) status = note_of_cycle();
+      if (status == C2D_OK && i == increments && demand_.cycle.from > 0 && p >= demand_.cycle.from && p + 1 != repeated_.first)
+        status = note_of_cycle();
     }
   }
   if (out_.outcome != C2D_REACHED) out_.why = c2d_outcome_message(out_.outcome);

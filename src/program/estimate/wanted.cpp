@@ -167,20 +167,22 @@ void add_pressure(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const
   put_place(pressure.at, out.back());
 }
 
-// Energy dissipated by friction in the last cycle.
-void add_cycle_energy(std::vector<app::Stated>& out, const Trial& trial, size_t first) {
-  if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
-  const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
-  out.push_back(number(Measure::kCycleDissipated, 0, energy, trial.states.back().dissipated, NAN));
-  out.back().body = 0;
-}
-
 double tolerance_of(const sketch::Sketch& sketch, const sketch::WantRow& row) {
   if (sketch.wants.empty()) return row.by_default ? sketch.tolerance : NAN;
   double least = NAN;
   for (const Want& want : sketch.wants)
     if (want.word == row.word && want.of == row.of) least = std::fmin(least, want.tolerance.value_or(sketch.tolerance));
   return least;
+}
+
+// Energy dissipated by friction in the last cycle. Relative to itself where it is asked for, else to that of the whole history.
+void add_cycle_energy(std::vector<app::Stated>& out, const sketch::Sketch& sketch, const Trial& trial, size_t first) {
+  if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
+  const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
+  const double tolerance = tolerance_of(sketch, sketch::want_row("loss"));
+  const double scale = std::isnan(tolerance) ? trial.states.back().dissipated : std::fabs(energy);
+  out.push_back(number(Measure::kCycleDissipated, 0, energy, scale, tolerance));
+  out.back().body = 0;
 }
 
 // Points given only by a stress statement, without a tolerance.
@@ -270,7 +272,7 @@ std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::M
       if (want.of == WantOf::kCurves) add_hoop(out, mesh, trial, want, tolerance, first);
     }
     if (!cycle) add_points(out, sketch, trial, places);
-    if (cycle && sketch::cycle_start(sketch) > 0) add_cycle_energy(out, trial, first);
+    if (cycle && sketch::cycle_start(sketch) > 0) add_cycle_energy(out, sketch, trial, first);
   }
   add_fatigue(out, sketch, mesh, trial);
   return out;

@@ -45,7 +45,10 @@ c2d_status RunResults::take(const c2d_step& step, StepResults& now) {
   if (step.kind == C2D_STEP_CYCLE) {
     const c2d_status status = keep_cycle(record, step, session.solver, summary.zones);
     now.record = &record.coefficients[static_cast<size_t>(step.coefficient) - 1];
-    return status;
+    if (status != C2D_OK || now.record->steps.empty() || now.record->steps.back().stresses.empty()) return status;
+    const c2d_status read = read_stresses(); // ranges of the last cycle begin with them
+    now.record->steps.back().stresses = stresses;
+    return read;
   }
   if ((needs & kNeedsPictures) != 0) path.history.note(step);
   if (step.kind == C2D_STEP_CHANGE && !shows_changes) return C2D_OK;

@@ -154,6 +154,7 @@ void Expansion::make_history() {
   out_.steps.clear();
   std::vector<double> factors(from_.cases.size(), 0), places = factors;
   for (size_t piece = 0; piece < index_of(from_.pieces); ++piece) {
+    if (from_.cycle && piece == index_of(from_.cycle->before)) out_.cycle->before = out_.pieces;
     std::vector<double> before = places;
     size_t moves = from_.cases.size();
     for (size_t c = 0; c < from_.cases.size(); ++c) {

@@ -232,6 +232,15 @@ struct Tolerance {
   Place at;
 };
 
+// The cycle at the end of the load history, repeated until it is steady.
+struct Repeat {
+  Place at;
+  int before = 0;            // pieces of the history before it
+  int limit = 50;            // of cycles
+  int digits = 0;            // steady: changes over a cycle below 10^-digits; 0: by default
+  bool frictionless = false; // the start is without friction
+};
+
 struct Sketch {
   std::string title;
   std::string units[2];
@@ -253,6 +262,7 @@ struct Sketch {
   std::vector<LoadCase> cases{LoadCase{}}; // the first exists without a statement
   int pieces = 0;                          // of the history; 0: factor 1 of the first case
   Torsion torsion;
+  std::optional<Repeat> cycle;
   std::vector<WantedPoint> points;
   std::vector<WantedPoint> fatigue_points; // of wants of fatigue parameters inside
   std::vector<int> steps{10};              // increments per piece of the history; the last number applies to all later pieces

@@ -41,7 +41,6 @@ void append_cycles(std::string& out, const RunRecord& record, const Summary& s, 
     first = false;
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n  " + cycle_text(c, s) + '\n';
-    if (!record.other_start.empty() && &c == &record.coefficients.front()) out += "  " + record.other_start + '\n';
     if (all) append_each(out, c);
     append_zones_of(out, c.cycles.back());
   }

@@ -220,7 +220,9 @@ void ActionCheck::check_wants() {
     if (w.of == WantOf::kFatigue && (w.fatigue.kind == FatigueKind::kRuiz1 || w.fatigue.kind == FatigueKind::kRuiz2) &&
         s_.interfaces.empty())
       fault(w.at, "the sketch has no contact, expected a statement 'contact' or 'tie'");
-    if ((w.cycle || w.of == WantOf::kFatigue) && cycle_start(s_) == 0)
+    if (w.word == "walk" && !s_.cycle)
+      fault(w.at, "a walk is that of a steady cycle, expected a statement such as 'cycle shear 1, -1, 1 until steady'");
+    if ((w.cycle || w.of == WantOf::kFatigue || w.word == "loss") && cycle_start(s_) == 0)
       fault(w.at,
             "the load history has no cycle, expected a history that returns to the load factors of an earlier piece after "
             "other factors");

@@ -9,6 +9,7 @@ namespace sketch {
 
 int cycle_start(const Sketch& sketch) {
   constexpr double kSame = 1e-9;
+  if (sketch.cycle && !has_moving_loads(sketch)) return sketch.cycle->before;
   if (has_moving_loads(sketch)) return cycle_start(with_positions(sketch));
   double largest = 0;
   for (const LoadCase& c : sketch.cases)

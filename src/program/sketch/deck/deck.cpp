@@ -290,6 +290,10 @@ void Writer::history() {
     return card(text + fitted);
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
+    if (s_.cycle && piece == static_cast<size_t>(s_.cycle->before))
+      card("cycle " + std::to_string(s_.cycle->limit) +
+           (s_.cycle->digits > 0 ? " digits " + std::to_string(s_.cycle->digits) : "") +
+           (s_.cycle->frictionless ? " frictionless" : ""));
     std::string text = std::to_string(s_.steps[std::min(piece, s_.steps.size() - 1)]);
     for (const LoadCase& c : s_.cases) {
       if (text.size() > kFactorColumns) {

@@ -351,6 +351,11 @@ std::string Reader::names_of_cases() const {
 // move until they have gone three periods. A second statement continues.
 void Reader::history(Statement& s) {
   end_body();
+  if (s_.cycle) s.fail("a history after the cycle, expected the statement 'cycle' last");
+  pieces_of_history(s);
+}
+
+void Reader::pieces_of_history(Statement& s) {
   const auto last = [](const std::vector<double>& values) { return values.empty() ? 0.0 : values.back(); };
   do {
     const Word word = s.take("the name of a load case");
@@ -369,6 +374,59 @@ void Reader::history(Statement& s) {
       ++s_.pieces;
     } while (s.accept_number(value));
   } while (s.accept(";") && s.has_more());
+}
+
+// Do two pieces end at the same loads? Those that go round are where they were after whole periods.
+bool Reader::is_at(size_t piece, size_t other) const {
+  constexpr double kSame = 1e-12;
+  for (const LoadCase& c : s_.cases) {
+    const double a = c.factors[piece], b = c.factors[other];
+    if (std::fabs(a - b) > kSame * std::max(std::fabs(a), std::fabs(b))) return false;
+    const double way = c.places[piece] - c.places[other];
+    const double whole = c.course && c.course->returns() ? std::round(way) : 0.0;
+    if (c.course && std::fabs(way - whole) > 1e-9) return false;
+  }
+  return true;
+}
+
+void Reader::drop_piece(size_t piece) {
+  const auto at = static_cast<std::ptrdiff_t>(piece);
+  for (LoadCase& c : s_.cases) c.factors.erase(c.factors.begin() + at), c.places.erase(c.places.begin() + at);
+  --s_.pieces;
+}
+
+constexpr int kDigitsOfMovingLoads = 5;
+
+// cycle shear 1, -1, 1 until steady digits 8 limit 80 frictionless: pieces as in a history. The first leads to the loads at
+// which the cycle begins, unless they are reached already.
+void Reader::cycle(Statement& s) {
+  end_body();
+  if (s_.cycle) s.fail("the statement 'cycle' is given twice, expected once");
+  Repeat repeat;
+  repeat.at = s.at();
+  const auto before = static_cast<size_t>(s_.pieces);
+  pieces_of_history(s);
+  if (!s.accept("until")) s.missing("'until steady'");
+  s.choice({"steady"});
+  if (s.accept("digits")) repeat.digits = s.whole("the number of digits", 1, 12);
+  if (s.accept("limit")) repeat.limit = s.whole("the limit of cycles", 1, 1000000);
+  repeat.frictionless = s.accept("frictionless");
+  const auto last = [&] { return static_cast<size_t>(s_.pieces) - 1; };
+  const bool moves = s_.cases.end() != std::find_if(s_.cases.begin(), s_.cases.end(), [&](const LoadCase& c) {
+                       return c.places[last()] != (before > 0 ? c.places[before - 1] : 0.0);
+                     });
+  if (before > 0 && !moves && is_at(before, before - 1)) drop_piece(before); // (shear 1 after shear 1)
+  const bool is_there = before > 0 && is_at(before - 1, last());
+  repeat.before = static_cast<int>(is_there ? before : before + 1);
+  if (!is_there && !is_at(before, last()))
+    throw Fault{repeat.at,
+                "the cycle does not close: its last loads are neither those reached before it nor those of its first number"};
+  const size_t pieces = last() + 1 - static_cast<size_t>(repeat.before);
+  if (pieces == 0 || (pieces == 1 && !moves))
+    throw Fault{repeat.at, "the cycle has no other loads than those at which it begins, expected numbers such as 1, -1, 1"};
+  const bool drifts = moves && repeat.digits == 0; // surfaces that walk change what the mesh makes of their shape
+  if (drifts) repeat.digits = kDigitsOfMovingLoads;
+  s_.cycle = repeat;
 }
 
 // Bodies that overlap as drawn are press fits, closed before the load history begins.

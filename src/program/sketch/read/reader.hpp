@@ -88,6 +88,10 @@ private:
   void platen(Statement& s);
   void drive(Statement& s);
   void history(Statement& s);
+  void pieces_of_history(Statement& s);
+  void cycle(Statement& s);
+  bool is_at(size_t piece, size_t other) const;
+  void drop_piece(size_t piece);
   void interference(Statement& s);
   void turn(Statement& s, const std::optional<Side>& side, int body, bool is_traction, int load_case);
   int body_named(const Word& word) const;
