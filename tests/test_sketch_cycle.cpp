@@ -77,7 +77,7 @@ TEST_CASE("sketch, cycle: faults with line and column") {
   CHECK(contains(fault_of("history normal 1\ncycle shear 0.1, 0, 0.1 until steady\ncycle shear 0.1, 0, 0.1 until steady\n"),
                  "the statement 'cycle' is given twice, expected once"));
   CHECK(fault_of("history normal 1; shear 0.1\nwant walk\n") ==
-        line + "6: error: a walk is that of a steady cycle, expected a statement such as 'cycle shear 1, -1, 1 until steady'");
+        line + "1: error: a walk is that of a steady cycle, expected a statement such as 'cycle shear 1, -1, 1 until steady'");
   CHECK(contains(fault_of("history normal 1; shear 0.1\nwant loss 5 %\n"), "the load history has no cycle"));
 }
 
