@@ -473,16 +473,16 @@ TEST_CASE("cycle edges: calls that make a cycle of a path, without room, twice, 
   std::vector<double> room(bytes / sizeof(double) + 64);
   c2d_solver* s = nullptr;
   REQUIRE(c2d_create(&s, room.data(), room.size() * sizeof(double), &limits, nullptr, nullptr) == C2D_OK);
-  int32_t first = 0, pieces = 0, limit = 0, start = 0;
-  CHECK(c2d_get_repeated(s, &first, &pieces, &limit, &start) == C2D_ERR_STATE);
+  int32_t first = 0, pieces = 0, limit = 0, digits = 0, start = 0;
+  CHECK(c2d_get_repeated(s, &first, &pieces, &limit, &digits, &start) == C2D_ERR_STATE);
   c2d_problem problem = C2D_INIT(c2d_problem);
   REQUIRE(c2d_set_problem(s, &problem) == C2D_OK);
   for (const double load : {1.0, 0.4, 1.0}) {
     const double factors[2] = {load, 0};
     REQUIRE(c2d_add_path(s, 1, factors, 2) == C2D_OK);
   }
-  REQUIRE(c2d_repeat_paths(s, 2, 0, 0) == C2D_OK);
-  CHECK(c2d_repeat_paths(s, 2, 0, 0) == C2D_ERR_ARGUMENT);
+  REQUIRE(c2d_repeat_paths(s, 2, 0, 0, 0) == C2D_OK);
+  CHECK(c2d_repeat_paths(s, 2, 0, 0, 0) == C2D_ERR_ARGUMENT);
   c2d_close(s);
 }
 
