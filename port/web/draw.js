@@ -261,7 +261,9 @@ function liftsOf(shapes, zones, rigid, images) {
       if (before.has(one) === before.has(two)) continue;
       const [moved, fixed, sign] = before.has(one) ? [two, one, 1] : [one, two, -1], sources = lifts.get(moved) || [];
       const add = ({x, y, n, initial}) => {
-        const base = liftAt(lifts.get(fixed), x, y), by = [base[0] + sign * initial * n[0], base[1] + sign * initial * n[1]];
+        // the overlap of a press fit, magnified, would exceed the motion that closes it
+        const base = liftAt(lifts.get(fixed), x, y), lift = sign * Math.max(initial, 0);
+        const by = [base[0] + lift * n[0], base[1] + lift * n[1]];
         for (const image of images) sources.push({...turned(image, {x, y}), by: turnedBy(image, by)});
       };
       const every = Math.ceil(pairs.length / MOST_SOURCES);

@@ -37,7 +37,8 @@ GapLift::GapLift(const Scene& scene) : of_(scene.bodies.size()) {
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     const double gap = row[C2D_GAP] - (row[C2D_UN2] - row[C2D_UN1]);
     const Point n = scene.pairs[p].normal;
-    pairs[p] = {scene.pairs[p].on[1], {gap * n.x, gap * n.y}};
+    const double lift = std::max(gap, 0.0); // magnified, the overlap of a press fit would exceed the motion that closes it
+    pairs[p] = {scene.pairs[p].on[1], {lift * n.x, lift * n.y}};
     largest_ = std::max(largest_, std::fabs(gap));
   }
   for (const ZoneScene& zone : scene.zones) beside_.push_back(table.empty() ? std::vector<Source>() : beside(scene, zone));
