@@ -17,8 +17,8 @@ const std::string kExamples = paths::root() + "/examples/";
 // first lines that they warn.
 const std::map<std::string, std::vector<std::string>> kOfDissertation = {
     {"half_cylinder.dat", {"the normals of the two surfaces differ", "strains reach"}},
-    {"hertz.dat", {"the normals of the two surfaces differ", "has closed", "strains reach"}},
-    {"hertz_fine.dat", {"the normals of the two surfaces differ", "has closed", "strains reach"}},
+    {"hertz.dat", {"the normals of the two surfaces differ", "is closed", "strains reach"}},
+    {"hertz_fine.dat", {"the normals of the two surfaces differ", "is closed", "strains reach"}},
     {"hertz_frictionless.dat", {"strains reach"}}};
 const std::map<std::string, std::vector<std::string>> kOnPurpose = {
     {"roller.dat", {"coarse contact: the slip zone"}},
