@@ -169,7 +169,7 @@ TEST_CASE("families: a zone that ends within a contact closed from the start is 
     const Result run =
         run_shell("'" + paths::program() + "' make " + arguments + " | '" + paths::program() + "' run - --listing /dev/null");
     CHECK_MESSAGE(run.status == 0, run.err);
-    return contains(run.err, "at an end of a contact zone carries pressure");
+    return contains(run.err, "at an end of a contact zone is closed");
   };
   CHECK(warned("receding_layer zone=0.5"));
   CHECK(!warned("receding_layer"));

@@ -4,7 +4,7 @@
 .PHONY: windows
 WINDOWS_TOOLS ?= x86_64-w64-mingw32-
 WINDOWS_CXX   ?= $(WINDOWS_TOOLS)g++-posix
-WINDOWS_CPPFLAGS := -Iport/windows/include -D_FILE_OFFSET_BITS=64 -D_WIN32_WINNT=0x0A00 -Dmain=contact2d_main
+WINDOWS_CPPFLAGS := -Iport/windows/include -D_FILE_OFFSET_BITS=64 -D_WIN32_WINNT=0x0A00 -Dmain=contact2d_main -Wa,-mbig-obj
 windows:
 	+$(MAKE) BUILD='$(BUILD)/windows' CXX='$(WINDOWS_CXX)' CC='$(WINDOWS_TOOLS)gcc-posix' AR='$(WINDOWS_TOOLS)ar' \
 	  CPPFLAGS='$(WINDOWS_CPPFLAGS)' LDFLAGS='-static -municode -Wl,--stack,8388608' '$(BUILD)/windows/contact2d.exe'

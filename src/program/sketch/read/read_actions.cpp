@@ -378,10 +378,10 @@ void Reader::pieces_of_history(Statement& s) {
 
 // Do two pieces end at the same loads? Those that go round are where they were after whole periods.
 bool Reader::is_at(size_t piece, size_t other) const {
-  constexpr double kSame = 1e-12;
+  constexpr double kSameLoads = 1e-12;
   for (const LoadCase& c : s_.cases) {
     const double a = c.factors[piece], b = c.factors[other];
-    if (std::fabs(a - b) > kSame * std::max(std::fabs(a), std::fabs(b))) return false;
+    if (std::fabs(a - b) > kSameLoads * std::max(std::fabs(a), std::fabs(b))) return false;
     const double way = c.places[piece] - c.places[other];
     const double whole = c.course && c.course->returns() ? std::round(way) : 0.0;
     if (c.course && std::fabs(way - whole) > 1e-9) return false;
