@@ -107,13 +107,13 @@ Outlines parts_within(const std::vector<Point>& line, bool closed, const Box& bo
 
 // Is every point between these two within a twentieth of a pixel of the line that joins them?
 bool is_straight(const std::vector<Point>& curve, size_t from, size_t to) {
-  constexpr double kUnseen = 0.05;
+  constexpr double kStraight = 0.05;
   const double dx = curve[to].x - curve[from].x, dy = curve[to].y - curve[from].y, length = std::hypot(dx, dy);
   for (size_t i = from + 1; i < to; ++i) {
     const double x = curve[i].x - curve[from].x, y = curve[i].y - curve[from].y;
     const double along = length > 0 ? (x * dx + y * dy) / length : 0.0;
     const double off = length > 0 ? std::fabs(x * dy - y * dx) / length : std::hypot(x, y);
-    if (off > kUnseen || along < -kUnseen || along > length + kUnseen) return false;
+    if (off > kStraight || along < -kStraight || along > length + kStraight) return false;
   }
   return true;
 }
