@@ -1,6 +1,7 @@
 // Many load cases, as loads that move over a body need them: by decks, by calls, in FORTRAN 77, saved and restored, in tables.
 // What they give is what a model with the few cases that the path uses gives.
 #include "fortran77_calls.hpp"
+#include "solver/session.hpp"
 #include "solver_runs.hpp"
 
 #include <cmath>
@@ -161,6 +162,42 @@ TEST_CASE("many cases: what is read to prepare them grows with their number") {
   MESSAGE("24: " << few << " 96: " << more << " 400: " << many);
   CHECK(more < 4 * few);
   CHECK(many < 16 * few);
+}
+
+// With many cases the sums of the mean motions once went into the room of the tableau, which was then built anew.
+TEST_CASE("many cases: what is read in a step's callback leaves the tableau as it is") {
+  struct Reading {
+    c2d_solver* solver;
+    int steps = 0;
+    double approach = 0;
+    static int32_t take(void* context, const c2d_step*) {
+      Reading& to = *static_cast<Reading*>(context);
+      c2d::Session session;
+      c2d::open_session(to.solver, session);
+      const c2d::Tableau& t = session.tableau;
+      const std::vector<c2d::Real> before(t.t, t.t + int64_t{t.m} * c2d::tableau_columns(t));
+      c2d_zone_state zone = C2D_INIT(c2d_zone_state);
+      c2d_body_state body = C2D_INIT(c2d_body_state);
+      CHECK(c2d_get_zone_state(to.solver, 1, &zone) == C2D_OK);
+      for (int32_t b = 1; b <= 2; ++b) CHECK(c2d_get_body_state(to.solver, b, &body) == C2D_OK);
+      CHECK(std::equal(before.begin(), before.end(), t.t));
+      to.approach = std::max(to.approach, std::fabs(zone.approach));
+      ++to.steps;
+      return 0;
+    }
+  };
+  for (const int cases : {24, 400}) {
+    CAPTURE(cases);
+    const Deck deck = blocks(counted(cases), {1, 7});
+    Run run(deck);
+    Machine machine(run.limits, run.in_core, &run.port);
+    Reading reading{machine.solver};
+    REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+    REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+    REQUIRE(c2d_run(machine.solver, Reading::take, &reading) == C2D_OK);
+    CHECK(reading.steps == 6);
+    CHECK(reading.approach > 0);
+  }
 }
 
 TEST_CASE("many cases: saved in the path and restored in another workspace, the same bits") {

@@ -54,11 +54,10 @@ void add_point_load(Adjoint& a, const PointLoad& load);
 // Of a point load's displacement: what the tractions do to it that free zones hand over to the body (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
-// Where the room of the tableau has FunctionalTiles, behind arrays of kFunctionalsAtOnce functionals; -1: nowhere.
-int64_t place_of_tiles(const Session& session);
 // Moves what functionals f[i] have of the body's outer unknowns to its trailing columns, w[i], by its transposed factors.
 // Errors: the block store's.
-c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w);
+c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w,
+                            const FunctionalTiles& tiles = {nullptr, nullptr});
 // ---- optional, for bodies with body forces (memory/parts.hpp, energy_body_force.cpp) ----
 // The body force of case k times the displacements it moves through.
 void add_body_force(Adjoint& a, int32_t k);

@@ -8,23 +8,12 @@ namespace c2d {
 
 C2D_USES(CompressedPart);
 
-namespace {
-
-// For many load cases, in the room of the tableau behind the functionals (place_arrays).
-FunctionalTiles tiles_of(const Session& session) {
-  const int64_t place = place_of_tiles(session);
-  const Kernel* const kernel = kSmallCode || place < 0 ? nullptr : kernel_for(session.solver->instructions);
-  if (!kernel || kFunctionalsAtOnce % kernel->rows != 0 || kernel->cols > kWidestTile) return {nullptr, nullptr};
-  return {kernel, session.area.tableau + place};
-}
-
-} // namespace
-
-c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w) {
+c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w,
+                            const FunctionalTiles& tiles) {
   c2d_solver* s = session.solver;
   const EliminationPlan& plan = plan_of(s, b);
   take_back_work(s);
-  if (!is_compressed(plan)) return transposed_functionals(plan, s->tapes, count, f, w, session.area.work, tiles_of(session));
+  if (!is_compressed(plan)) return transposed_functionals(plan, s->tapes, count, f, w, session.area.work, tiles);
   c2d_status status = C2D_OK;
   for (int32_t i = 0; i < count && status == C2D_OK; ++i)
     status = kCompressedPart.compression_functional(session, b, f[i], w[i]);

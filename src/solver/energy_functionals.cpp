@@ -37,6 +37,33 @@ struct Functionals {
   Adjoint* end() const { return a + count; }
 };
 
+int64_t most_outer(const PhaseSizes& sizes) {
+  int64_t outer = 0;
+  for (int b = 0; b < sizes.bodies; ++b)
+    if (sizes.of(b).outer > outer) outer = sizes.of(b).outer;
+  return outer;
+}
+int64_t numbers_of_functional(const PhaseSizes& sizes) {
+  return 4 * sizes.widest + 2 * sizes.m + most_outer(sizes) + sizes.cases;
+}
+
+// With more load cases kernels form the sums. (Few have the digits that they always had.)
+constexpr int32_t kManyFunctionals = 32;
+
+// Room for them is the tableau's, behind the arrays of the functionals: none is built while energies are prepared. A call from
+// a step's callback may use none of it.
+FunctionalTiles tiles_in_tableau(const Session& session) {
+  const PhaseSizes sizes = model_sizes(session.model);
+  if (kSmallCode || is_on_demand(session.model) || 2 * sizes.cases <= kManyFunctionals) return {nullptr, nullptr};
+  const int64_t first = (kFunctionalsAtOnce - 1) * numbers_of_functional(sizes);
+  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
+  const Kernel* const kernel = kernel_for(session.solver->instructions);
+  if (first + functional_tiles(most_outer(sizes)) > room || !kernel || kFunctionalsAtOnce % kernel->rows != 0 ||
+      kernel->cols > kWidestTile)
+    return {nullptr, nullptr};
+  return {kernel, session.area.tableau + first};
+}
+
 // Outer unknowns of a body out of the functionals: they follow from -u_c, t_c = +-tau and lambda.
 c2d_status solve_outer(const Functionals& all, Session& session, int b) {
   Real *f[kFunctionalsAtOnce], *w[kFunctionalsAtOnce];
@@ -46,7 +73,7 @@ c2d_status solve_outer(const Functionals& all, Session& session, int b) {
     f[count] = a.outer;
     w[count++] = a.coefficient;
   }
-  return count == 0 ? c2d_status{C2D_OK} : solve_transposed(session, b, count, f, w);
+  return count == 0 ? c2d_status{C2D_OK} : solve_transposed(session, b, count, f, w, tiles_in_tableau(session));
 }
 
 void add_solved(Adjoint& a) {
@@ -299,16 +326,6 @@ c2d_status remove_motions(const Functionals& all, Session& session) {
   return C2D_OK;
 }
 
-int64_t most_outer(const PhaseSizes& sizes) {
-  int64_t outer = 0;
-  for (int b = 0; b < sizes.bodies; ++b)
-    if (sizes.of(b).outer > outer) outer = sizes.of(b).outer;
-  return outer;
-}
-int64_t numbers_of_functional(const PhaseSizes& sizes) {
-  return 4 * sizes.widest + 2 * sizes.m + most_outer(sizes) + sizes.cases;
-}
-
 // The arrays that a functional is put together in: the first has those of the path area, others take theirs from the room of
 // the tableau, which is made later. False: there is no room left.
 bool place_arrays(Session& session, int32_t number, Adjoint& a) {
@@ -390,17 +407,6 @@ c2d_status build_functionals(const Functionals& all, Session& session) {
 }
 
 } // namespace
-
-// With more load cases kernels form the sums. (Few have the digits that they always had.)
-constexpr int32_t kManyFunctionals = 32;
-
-int64_t place_of_tiles(const Session& session) {
-  const PhaseSizes sizes = model_sizes(session.model);
-  if (kSmallCode || is_on_demand(session.model) || 2 * sizes.cases <= kManyFunctionals) return -1;
-  const int64_t first = (kFunctionalsAtOnce - 1) * numbers_of_functional(sizes);
-  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
-  return first + functional_tiles(most_outer(sizes)) <= room ? first : -1;
-}
 
 void add_demanded(Session& session, int b, const DemandedColumns& columns) {
   if (kSmallCode) return;
