@@ -12,7 +12,7 @@ constexpr double kToleranceRow = 34.0;
 
 struct ToleranceBar {
   std::string name;
-  std::vector<double> shares; // percent of the scale of the number, one per fill
+  std::vector<double> shares; // percent of the number, of an edge of the length of contact; one per fill
   double worst, root;
 };
 
@@ -76,7 +76,9 @@ void draw_tolerances(const Scene& scene, Pictures& out) {
   const double left = 18.0, right = kPictureWidth - 24.0;
   const double top = 12.0 + draw_legend(&svg, {left, 4.0}, right - left, entries);
   const double bottom = top + kToleranceRow * static_cast<double>(bars.size());
-  Chart chart{{left, top, right, bottom}, make_axis(range, "share, % of the scale of the number", "", 6), Axis{}};
+  Chart chart{{left, top, right, bottom},
+              make_axis(range, "change, % of the number (of an edge: of the length of contact)", "", 6),
+              Axis{}};
   chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
   draw_axes(svg, chart);
   for (size_t i = 0; i < bars.size(); ++i) {
@@ -85,11 +87,11 @@ void draw_tolerances(const Scene& scene, Pictures& out) {
     draw_tolerance_bar(svg, chart, y + 18.0, bars[i], entries);
   }
   svg.set_height(bottom + 44.0);
-  Picture picture{"tolerances", "Tolerances of parameters",
-                  "How far numbers may be off by the tolerances of the parameters: shares one after another up to the worst "
-                  "case; the stroke is the root of the sum of their squares. Scales are those of stated errors: of most "
-                  "numbers the value, of edges the length of contact.",
-                  ""};
+  Picture picture{
+      "tolerances", "Tolerances of parameters",
+      "What the tolerances of the parameters change in each number: one share beside the other up to the worst case; "
+      "the stroke is the root of the sum of their squares.",
+      ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }
