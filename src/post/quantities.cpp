@@ -47,16 +47,19 @@ struct Peak {
 };
 
 // The vertex of the parabola through the largest of what pairs have and its neighbours; at an end of the contact or a corner,
-// where there is no smooth top, the largest itself.
+// where there is no smooth top, and where the neighbours have as much, the largest itself.
 Peak find_peak(const LineState& state, const std::vector<double>& values) {
   const ZoneLine& line = state.line;
   const int32_t n = static_cast<int32_t>(line.size());
-  const size_t top = static_cast<size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  size_t top = 0;
+  for (size_t j = 1; j < values.size(); ++j)
+    if (is_larger(values[j], values[top])) top = j;
   const Peak node{line.s[top], values[top]};
   const int32_t i = static_cast<int32_t>(top);
   if (line.corner[top] != 0 || (!line.round && (i == 0 || i == n - 1)) || n < 3) return node;
   const size_t before = static_cast<size_t>((i + n - 1) % n), after = static_cast<size_t>((i + 1) % n);
   if (state.status[before] == C2D_OPEN || state.status[after] == C2D_OPEN) return node;
+  if (!is_larger(node.value, values[before]) && !is_larger(node.value, values[after])) return node; // uniform
   double a = line.s[before] - node.s, b = line.s[after] - node.s;
   if (i == 0) a -= line.length;
   if (i == n - 1) b += line.length;

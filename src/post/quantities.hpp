@@ -15,6 +15,9 @@
 
 namespace app {
 
+// Is a number the larger one, by more than round-off? Of equal pressures the first is then the peak on every machine.
+inline bool is_larger(double value, double other) { return value > other + 1e-9 * std::fabs(other); }
+
 struct Quantity {
   Measure what = Measure::kPeakPressure;
   int32_t zone = 0; // from 1; 0: of all

@@ -107,7 +107,7 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     const double s = scene.pairs[p].s;
     const int status = static_cast<int>(row[C2D_STATUS]);
-    if (p == zone.first || row[C2D_TN] > f.peak) f.peak = row[C2D_TN], f.peak_pair = p;
+    if (p == zone.first || is_larger(row[C2D_TN], f.peak)) f.peak = row[C2D_TN], f.peak_pair = p;
     const bool begins = status == C2D_STICK && !stuck;
     stuck = status == C2D_STICK;
     if (status == C2D_OPEN) continue;

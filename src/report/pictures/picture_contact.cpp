@@ -39,7 +39,7 @@ struct Contact {
   size_t peak() const { // the pair of the largest normal stress in size
     size_t most = zone.first;
     for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
-      if (touches(p) && std::fabs(value(p, C2D_TN)) > std::fabs(value(most, C2D_TN))) most = p;
+      if (touches(p) && is_larger(std::fabs(value(p, C2D_TN)), std::fabs(value(most, C2D_TN)))) most = p;
     return most;
   }
   // The model and, of a zone that goes on beyond lines of symmetry, its images.
