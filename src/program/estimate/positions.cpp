@@ -1,7 +1,9 @@
 // Positions of moving loads (METHOD 22). A path from position to position is a chain of straight pieces; what a number is off
 // by falls with their number N at least like 1/N, so that the change from N/2 to N covers what is left.
-//   1. adapt() finds the mesh with the positions of the sketch; its errors are those of the mesh.
-//   2. The history is solved on it with these positions, with twice and four times as many, and so on until the sum of both
+//   1. On a coarse mesh the positions of the sketch are doubled until no wanted number changes by more than a third. With fewer
+//      a number may be a small difference of large ones, and a mesh that resolves it would be of no use.
+//   2. adapt() finds the mesh with these positions, to a part of the tolerances; its errors are those of the mesh.
+//   3. The history is solved on it with these positions, with twice and four times as many, and so on until the sum of both
 //      errors is small enough.
 #include "program/estimate/positions.hpp"
 
@@ -20,6 +22,10 @@ namespace {
 constexpr double kOfDoubling = 1.5;     // times the change by it: the error of what may fall a little slower
 constexpr int kMostOfPeriod = 4000;     // positions
 constexpr double kWorkOfDoubling = 2.5; // work with twice the positions, over that with these
+constexpr double kCoarse = 0.5;         // tolerance of the mesh on which the first positions are sought
+constexpr double kChangesMuch = 1.0 / 3;
+constexpr double kOfMesh = 0.7; // of the tolerances
+constexpr int kMostFirst = 4;   // doublings there
 
 bool is_same_number(const app::Stated& a, const app::Stated& b) {
   return a.what == b.what && a.zone == b.zone && a.item == b.item && a.body == b.body && a.of == b.of;
@@ -58,6 +64,15 @@ Numbers with_errors(const Numbers& of_mesh, const std::vector<Numbers>& with) {
   return out;
 }
 
+// Does no wanted one of these numbers change much from `few` to `more` positions?
+bool are_settled(const Numbers& numbers, const Numbers& few, const Numbers& more) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](const app::Stated& s) {
+    const app::Stated *a = find_number(few, s, 0), *b = find_number(more, s, 0);
+    if (std::isnan(s.tolerance) || !s.has_value() || (a == nullptr && b == nullptr)) return true;
+    return a != nullptr && b != nullptr && change(*a, *b) <= kChangesMuch * std::max(s.scale, std::fabs(b->value));
+  });
+}
+
 bool all_are_met(const std::vector<app::Stated>& stated) {
   return std::all_of(stated.begin(), stated.end(), [](const app::Stated& s) { return s.is_met() || s.endless; });
 }
@@ -77,6 +92,8 @@ public:
     demand_.drawn = true;
   }
   void refine();
+  // The sketch with as many positions as phase 2 needs.
+  sketch::Sketch with_first_positions();
 
 private:
   bool solve_with(const sketch::Sketch& sketch, Numbers& numbers);
@@ -137,13 +154,51 @@ void Positions::refine() {
   }
 }
 
+sketch::Sketch Positions::with_first_positions() {
+  sketch::Sketch few = out_.sketch;
+  Numbers before, now;
+  bool solved = solve_with(few, before);
+  for (int i = 0; i < kMostFirst && solved && may_double(); ++i) {
+    const sketch::Sketch twice = sketch::with_twice_the_positions(few);
+    solved = solve_with(twice, now);
+    if (!solved || are_settled(of_mesh_, before, now)) break;
+    few = twice;
+    before = now;
+  }
+  return few;
+}
+
+template <class Change> void change_tolerances(sketch::Sketch& s, Change change) {
+  s.tolerance = change(s.tolerance);
+  for (sketch::Want& want : s.wants)
+    if (want.tolerance) want.tolerance = change(*want.tolerance);
+}
+
+sketch::Sketch with_first_positions(const sketch::Sketch& sketch, const Demand& demand, TrialKeeper* keeper) {
+  sketch::Sketch coarse = sketch, out = sketch;
+  change_tolerances(coarse, [](double tolerance) { return std::max(tolerance, kCoarse); });
+  coarse.tolerances.clear();
+  Adapted first = adapt(
+      coarse, demand, [](const app::MeshRound&) {}, keeper);
+  if (first.status == C2D_OK && !first.loop.stated.empty() && !app::interrupted())
+    sketch::take_positions(out, Positions(first, demand, keeper).with_first_positions());
+  return out;
+}
+
 } // namespace
 
 Adapted adapt_positions(const sketch::Sketch& sketch, const Demand& demand,
                         const std::function<void(const app::MeshRound&)>& report, TrialKeeper* keeper) {
-  Adapted out = adapt(sketch, demand, report, keeper);
+  if (!sketch::has_moving_loads(sketch)) return adapt(sketch, demand, report, keeper);
+  sketch::Sketch first = with_first_positions(sketch, demand, keeper);
+  change_tolerances(first, [](double tolerance) { return kOfMesh * tolerance; });
+  Adapted out = adapt(first, demand, report, keeper);
+  change_tolerances(out.sketch, [](double tolerance) { return tolerance / kOfMesh; });
+  for (app::Stated& s : out.loop.stated) s.tolerance /= kOfMesh;
+  for (app::MeshRound& round : out.loop.rounds)
+    for (app::Stated& s : round.stated) s.tolerance /= kOfMesh;
   const bool is_whole = out.status == C2D_OK && !out.loop.stated.empty();
-  if (is_whole && sketch::has_moving_loads(sketch) && !app::interrupted()) Positions(out, demand, keeper).refine();
+  if (is_whole && !app::interrupted()) Positions(out, demand, keeper).refine();
   return out;
 }
 
