@@ -168,24 +168,31 @@ void matrices() {
 
 // What c2d_prepare spends in assembly: the matrix of the unknowns, its diagonal, balances and right-hand
 // side.
-double assembly_of(const Disc& disc, int turns) {
-  std::vector<double> seconds;
-  for (int turn = 0; turn < turns; ++turn) {
-    const Solver solver(disc.limits());
-    disc.build(solver);
-    solver.must(c2d_prepare(solver));
-    seconds.push_back(solver.summary().seconds[C2D_PHASE_ASSEMBLE]);
-  }
-  return median(seconds);
+double assembly_of(const Disc& disc) {
+  const Solver solver(disc.limits());
+  disc.build(solver);
+  solver.must(c2d_prepare(solver));
+  return solver.summary().seconds[C2D_PHASE_ASSEMBLE];
 }
 
-void whole_body() {
-  const double disc = assembly_of({1000}, 7);
-  row("assembly.disc.1000", disc * 1e3, "ms", "a disc of 1000 linear elements, all of it");
-  const double ring = assembly_of({1000, 2}, 3);
-  char of_plane[80];
-  std::snprintf(of_plane, sizeof of_plane, "a ring of such a section, radius 2: %.1f times as long", ring / disc);
-  row("assembly.ring.1000", ring * 1e3, "ms", of_plane);
+// Bodies of revolution beside plane ones of the same nodes, in turns.
+void whole_bodies() {
+  heading("Assembly of a whole body: a disc, and a ring of the same nodes whose section it is, middle radius 2");
+  const char* names[] = {"linear", "quadratic", "cubic"};
+  for (int order = 1; order <= 3; ++order)
+    for (const int32_t nodes : {200, 1000}) {
+      const Disc disc = {nodes / order, 0, order + 1}, ring = {nodes / order, 2, order + 1};
+      std::vector<double> plane, round;
+      for (int turn = 0; turn < (nodes < 1000 ? 15 : 5); ++turn) {
+        plane.push_back(assembly_of(disc));
+        round.push_back(assembly_of(ring));
+      }
+      const std::string end = std::string(".") + names[order - 1] + "." + std::to_string(nodes);
+      const double ratio = median(round) / median(plane);
+      row("assembly.disc" + end, median(plane) * 1e3, "ms");
+      row("assembly.ring" + end, median(round) * 1e3, "ms",
+          judged("assembly.ring" + end + ".ratio", ratio, "<=", 8, "times the disc's"));
+    }
 }
 
 } // namespace
@@ -210,7 +217,7 @@ test::Callable<void()> assembly_job(c2d::Instructions set, int nodes) {
 
 void assembly() {
   matrices();
-  whole_body();
+  whole_bodies();
   heading("Assembly: millions of source-element pairs per second, all in one panel (ring of 2 x 60 elements)");
   for (const int order : {2, 3, 4}) {
     for (const bool round : {false, true}) {

@@ -46,12 +46,12 @@ void arc_to(std::vector<double>& xy, double radius, double from, double to, doub
 
 int32_t points(const std::vector<double>& xy) { return static_cast<int32_t>(xy.size() / 2); }
 
-// Codes tx ty ux uy at both ends of the elements first ... last.
-void condition(const Solver& s, int body, int32_t first, int32_t last, const char* codes, double ty = 0) {
+// Codes tx ty ux uy at both ends, or at more functional nodes, of the elements first ... last.
+void condition(const Solver& s, int body, int32_t first, int32_t last, const char* codes, double ty = 0, int ends = 2) {
   const int32_t code[4] = {codes[0] - '0', codes[1] - '0', codes[2] - '0', codes[3] - '0'};
   const double value[4] = {0, ty, 0, 0};
   for (int32_t e = first; e <= last; ++e)
-    for (int32_t l = 1; l <= 2; ++l) s.must(c2d_set_condition(s, body, e, l, 1, code, value));
+    for (int32_t l = 1; l <= ends; ++l) s.must(c2d_set_condition(s, body, e, l, 1, code, value));
 }
 void condition_at(const Solver& s, int body, int32_t element, int local, const char* codes, double ty = 0) {
   const int32_t code[4] = {codes[0] - '0', codes[1] - '0', codes[2] - '0', codes[3] - '0'};
@@ -248,7 +248,7 @@ void Ring::build(const Solver& s) const {
 host::Limits Disc::limits() const {
   host::Limits out;
   out.bodies = 1;
-  out.function_nodes = 2;
+  out.function_nodes = function_nodes;
   out.body[0].elements = out.body[0].points = elements;
   out.body[0].regions = out.coefficients = out.paths = 1;
   return out;
@@ -265,10 +265,10 @@ void Disc::build(const Solver& s) const {
     xy.push_back(radius + std::cos(angle)), xy.push_back(std::sin(angle));
   }
   add_body(s, 1, xy, 1000);
-  condition(s, 1, 1, elements / 4, "1100");
+  condition(s, 1, 1, elements / 4, "1100", 0, function_nodes);
   condition_at(s, 1, elements / 4 + 1, 1, "0000");
-  condition_at(s, 1, elements, 2, "0000");
-  condition(s, 1, elements / 2, 3 * elements / 4, "0011", -1);
+  condition_at(s, 1, elements, function_nodes, "0000");
+  condition(s, 1, elements / 2, 3 * elements / 4, "0011", -1, function_nodes);
   s.must(c2d_add_path(s, 1, &kFullLoad, 1));
   s.must(c2d_complete(s));
 }

@@ -54,10 +54,11 @@ struct Ring {
   void build(const Solver& solver) const;
 };
 
-// A disc of straight linear elements, radius 1: held on a quarter of its boundary, pressed on another.
+// A disc of straight elements, radius 1: held on a quarter of its boundary, pressed on another.
 struct Disc {
   int32_t elements;
   double radius = 0; // above 0: a ring of revolution, of its middle
+  int32_t function_nodes = 2;
   host::Limits limits() const;
   void build(const Solver& solver) const;
 };
