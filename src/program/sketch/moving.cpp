@@ -121,7 +121,7 @@ void Expansion::copy_loads() {
   replace(out_.drives, [&](Drive d, const MovedLoad& moved, int load_case) -> std::optional<Drive> {
     for (auto* pair : {&d.motion, &d.load}) {
       const Point turned = moved.share * moved.turned({(*pair)[0].value_or(0), (*pair)[1].value_or(0)});
-      if ((*pair)[0] || (*pair)[1]) (*pair)[0] = turned.x, (*pair)[1] = turned.y;
+      if ((*pair)[0]) (*pair)[0] = turned.x, (*pair)[1] = turned.y;
       if ((*pair)[2]) *(*pair)[2] *= moved.share;
     }
     d.load_case = load_case;
@@ -171,7 +171,6 @@ void Expansion::make_history() {
         add_piece(factors, before, 1);
       }
   }
-  if (out_.steps.empty()) out_.steps = from_.steps;
 }
 
 Sketch Expansion::run() {
@@ -276,7 +275,6 @@ void MovingCheck::check_force(const PointLoad& p, const Course& course) {
 void MovingCheck::check_drive(const Drive& d, const Course& course) {
   if (course.kind != Course::kRound)
     return fault(d.at, "the loads of a rigid part can turn, not travel, expected a case with 'round'");
-  if (s_.axisymmetric) return fault(d.at, "a body of revolution has no load that turns");
   if (!(d.motion[0] && d.motion[1]) && !(d.load[0] && d.load[1]))
     fault(d.at, "what turns has two components, expected x and y, or fx and fy");
 }
@@ -299,6 +297,8 @@ void MovingCheck::check_history(const LoadCase& one) {
 std::vector<Fault> MovingCheck::run() {
   for (const LoadCase& one : s_.cases) {
     if (!one.course) continue;
+    if (s_.axisymmetric && one.course->kind == Course::kRound)
+      fault(one.course->at, "loads of a body of revolution do not go round in its half section");
     check_shares(*one.course);
     check_history(one);
   }

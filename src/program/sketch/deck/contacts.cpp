@@ -146,11 +146,9 @@ void Cutter::find(size_t index) {
   const std::vector<Chain>&a = chains_[index][0], &b = chains_[index][1];
   const size_t before = parts_.size();
   for (const Chain& one : a)
-    for (const Chain& two : b) {
-      if (one.curves() == two.curves()) continue;
+    for (const Chain& two : b)
       for (FacingRun& run : facing_runs(one, two, limits_of(interface, one, two)))
         parts_.push_back({index, std::move(run), {false, false}});
-    }
   if (parts_.size() == before) faults_.push_back({interface.at, why(interface, a, b)});
 }
 
@@ -204,6 +202,7 @@ double gap_at(const FacingRun& run, size_t side, double length, double& number) 
 // Cuts a run at an interpolated index and keeps the part before or after it.
 void trim(FacingPart& part, double number, bool keeps_before) {
   std::vector<FacingPoints>& p = part.run.points;
+  const double least = kOneOverlap * std::max(part.length(0), part.length(1)); // of what is left
   const size_t i = std::min(static_cast<size_t>(number), p.size() - 2);
   const double f = number - static_cast<double>(i);
   FacingPoints at = p[f < 0.5 ? i : i + 1];
@@ -216,7 +215,7 @@ void trim(FacingPart& part, double number, bool keeps_before) {
     p.erase(p.begin(), here), p.insert(p.begin(), at);
   part.run.ring = false;
   part.shared[keeps_before ? 1 : 0] = true;
-  if (std::max(part.length(0), part.length(1)) <= 0) p.clear();
+  if (std::max(part.length(0), part.length(1)) <= least) p.clear();
 }
 
 // Divides a stretch that belongs to two parts: each part keeps the points that are nearer to its other side. Was there one?
@@ -258,10 +257,7 @@ bool Cutter::share(FacingPart& p, size_t side, FacingPart& q, size_t other) {
     }
     if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
     const double behind = static_cast<double>(yields.run.points.size() - 1) - ends[1];
-    if (ends[0] < 1e-6 && behind < 1e-6)
-      yields.run.points.clear();
-    else
-      trim(yields, ends[0] > behind ? ends[0] : ends[1], ends[0] > behind);
+    trim(yields, ends[0] > behind ? ends[0] : ends[1], ends[0] > behind);
     return true;
   }
   return false;

@@ -12,8 +12,6 @@ void Reader::course(Statement& s, LoadCase& moving) {
   Course course;
   course.kind = static_cast<Course::Kind>(s.choice({"round", "travel", "along"}));
   course.at = s.at();
-  if (course.kind == Course::kRound && s_.axisymmetric)
-    s.fail("loads of a body of revolution do not go round in its half section");
   if (course.kind == Course::kRound) course.about = s.point("the point that the loads go round");
   if (course.kind == Course::kTravel) course.way = s.point("the way that the loads go");
   if (course.kind == Course::kTravel && length(course.way) == 0) s.fail("the way has no length, expected x and y of its end");

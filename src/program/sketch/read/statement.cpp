@@ -28,7 +28,7 @@ bool Statement::accept(const char* word) {
 
 // May a word begin an expression: a digit, a sign, a bracket, a parameter or a function?
 bool Statement::begins_number(const Word& word) const {
-  if (word.quoted || word.text.empty()) return false;
+  if (word.quoted) return false;
   const char c = word.text[0];
   if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '(' || c == '{') return true;
   size_t end = 0;
@@ -149,8 +149,12 @@ bool Statement::accept_phrase(const std::string& phrase) {
   return ahead > 0;
 }
 
+bool Statement::begins_with(const std::string& mark) const {
+  return has_more() && !words_[next_].quoted && words_[next_].text.compare(0, mark.size(), mark) == 0;
+}
+
 bool Statement::accept_prefix(const std::string& mark) {
-  if (!has_more() || words_[next_].quoted || words_[next_].text.compare(0, mark.size(), mark) != 0) return false;
+  if (!begins_with(mark)) return false;
   words_[next_].text.erase(0, mark.size());
   words_[next_].at.column += static_cast<int>(mark.size());
   return true;
