@@ -448,3 +448,62 @@ TEST_CASE("assembly: the diagonal in closed form is the sum over the elements: c
         CHECK(std::fabs(closed.diagonal[i] - summed.diagonal[i]) < 2e-15 * 8); // entries below 1, a dozen elements
     }
 }
+
+namespace {
+
+// Elements between these corners, `per` on each side, bulged by this share of their length: straight ones with 0.
+Points sides(const Points& corners, int element_nodes, int per, double bulge) {
+  Points out;
+  const size_t n = corners.size() / 2;
+  for (size_t e = 0; e < n; ++e) {
+    const double *p = &corners[2 * e], *q = &corners[(2 * e + 2) % (2 * n)];
+    const double dx = (q[0] - p[0]) / per, dy = (q[1] - p[1]) / per;
+    for (int k = 0; k < per * (element_nodes - 1); ++k) {
+      const double at = k / (element_nodes - 1.0), t = at - std::floor(at), out_by = 4 * bulge * t * (1 - t);
+      out.insert(out.end(), {p[0] + at * dx + out_by * dy, p[1] + at * dy - out_by * dx});
+    }
+  }
+  return out;
+}
+
+// A ring whose section has corners of all kinds and a hole; with functions 2 double nodes at a corner.
+ModelData ring_body(int32_t functions, double bulge) {
+  ModelData d(functions);
+  d.head.plane = C2D_AXISYMMETRIC;
+  const int nodes = bulge == 0 ? 2 : 3 + functions % 2;
+  Points outer = sides({0.3, 0, 3, 0, 4.5, 0.9, 1.4, 1.1, 1.2, 2.9, 0.7, 3, 0.2, 1.5}, nodes, 2, bulge);
+  if (functions == 2 && bulge == 0) outer.insert(outer.begin() + 4, {3, 0});
+  d.body(nodes, {outer, sides({0.4, 0.3, 0.35, 0.8, 0.6, 0.6, 0.9, 0.5}, nodes, 1, 0)}, 2600, 0.3);
+  return d;
+}
+
+} // namespace
+
+TEST_CASE("assembly: rings in batches, their diagonal by paths, give what sums one by one give" * doctest::skip(!c2d::kRings)) {
+  for (int32_t functions = 2; functions <= 4; ++functions)
+    for (const double bulge : {0.0, 0.08, -0.05}) {
+      CAPTURE(functions);
+      CAPTURE(bulge);
+      ModelData d = ring_body(functions, bulge);
+      REQUIRE_MESSAGE(d.complete(), d.all());
+      const Columns single(d, 0, 0, nullptr);
+      const size_t rows = static_cast<size_t>(single.rows);
+      for (int32_t set = 1; set <= static_cast<int32_t>(c2d::best_instructions()); ++set) {
+        const c2d::BatchKernel* batch = c2d::batch_for(static_cast<c2d::Instructions>(set));
+        if (!batch) continue;
+        CAPTURE(set);
+        const Columns whole(d, 0, 0, batch), pieces(d, 0, 7, batch);
+        CHECK(pieces.data == whole.data);
+        double worst = 0, diagonal = 0;
+        for (size_t i = 0; i < single.data.size(); ++i) {
+          double most = 0; // of the column
+          for (size_t row = 0; row < rows; ++row) most = std::max(most, std::fabs(double{single.data[i / rows * rows + row]}));
+          worst = std::max(worst, std::fabs(double{whole.data[i]} - double{single.data[i]}) / (most + 1e-300));
+        }
+        CHECK(worst < 1000 * static_cast<double>(std::numeric_limits<c2d::Real>::epsilon()));
+        for (size_t i = 0; i < single.diagonal.size(); ++i)
+          diagonal = std::max(diagonal, std::fabs(whole.diagonal[i] - single.diagonal[i]));
+        CHECK(diagonal < 5e-14);
+      }
+    }
+}

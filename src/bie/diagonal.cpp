@@ -13,9 +13,12 @@
 #include "bie/panel.hpp"
 #include "memory/config.hpp"
 #include "memory/math.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
+
+C2D_USES(RingPart);
 
 namespace {
 
@@ -70,9 +73,9 @@ void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
 
 bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
-  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.body[system.body].element_nodes != 2 ||
-      is_axisymmetric(m))
-    return false;
+  if (kSmallCode || !system.batch) return false;
+  if (is_axisymmetric(m)) return kRingPart.fill_ring_diagonal(system, first_node, count);
+  if (system.quadrature != Quadrature::accurate || m.body[system.body].element_nodes != 2) return false;
   const int32_t lines = m.body[system.body].lines;
   Integrator& any = system.scratch->integrator; // material and functions are the same for all elements
   make_integrator(m, system.body, 0, system.quadrature, Measure::own_length, any);

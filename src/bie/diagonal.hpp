@@ -10,8 +10,8 @@
 
 namespace c2d {
 
-// fill_diagonal() for bodies of straight elements with closed boundaries; false, having done nothing, for others and
-// in small builds. Agrees with the sum over the elements to round-off.
+// fill_diagonal() for bodies of straight elements with closed boundaries, and for rings (bie/rings/ring_batches.hpp); false,
+// having done nothing, for others and in small builds. Agrees with the sum over the elements to round-off.
 bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count);
 
 } // namespace c2d

@@ -95,11 +95,15 @@ struct HolePart { // bie/holes.cpp
 
 struct Complex;
 struct PointField;
+struct Deposits;
 
 struct RingPart { // bie/rings: bodies of revolution
   bool linked = false;
   Function<void, const Integrator&, double, double, int, bool, bool, Blocks&> integrate_rings = Nothing();
   Function<void, const Integrator&, double, double, int, double (*)[2]> ring_sum = Nothing();
+  Function<bool, const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&> scatter_rings = Nothing();
+  Function<bool, const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t> take_rings = Nothing();
+  Function<bool, const ColumnSystem&, int32_t, int32_t> fill_ring_diagonal = Nothing();
   Function<void, const Integrator&, double, double, double (*)[2], double (*)[2]> add_ring_trace = Nothing();
   Function<void, const FieldElement&, const Complex&, double, double, PointField&> add_ring_field = Nothing();
   Function<void, double, const double*, const double*, double (*)[2]> ring_force = Nothing();

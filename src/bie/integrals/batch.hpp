@@ -65,6 +65,28 @@ struct BatchField { // as PointField; near: 1 where the element is too near for 
   bool some_near;
 };
 
+// Rings (bie/rings/ring_batches.hpp): an element of a body of revolution, x and z of its first node, and a point of one
+// of its rules from there on. Weights are those of T times -k/2 and of U times k/2, as the kernels are found without these
+// factors.
+struct BatchRing {
+  double x, z, kappa, t1;
+  int functions;
+};
+struct RingPoint {
+  double x, z, r, nx, ny;
+  double own, h[kElementNodes], g[kElementNodes]; // of T, with the functions; of U
+};
+// Points of a panel as one source sees them; squares of the factors by which their logarithm is split off (1: none).
+// Names as above.
+struct RingPanel {
+  double a[kBatch], z[kBatch], nx[kBatch], ny[kBatch], stretch[kBatch], own[kBatch];
+  double h[kElementNodes][kBatch], g[kElementNodes][kBatch];
+};
+// Sums of the lanes: the blocks [l][2 i + j], and what the motion along r adds to ring_sum().
+struct RingSums {
+  double h[kElementNodes][4][kBatch], g[kElementNodes][4][kBatch], motion[2][kBatch];
+};
+
 struct BatchKernel {
   // The blocks of the sources at xy, for an element with is_batched(). A source at one of the element's functional nodes gets
   // finite numbers without meaning. Blocks not wanted are not written.
@@ -79,6 +101,11 @@ struct BatchKernel {
   void (*rigid_off)(const BatchElement& e, const double* xy, int32_t count, double* diagonal);
   // add_field() for sums that start at 0.
   void (*field)(const BatchFieldElement& e, const BatchPoints& points, BatchField& out);
+  // Rings: the blocks of the sources at xy by `count` points; ring_sum(), sum[4 s + 2 i + j]; the points of a panel, or
+  // the factors of their logarithms.
+  void (*rings)(const BatchRing& e, const RingPoint* points, int count, const double* xy, BatchBlocks& out);
+  void (*ring_rigid)(const BatchRing& e, const RingPoint* points, int count, const double* xy, double sum[4 * kBatch]);
+  void (*ring_panel)(const BatchRing& e, double radius, const RingPanel& p, bool logarithms, RingSums& sums);
   // Of kBatch numbers each: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
   void (*logarithm)(const double* x, double* out);
   void (*angle)(const double* y, const double* x, double* out);

@@ -5,6 +5,7 @@
 // Names and formulas are those of integrals_straight.cpp.
 #include "bie/integrals/field_loops.hpp"
 #include "bie/integrals/linear_loops.hpp"
+#include "bie/integrals/ring_loops.hpp"
 #include "model/shape.hpp"
 
 namespace c2d {
@@ -252,8 +253,9 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kDoubles) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kBatchLoops = {integrate_batch, scatter, integrate_and_scatter, rigid, rigid_off, field,
-                                     logarithms,      angles};
+constexpr BatchKernel kBatchLoops = {
+    integrate_batch, scatter, integrate_and_scatter, rigid, rigid_off, field, integrate_ring_batch, ring_rigid, ring_panel,
+    logarithms,      angles};
 
 } // namespace
 } // namespace c2d

@@ -9,9 +9,12 @@
 #include "bie/integrals/batch_sources.hpp"
 
 #include "bie/integrals/batch.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
+
+C2D_USES(RingPart);
 
 namespace {
 
@@ -138,6 +141,7 @@ void scatter_group(BatchJob& job, const Group& g, int image, Blocks& blocks, Bat
 bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
                      Blocks& blocks, const Deposits& deposits) {
   if (kSmallCode || !system.batch) return false;
+  if (is_ring(integrator)) return kRingPart.scatter_rings(system, integrator, node, blocks, deposits);
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
     (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
@@ -181,7 +185,9 @@ void take_off(const ColumnSystem& system, const Integrator& in, const int32_t no
 
 bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
                            int32_t first_node, int32_t count) {
-  if (kSmallCode || !system.batch || !is_batched(integrator, false)) return false;
+  if (kSmallCode || !system.batch) return false;
+  if (is_ring(integrator)) return kRingPart.take_rings(system, integrator, node, first_node, count);
+  if (!is_batched(integrator, false)) return false;
   const int32_t lines = system.model.body[system.body].lines;
   const BatchElement element = batch_element(integrator);
   const int32_t end = first_node + count;

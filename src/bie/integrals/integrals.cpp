@@ -50,6 +50,18 @@ void prepare_chord(Integrator& in) {
   in.log_half = 0.5 * log(in.chord2);
 }
 
+// The semi-axis of the ellipse in which the kernels must be analytic.
+double rule_axis(const Integrator& in, int order, int degree) {
+  const double semi = gauss_semi_axis(order, degree, kTolerance);
+  if (!is_ring(in)) return semi;
+  // The factor r of a ring counts as a degree there. In that ellipse it is at most 1 + growth times that of the middle: without
+  // the degree a smaller one is sufficient.
+  const double(&c)[kElementNodes][2] = in.element.c;
+  const double growth = semi * (fabs(c[1][0]) + semi * (fabs(c[2][0]) + semi * fabs(c[3][0])));
+  const double smaller = gauss_semi_axis(order, degree - 1, kTolerance * c[0][0] / (c[0][0] + growth));
+  return smaller < semi ? smaller : semi;
+}
+
 // Distances beyond which each Gauss rule is sufficient. In a disc of radius R about the middle, which contains the Bernstein
 // ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3. A source farther from x(0) than that is no zero of x -
 // source in the disc, so the kernels are analytic there. J must be analytic there too, because g contains it.
@@ -59,7 +71,7 @@ void prepare_reach(Integrator& in) {
   const int degree = in.functions - 1 + (in.element.straight ? 0 : 1) + (is_ring(in) ? 1 : 0);
   const double c1 = length(c[1]), c2 = length(c[2]), c3 = length(c[3]);
   for (int i = 0; i < kFarOrderCount; ++i) {
-    const double r = gauss_semi_axis(kFarOrders[i], degree, kTolerance);
+    const double r = rule_axis(in, kFarOrders[i], degree);
     const double reach = r * (c1 + r * (c2 + r * c3));
     in.reach2[i] = r > 0.0 && has_no_zero(in.d, 0.0, r) ? reach * reach : kNever;
   }

@@ -59,14 +59,7 @@ struct RingElement {
       motion[i] += own * (u[i][0] * n[0] - 2.0 * u[i][1] * n[1] - s.rx * t[i][0] + 2.0 * s.ry * t[i][1]);
   }
 
-  bool resolved(const Expansion& x, const Stretch& p, bool own) const {
-    if (!c2d::resolved(in, x, p, own)) return false;
-    if (!own || !has_logarithm()) return true;
-    const double tau = p.sign * p.to;
-    double end[2];
-    for (int i = 0; i < 2; ++i) end[i] = tau * (x.b[0][i] + tau * (x.b[1][i] + tau * x.b[2][i]));
-    return squared(end) <= 0.5 * radius * radius;
-  }
+  bool resolved(const Expansion& x, const Stretch& p, bool own) const { return is_ring_resolved(in, radius, x, p, own); }
 };
 
 // The trace of the stress at a point off the boundary, see integrals_panels.hpp.
@@ -93,6 +86,15 @@ struct RingTrace {
 };
 
 } // namespace
+
+bool is_ring_resolved(const Integrator& in, double radius, const Expansion& x, const Stretch& p, bool own) {
+  if (!resolved(in, x, p, own)) return false;
+  if (!own || !(radius > 0.0)) return true;
+  const double tau = p.sign * p.to;
+  double end[2];
+  for (int i = 0; i < 2; ++i) end[i] = tau * (x.b[0][i] + tau * (x.b[1][i] + tau * x.b[2][i]));
+  return squared(end) <= 0.5 * radius * radius;
+}
 
 void integrate_rings(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   Sums sums = {};
