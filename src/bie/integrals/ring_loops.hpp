@@ -33,8 +33,16 @@ constexpr double kRingQ2[] = {-11.999999999993099, -22.49999996283503,  -32.8124
                               -53.189382150223089, -61.829770038621795, -61.86441803230413,   -43.028125609095852,
                               -15.77141457733741,  -2.196511006734879,  -0.062897648113190263};
 
+// The same address, unknown to the compiler: it would copy every coefficient to the stack, as a vector, in front of each loop
+// over points.
+INLINE const double* at_each_point(const double* p, const void* point) {
+  __asm__("" : "+r"(p) : "r"(point));
+  return p;
+}
+
 // Even and odd powers apart: two short chains in the place of a long one.
-template <int N> INLINE Doubles polynomial(const double (&p)[N], Doubles x, Doubles x2) {
+template <int N> INLINE Doubles polynomial(const double (&coefficients)[N], const void* point, Doubles x, Doubles x2) {
+  const double* p = at_each_point(coefficients, point);
   Doubles last = all(p[N - 1]), before = all(p[N - 2]);
 #pragma GCC unroll 6
   for (int i = N - 3; i > 0; i -= 2) {
@@ -89,18 +97,18 @@ INLINE LaneMoments lane_moments(const LaneDistances& d, Doubles k31, Doubles k32
 }
 
 // Of the kernels themselves, ln(x) with x times `stretch`: their logarithm split off (integrals_panels.hpp).
-INLINE LaneMoments whole_moments(const RingLane& at, Doubles stretch) {
+INLINE LaneMoments whole_moments(const RingLane& at, Doubles stretch, const void* point) {
   const LaneDistances d = lane_distances(at);
   const Doubles x = d.b * d.far, x2 = x * x, scale = d.far * d.over, log = logarithm(x * stretch);
-  return lane_moments(d, scale * (polynomial(kRingP1, x, x2) - log * polynomial(kRingQ1, x, x2)),
-                      scale * (polynomial(kRingP2, x, x2) - log * (x * polynomial(kRingQ2, x, x2))));
+  return lane_moments(d, scale * (polynomial(kRingP1, point, x, x2) - log * polynomial(kRingQ1, point, x, x2)),
+                      scale * (polynomial(kRingP2, point, x, x2) - log * (x * polynomial(kRingQ2, point, x, x2))));
 }
 
 // Of the factor of ln(1/x).
-INLINE LaneMoments factor_moments(const RingLane& at) {
+INLINE LaneMoments factor_moments(const RingLane& at, const void* point) {
   const LaneDistances d = lane_distances(at);
   const Doubles x = d.b * d.far, x2 = x * x, scale = d.far * d.over;
-  return lane_moments(d, scale * polynomial(kRingQ1, x, x2), scale * (x * polynomial(kRingQ2, x, x2)));
+  return lane_moments(d, scale * polynomial(kRingQ1, point, x, x2), scale * (x * polynomial(kRingQ2, point, x, x2)));
 }
 
 // 2 U_ij/k, METHOD (21.2).
@@ -157,7 +165,7 @@ INLINE void integrate_rings_of(const BatchRing& e, const RingPoint* points, int 
     for (int n = 0; n < count; ++n) {
       const RingPoint& p = points[n];
       const RingLane lane = sources.at(p);
-      const LaneMoments k = whole_moments(lane, all(1.0));
+      const LaneMoments k = whole_moments(lane, all(1.0), &p);
       Doubles u[2][2], t[2][2];
       lane_displacement(lane, k, e.kappa, u);
       lane_traction(lane, k, e.t1, t);
@@ -195,7 +203,7 @@ void ring_rigid(const BatchRing& e, const RingPoint* points, int count, const do
     for (int n = 0; n < count; ++n) {
       const RingPoint& p = points[n];
       const RingLane lane = sources.at(p);
-      const LaneMoments k = whole_moments(lane, all(1.0));
+      const LaneMoments k = whole_moments(lane, all(1.0), &p);
       Doubles u[2][2], t[2][2], of[2];
       lane_displacement(lane, k, e.kappa, u);
       lane_traction(lane, k, e.t1, t);
@@ -222,7 +230,7 @@ void ring_panel(const BatchRing& e, double radius, const RingPanel& p, bool loga
   for (int at = 0; at < kBatch; at += kDoubles) {
     const Doubles a = load(p.a + at), big = all(radius);
     const RingLane lane = {a, load(p.z + at), big + a, big, load(p.nx + at), load(p.ny + at)};
-    const LaneMoments k = logarithms ? factor_moments(lane) : whole_moments(lane, load(p.stretch + at));
+    const LaneMoments k = logarithms ? factor_moments(lane, &p) : whole_moments(lane, load(p.stretch + at), &p);
     Doubles u[2][2], t[2][2], of[2];
     lane_displacement(lane, k, e.kappa, u);
     lane_traction(lane, k, e.t1, t);
