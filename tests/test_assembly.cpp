@@ -507,3 +507,24 @@ TEST_CASE("assembly: rings in batches, their diagonal by paths, give what sums o
       }
     }
 }
+
+TEST_CASE("assembly: the diagonal of half a solid of revolution, from the axis to its line of symmetry" *
+          doctest::skip(!c2d::kRings)) {
+  for (int32_t functions = 2; functions <= 4; ++functions) {
+    CAPTURE(functions);
+    ModelData d(functions);
+    d.head.plane = C2D_AXISYMMETRIC;
+    d.head.symmetry_asked = 2; // y = 0
+    d.body(2, {{2, 0, 1.9, 0.3, 2.1, 0.9, 1.2, 1, 0.7, 1.8, 0.01, 1.9, 0, 1.9}});
+    c2d::Body& body = d.bodies[0];
+    body.elements -= 1, body.nodes -= functions - 2, d.regions[0][0].last -= 1, d.regions[0][0].open = 1, body.open_regions = 1;
+    REQUIRE_MESSAGE(d.complete(), d.all());
+    REQUIRE(d.bodies[0].lines == 3); // axis and line
+    const Columns path(d, 0), summed(d, 0, 0, nullptr);
+    const size_t on_axis = summed.diagonal.size() - 4; // its block along r has no meaning
+    double worst = 0;
+    for (size_t i = 0; i < summed.diagonal.size(); ++i)
+      if (i < on_axis || i == on_axis + 3) worst = std::max(worst, std::fabs(path.diagonal[i] - summed.diagonal[i]));
+    CHECK(worst < 3e-13); // entries of nodes near the axis are sums of larger numbers
+  }
+}
