@@ -4,11 +4,13 @@
 #include "picture_runs.hpp"
 #include "post/cracks.hpp"
 #include "report/csv.hpp"
+#include "report/cycle.hpp"
 #include "report/json.hpp"
 #include "report/listing/key_table.hpp"
 #include "report/listing/listing.hpp"
 #include "report/listing/listing_items.hpp"
 #include "report/page.hpp"
+#include "report/page_cycles.hpp"
 #include "report/pictures/contour.hpp"
 #include "report/pictures/gap_lift.hpp"
 #include "report/pictures/model_symbols.hpp"
@@ -255,6 +257,68 @@ TEST_CASE(
   hand.scene.history = &none;
   CHECK(hand.draw(draw_tractions).size() == 1);
   CHECK(hand.draw(draw_status_map).empty());
+}
+
+TEST_CASE("report: a cycle that walks, of two zones; what is drawn of it, and what not if it is not whole") {
+  Hand hand(2, 2);
+  const auto state = [](double tt) {
+    return std::vector<Row>{{C2D_SLIP, 1, tt, 0, 0}, {C2D_STICK, 1, 0, 0, 0}, {C2D_STICK, 2, 0, 0, 0}, {C2D_OPEN, 0, 0, 1, 0}};
+  };
+  CycleSeen seen;
+  seen.cycles = 1, seen.change = 0.5, seen.dissipated = 0.25, seen.slip_range = 2;
+  seen.zones = {{2, 1, 1, 0.5, 2}, {1, 1, 0, 0, 0}};
+  const auto table = [&hand](int32_t kind, int32_t number, double load, const std::vector<Row>& rows, double moved) {
+    std::vector<double> out;
+    for (const Row& row : rows) {
+      std::array<double, C2D_PAIR_FIELDS> r{};
+      r[C2D_STATUS] = row.status, r[C2D_TN] = row.tn, r[C2D_TT] = row.tt, r[C2D_UT2] = out.empty() ? moved : 0;
+      out.insert(out.end(), r.begin(), r.end());
+    }
+    c2d_step now = C2D_INIT(c2d_step);
+    now.kind = kind, now.coefficient = 1, now.step = number, now.pairs = 4, now.mu = 0.3, now.load = load, now.cases = 1;
+    now.loads = now.work_by_case = &load, now.table = out.data(), now.stride = C2D_PAIR_FIELDS;
+    CoefficientRecord& c = keep_step(hand.record, now);
+    if (kind == C2D_STEP_CYCLE) {
+      keep_cycle_start(c, now, nullptr, {});
+      hand.history.note_cycle(now, {{0, {0, 1}}, {-1, {2}}});
+      return;
+    }
+    keep_history(c, now, nullptr, {}, {});
+    hand.history.note(now);
+  };
+  table(C2D_STEP_RECORDED, 1, 1, state(0.3), 5);
+  CoefficientRecord& c = hand.record.coefficients[0];
+  for (int i = 0; i < 2; ++i) { // the second takes the place of the first
+    table(C2D_STEP_CYCLE, 1, 1, state(0.3), 7 + i);
+    seen.cycles = i + 1, seen.extrapolations = 1;
+    c.cycles.push_back(seen);
+  }
+  CHECK(hand.draw(draw_cycle_loop).empty()); // it has not been recorded
+  CHECK(hand.draw(draw_cycles).size() == 1);
+  CHECK(find_cycle(c).any() == false);
+  table(C2D_STEP_RECORDED, 2, 0, state(-0.3), 10);
+  table(C2D_STEP_RECORDED, 3, 1, state(0.3), 9);
+  CHECK((find_cycle(c).first == 0 && find_cycle(c).last == 2));
+  const Pictures curves = hand.draw(draw_cycles), loops = hand.draw(draw_cycle_loop), statuses = hand.draw(draw_cycle_status);
+  REQUIRE((curves.size() == 2 && loops.size() == 1 && statuses.size() == 2));
+  CHECK((curves[0].name == "cycles" && curves[1].name == "cycle_steps"));
+  CHECK(contains(curves[0].caption, "After 1 cycle the state was extrapolated"));
+  CHECK((contains(curves[0].svg, "Walk in each cycle") && contains(curves[0].svg, ">extrapolation<")));
+  CHECK(contains(curves[1].svg, "zone 2"));
+  CHECK(contains(loops[0].caption, "pair 1 at s = 0"));
+  // From 8 to 10 with -0.3 to 0.3 on side 1, and back to 9: no area, and 1 from where it began.
+  CHECK(contains(loops[0].caption, "moves over 2 and dissipates "));
+  CHECK(contains(loops[0].caption, "it ends 1 from where it began"));
+  CHECK(contains(statuses[0].caption, "1 of 2 pairs stick all the time, 1 slip at some time"));
+  CHECK(contains(statuses[1].caption, "1 of 2 pairs stick all the time, 0 slip at some time"));
+  std::string page;
+  hand.scene.solved = true;
+  append_page_cycles(page, hand.scene);
+  CHECK(contains(page, "<h2>Cycles</h2>"));
+  CHECK(!contains(page, "Steps of the last cycle")); // nothing sums up their contact
+  c.outcome = C2D_FREE_MOTION;
+  CHECK(!find_cycle(c).any());
+  CHECK(steps_of_cycle(c).empty());
 }
 
 TEST_CASE("report: sixteen charts of a kind at most, over all zones and coefficients; zones without pairs have none") {

@@ -19,6 +19,23 @@ c2d_status find_cycle_seen(c2d_solver* solver, int32_t zones, CycleSeen& out) {
   return status;
 }
 
+c2d_status find_followed(c2d_solver* solver, const std::vector<ZoneLine>& lines, int32_t pairs,
+                         std::vector<FollowedZone>& out) {
+  std::vector<double> range(static_cast<size_t>(pairs)), touched(range.size());
+  c2d_status status = c2d_get_cycle(solver, C2D_CYCLE_RANGE, 1, pairs, range.data(), 1);
+  if (status == C2D_OK) status = c2d_get_cycle(solver, C2D_CYCLE_TOUCHED, 1, pairs, touched.data(), 1);
+  out.assign(lines.size(), FollowedZone());
+  for (size_t z = 0; z < lines.size(); ++z) {
+    double most = 0.0;
+    for (const int32_t p : lines[z].pair) {
+      const size_t at = static_cast<size_t>(p);
+      if (range[at] > most) most = range[at], out[z].pair = p;
+      if (touched[at] > 0.0) out[z].touched.push_back(p);
+    }
+  }
+  return status;
+}
+
 c2d_status find_cycle_results(c2d_solver* solver, int32_t zones, int32_t pairs, CycleResults& out) {
   CycleSeen seen;
   c2d_status status = find_cycle_seen(solver, zones, seen);

@@ -1,6 +1,8 @@
 // What c2d_run has found of the cycle of a load path that it repeats until it is steady (contact2d_cycle.h).
 #pragma once
 
+#include "post/zone_line.hpp"
+
 #include <contact2d_cycle.h>
 
 #include <cstdint>
@@ -24,6 +26,13 @@ struct CycleSeen {
 
 // The cycle followed last, of all zones; the elastic energy is left to the caller.
 c2d_status find_cycle_seen(c2d_solver* solver, int32_t zones, CycleSeen& out);
+
+// What of a zone is followed through the next cycle. Pairs from 0.
+struct FollowedZone {
+  int32_t pair = -1;            // that with the largest slip range over the last cycle; -1: none slips
+  std::vector<int32_t> touched; // those that touched for some of it
+};
+c2d_status find_followed(c2d_solver* solver, const std::vector<ZoneLine>& lines, int32_t pairs, std::vector<FollowedZone>& out);
 
 // The same for the numbers of a contact: which pairs stuck all the time. No zones: no cycle has been followed.
 struct CycleResults {

@@ -36,4 +36,40 @@ Cycle find_cycle(const std::vector<StepRecord>& steps) {
   return out;
 }
 
+namespace {
+
+bool records_cycle(const CoefficientRecord& c) {
+  return !c.cycle_start.empty() && c.outcome == C2D_REACHED && c.steps.size() > 1 &&
+         c.steps.back().step > c.cycle_start[0].step && c.steps.front().step <= c.cycle_start[0].step;
+}
+
+// The last step before the recorded cycle.
+size_t before_cycle(const CoefficientRecord& c) {
+  size_t out = 0;
+  while (c.steps[out + 1].step <= c.cycle_start[0].step) ++out;
+  return out;
+}
+
+} // namespace
+
+Cycle find_cycle(const CoefficientRecord& c) {
+  Cycle out = find_cycle(c.steps);
+  if (records_cycle(c)) out.first = before_cycle(c), out.last = c.steps.size() - 1;
+  return out;
+}
+
+std::vector<const StepRecord*> steps_of_loop(const CoefficientRecord& c) {
+  std::vector<const StepRecord*> out;
+  for (const StepRecord& step : c.steps) out.push_back(&step);
+  if (records_cycle(c)) out[before_cycle(c)] = &c.cycle_start[0];
+  return out;
+}
+
+std::vector<const StepRecord*> steps_of_cycle(const CoefficientRecord& c) {
+  if (!records_cycle(c)) return {};
+  std::vector<const StepRecord*> out = steps_of_loop(c);
+  out.erase(out.begin(), out.begin() + static_cast<ptrdiff_t>(before_cycle(c)));
+  return out;
+}
+
 } // namespace app

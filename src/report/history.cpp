@@ -23,6 +23,15 @@ bool goes_back(const std::vector<double>& before, const std::vector<double>& fro
   return product < 0;
 }
 
+ZonePoint zone_point(const FollowedZone& zone, const c2d_step& step) {
+  const auto row = [&step](int32_t p) { return step.table + p * int64_t{step.stride}; };
+  const auto shift = [&row](int32_t p) { return row(p)[C2D_UT2] - row(p)[C2D_UT1]; };
+  ZonePoint out{0, 0, 0, 0};
+  if (zone.pair >= 0) out.shift = shift(zone.pair), out.tn = row(zone.pair)[C2D_TN], out.tt = row(zone.pair)[C2D_TT];
+  for (const int32_t p : zone.touched) out.mean += shift(p) / static_cast<double>(zone.touched.size());
+  return out;
+}
+
 // Tractions within a thousandth of the largest pressure.
 bool is_same_state(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0, apart = 0;
@@ -50,6 +59,12 @@ void History::note_reversal(CoefficientHistory& c, Snapshot now) {
   c.last = std::move(now);
 }
 
+std::vector<const PathPoint*> points_of_cycle(const CoefficientHistory& history) {
+  std::vector<const PathPoint*> out;
+  for (size_t i = history.cycle; history.cycle > 0 && i < history.points.size(); ++i) out.push_back(&history.points[i]);
+  return out.size() > 1 ? out : std::vector<const PathPoint*>{};
+}
+
 std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
                                             const std::vector<double>& table) {
   std::vector<const Snapshot*> some, out;
@@ -63,22 +78,20 @@ std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, i
   return out;
 }
 
-void History::note(const c2d_step& step) {
+CoefficientHistory& History::history_of(const c2d_step& step) {
   const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
   if (coefficients_.size() <= index) coefficients_.resize(index + 1);
-  CoefficientHistory& c = coefficients_[index];
-  c.mu = step.mu;
+  coefficients_[index].mu = step.mu;
+  return coefficients_[index];
+}
+
+PathPoint History::point_of(const CoefficientHistory& c, const c2d_step& step) {
   PathPoint now;
   now.step = step.step;
   now.kind = step.kind;
   now.load = step.load;
   now.travel = c.points.empty() ? 0.0 : c.points.back().travel;
-  for (int32_t k = 0; k < step.cases; ++k) {
-    const size_t at = static_cast<size_t>(k);
-    if (c.loads.size() <= at) c.loads.push_back(0.0);
-    now.travel += std::fabs(step.loads[k] - c.loads[at]);
-    c.loads[at] = step.loads[k];
-  }
+  for (size_t k = 0; k < c.loads.size(); ++k) now.travel += std::fabs(step.loads[k] - c.loads[k]);
   now.events = (c.points.empty() ? 0 : c.points.back().events) + (step.kind == C2D_STEP_CHANGE ? 1 : 0);
   const size_t pairs = static_cast<size_t>(step.pairs);
   const bool keep_status = status_bytes_ + pairs <= kMostStatusBytes;
@@ -91,6 +104,27 @@ void History::note(const c2d_step& step) {
     if (keep_status) now.status[p] = static_cast<char>(status);
   }
   if (keep_status) status_bytes_ += pairs;
+  for (const FollowedZone& zone : c.followed) now.zones.push_back(zone_point(zone, step));
+  return now;
+}
+
+void History::note_cycle(const c2d_step& step, std::vector<FollowedZone> followed) {
+  CoefficientHistory& c = history_of(step);
+  if (c.points.empty()) return;
+  if (c.points.back().kind == C2D_STEP_CYCLE) { // the cycle before was not the last one
+    status_bytes_ -= c.points.back().status.size();
+    c.points.pop_back();
+  }
+  c.followed = std::move(followed);
+  c.cycle = c.points.size();
+  c.points.push_back(point_of(c, step));
+}
+
+void History::note(const c2d_step& step) {
+  CoefficientHistory& c = history_of(step);
+  c.loads.resize(static_cast<size_t>(step.cases));
+  const PathPoint now = point_of(c, step);
+  c.loads.assign(step.loads, step.loads + step.cases);
   c.points.push_back(now);
   if (step.kind == C2D_STEP_CHANGE) return;
   c.energy.push_back({now.travel, step.load, step.work, step.dissipated, step.elastic, step.energy_defect});
@@ -99,7 +133,7 @@ void History::note(const c2d_step& step) {
   kept.step = step.step;
   kept.load = step.load;
   kept.loads.assign(step.loads, step.loads + step.cases);
-  for (size_t p = 0; p < pairs; ++p) {
+  for (size_t p = 0; p < static_cast<size_t>(step.pairs); ++p) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     kept.table.insert(kept.table.end(), row, row + C2D_PAIR_FIELDS);
   }

@@ -1,6 +1,8 @@
 // The load path as the pictures need it: every change of status in brief, and the whole table at a few steps.
 #pragma once
 
+#include "post/cycles.hpp"
+
 #include <contact2d.h>
 
 #include <cstdint>
@@ -9,6 +11,11 @@
 
 namespace app {
 
+// Of a zone in the recorded cycle: (u2 - u1).t and tractions of the pair that is followed, and the mean of the former over the
+// pairs that touch in the cycle.
+struct ZonePoint {
+  double shift, tn, tt, mean;
+};
 // One call of the step callback.
 struct PathPoint {
   int32_t step = 0, kind = 0;   // C2D_STEP_...
@@ -18,6 +25,7 @@ struct PathPoint {
   int32_t count[3] = {0, 0, 0}; // open, stick, slip
   int32_t events = 0;           // so far, this one included
   std::string status;           // a byte per pair: C2D_OPEN ...; empty once kMostStatusBytes are in use
+  std::vector<ZonePoint> zones; // by CoefficientHistory::followed, in the recorded cycle
 };
 struct Snapshot {
   int32_t step = 0;
@@ -38,6 +46,8 @@ struct CoefficientHistory {
   std::vector<Snapshot> reversals; // the last kMostReversals recorded steps from which the loads went back
   Snapshot last, before;           // of recorded steps; of the one before the loads alone
   std::vector<EnergyPoint> energy;
+  size_t cycle = 0; // the point at which the recorded cycle begins; 0: none
+  std::vector<FollowedZone> followed;
 };
 
 class History {
@@ -45,6 +55,8 @@ public:
   // `steps`: increments of all load cards.
   void begin(int32_t steps) { steps_ = steps; }
   void note(const c2d_step& step);
+  // A cycle that has ended, at which the recorded one may begin: `followed` as in CoefficientHistory.
+  void note_cycle(const c2d_step& step, std::vector<FollowedZone> followed);
   const std::vector<CoefficientHistory>& coefficients() const { return coefficients_; }
   // All members, for an archive that reads or writes them.
   template <class Archive> void archive(Archive& a) { a(coefficients_), a(status_bytes_); }
@@ -53,12 +65,17 @@ private:
   static constexpr size_t kMostReversals = 3;
   static constexpr int32_t kMostFrames = 20; // a multiple of four
   bool is_frame(int32_t step) const;
+  CoefficientHistory& history_of(const c2d_step& step);
+  PathPoint point_of(const CoefficientHistory& history, const c2d_step& step);
   static void note_reversal(CoefficientHistory& history, Snapshot now);
   static constexpr size_t kMostStatusBytes = size_t{1} << 26;
   std::vector<CoefficientHistory> coefficients_;
   int32_t steps_ = 0;
   size_t status_bytes_ = 0;
 };
+
+// Points from the beginning of the recorded cycle on; empty: there is none.
+std::vector<const PathPoint*> points_of_cycle(const CoefficientHistory& history);
 
 // Earlier states drawn as thin curves beside the last one: at load reversals with a state different from
 // `table`; on a path without reversals, intermediate states.

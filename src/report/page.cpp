@@ -4,6 +4,7 @@
 #include "report/drawn/dark.hpp"
 #include "report/frames.hpp"
 #include "report/listing/key_table.hpp"
+#include "report/page_cycles.hpp"
 #include "report/page_fatigue.hpp"
 #include "report/page_terms.hpp"
 #include "report/page_tolerances.hpp"
@@ -77,6 +78,7 @@ void append_outcome(std::string& out, const Scene& scene) {
           "<b>incomplete</b>, stopped at " + load_reached(c) + " in step " + std::to_string(c.step) + ": " + escape_xml(c.why);
     else
       out += "reached " + load_reached(c) + " in " + std::to_string(c.step) + (c.step == 1 ? " step." : " steps.");
+    if (!c.cycles.empty() && c.outcome == C2D_REACHED) out += " The cycle is " + escape_xml(cycle_text(c, scene.summary)) + ".";
     out += "</div>\n";
   }
   out += "</div>\n";
@@ -336,6 +338,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   append_numbers(page, scene);
   page += "</div>\n";
   if (scene.solved) append_steps(page, scene);
+  if (scene.solved) append_page_cycles(page, scene);
   append_page_fatigue(page, scene);
   append_page_torsion(page, scene);
   append_page_tolerances(page, scene);

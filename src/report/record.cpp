@@ -96,12 +96,8 @@ void note_slip(CoefficientRecord& c, const c2d_step& step) {
   for (int32_t p = 0; p < step.pairs; ++p) c.slip[static_cast<size_t>(p)] = step.table[p * step.stride + C2D_SLIP_SUM];
 }
 
-} // namespace
-
-void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
-                  const std::vector<ZoneLine>& lines) {
-  if (step.kind == C2D_STEP_CHANGE) return;
-  note_slip(c, step);
+StepRecord read_step(const CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
+                     const std::vector<ZoneLine>& lines) {
   StepRecord now;
   now.step = step.step;
   now.work = step.work;
@@ -122,7 +118,20 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   if (solver != nullptr)
     now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn, now.bodies,
                                    repeats ? &cycle : nullptr);
-  c.steps.push_back(now);
+  return now;
+}
+
+} // namespace
+
+void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
+                  const std::vector<ZoneLine>& lines) {
+  if (step.kind == C2D_STEP_CHANGE) return;
+  note_slip(c, step);
+  c.steps.push_back(read_step(c, step, solver, tips, lines));
+}
+
+void keep_cycle_start(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<ZoneLine>& lines) {
+  c.cycle_start.assign(1, read_step(c, step, solver, {}, lines));
 }
 
 void keep_corners(CoefficientRecord& c, const c2d_step& step, const std::vector<Corner>& corners) {

@@ -46,6 +46,7 @@ struct CoefficientRecord {
   std::vector<double> table;              // C2D_PAIR_FIELDS numbers per pair
   std::vector<StepRecord> steps;          // as many as were recorded
   std::vector<CycleSeen> cycles;          // of the load path's cycle, before the recorded one
+  std::vector<StepRecord> cycle_start;    // none or one: the state at which the recorded cycle begins, after the step before it
   std::vector<double> slip, slip_at_turn; // C2D_SLIP_SUM of the pairs at the last step, and where the loads last turned
 };
 
@@ -81,6 +82,9 @@ std::string fault_of_steps(const c2d_summary& model);
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // The data of a step of kind C2D_STEP_CYCLE.
 c2d_status keep_cycle(RunRecord& record, const c2d_step& step, c2d_solver* solver, int32_t zones);
+// The state at its end, where the recorded cycle may begin; `solver` as in keep_history.
+void keep_cycle_start(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver,
+                      const std::vector<ZoneLine>& lines);
 // "steady in cycle 7: it shakes down ...", of a coefficient with cycles; a word for a result of C2D_CYCLE_...; why a run whose
 // cycle is not steady has failed.
 std::string cycle_text(const CoefficientRecord& coefficient, const Summary& summary);

@@ -135,7 +135,7 @@ void append_stresses_rows(std::string& out, const c2d_step& step, const std::vec
 void append_ranges(std::string& out, const RunRecord& record, const std::vector<StressPlace>& places) {
   out += "mu,first,last,body,element,point,x,y,hoop_least,hoop_most,s1_least,s1_most,von_mises_most,von_mises_range\n";
   for (const CoefficientRecord& c : record.coefficients) {
-    const Cycle cycle = find_cycle(c.steps);
+    const Cycle cycle = find_cycle(c);
     const size_t begin = cycle.first, end = cycle.any() ? cycle.last + 1 : c.steps.size();
     std::vector<size_t> with;
     for (size_t i = begin; i < end; ++i)

@@ -56,10 +56,12 @@ template <class Archive> void members(Archive& a, CycleSeen& c) {
 }
 template <class Archive> void members(Archive& a, CoefficientRecord& c) {
   a(c.mu), a(c.load), a(c.loads), a(c.step), a(c.changes), a(c.outcome), a(c.singular), a(c.why), a(c.body), a(c.pair);
-  a(c.table), a(c.steps), a(c.cycles), a(c.slip), a(c.slip_at_turn);
+  a(c.table), a(c.steps), a(c.cycles), a(c.cycle_start), a(c.slip), a(c.slip_at_turn);
 }
+template <class Archive> void members(Archive& a, ZonePoint& p) { a(p.shift), a(p.tn), a(p.tt), a(p.mean); }
+template <class Archive> void members(Archive& a, FollowedZone& z) { a(z.pair), a(z.touched); }
 template <class Archive> void members(Archive& a, PathPoint& p) {
-  a(p.step), a(p.kind), a(p.load), a(p.travel), a(p.peak), a(p.count), a(p.events), a(p.status);
+  a(p.step), a(p.kind), a(p.load), a(p.travel), a(p.peak), a(p.count), a(p.events), a(p.status), a(p.zones);
 }
 template <class Archive> void members(Archive& a, Snapshot& s) {
   a(s.step), a(s.is_quarter), a(s.load), a(s.loads), a(s.table);
@@ -68,7 +70,7 @@ template <class Archive> void members(Archive& a, EnergyPoint& e) {
   a(e.travel), a(e.load), a(e.work), a(e.dissipated), a(e.elastic), a(e.defect);
 }
 template <class Archive> void members(Archive& a, CoefficientHistory& h) {
-  a(h.mu), a(h.points), a(h.loads), a(h.frames), a(h.reversals), a(h.last), a(h.before), a(h.energy);
+  a(h.mu), a(h.points), a(h.loads), a(h.frames), a(h.reversals), a(h.last), a(h.before), a(h.energy), a(h.cycle), a(h.followed);
 }
 template <class Archive> void members(Archive& a, History& h) { h.archive(a); }
 template <class Archive> void members(Archive& a, Trace::State& s) { a(s.status), a(s.side); }
@@ -89,12 +91,17 @@ struct Sizes {
   bool fit(const CoefficientRecord& c) const {
     bool all = is(c.table, pairs * C2D_PAIR_FIELDS) && is(c.slip, pairs) && is(c.slip_at_turn, pairs) && is(c.loads, cases);
     for (const StepRecord& s : c.steps) all = all && fit(s);
+    for (const StepRecord& s : c.cycle_start) all = all && fit(s);
     for (const CycleSeen& one : c.cycles) all = all && one.zones.size() == zones;
     return all;
   }
   bool fit(const CoefficientHistory& h) const {
-    bool all = is(h.loads, cases);
-    for (const PathPoint& p : h.points) all = all && is(p.status, pairs);
+    bool all = is(h.loads, cases) && is(h.followed, zones) && (h.cycle == 0 || h.cycle < h.points.size());
+    for (const FollowedZone& zone : h.followed) {
+      all = all && zone.pair < static_cast<int64_t>(pairs);
+      for (const int32_t p : zone.touched) all = all && p >= 0 && p < static_cast<int64_t>(pairs);
+    }
+    for (const PathPoint& p : h.points) all = all && is(p.status, pairs) && is(p.zones, zones);
     const auto fits = [this](const Snapshot& s) { return is(s.table, pairs * C2D_PAIR_FIELDS) && is(s.loads, cases); };
     for (const Snapshot& s : h.frames) all = all && fits(s);
     for (const Snapshot& s : h.reversals) all = all && fits(s);

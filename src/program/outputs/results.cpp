@@ -43,8 +43,14 @@ c2d_status RunResults::read_stresses() {
 
 c2d_status RunResults::take(const c2d_step& step, StepResults& now) {
   if (step.kind == C2D_STEP_CYCLE) {
-    const c2d_status status = keep_cycle(record, step, session.solver, summary.zones);
+    c2d_status status = keep_cycle(record, step, session.solver, summary.zones);
     now.record = &record.coefficients[static_cast<size_t>(step.coefficient) - 1];
+    keep_cycle_start(*now.record, step, (needs & kNeedsSums) != 0 ? session.solver : nullptr, lines);
+    std::vector<FollowedZone> followed;
+    if (status == C2D_OK && (needs & kNeedsPictures) != 0) {
+      status = find_followed(session.solver, lines, step.pairs, followed);
+      path.history.note_cycle(step, std::move(followed));
+    }
     if (status != C2D_OK || now.record->steps.empty() || now.record->steps.back().stresses.empty()) return status;
     const c2d_status read = read_stresses(); // ranges of the last cycle begin with them
     now.record->steps.back().stresses = stresses;

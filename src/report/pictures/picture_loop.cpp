@@ -19,14 +19,22 @@ double value_of(const StepRecord& step, Measure what, size_t zone) {
 }
 
 Loop find_loop(const CoefficientRecord& c, size_t zone) {
-  Loop out{find_cycle(c.steps), {}};
-  for (const StepRecord& step : c.steps)
-    out.path.push_back({value_of(step, Measure::kShift, zone), -value_of(step, Measure::kFrictionForce, zone)});
+  Loop out{find_cycle(c), {}};
+  for (const StepRecord* step : steps_of_loop(c))
+    out.path.push_back({value_of(*step, Measure::kShift, zone), -value_of(*step, Measure::kFrictionForce, zone)});
   return out;
 }
 
+// Friction whose sum vanishes, as all round a ring, is round-off beside the normal force.
+double least_force(const CoefficientRecord& c, size_t zone) {
+  double most = 0.0;
+  for (const StepRecord& step : c.steps)
+    most = std::max(most, value_of(step, Measure::kMeanPressure, zone) * value_of(step, Measure::kContactWidth, zone));
+  return 1e-9 * most;
+}
+
 std::string caption(const Scene& scene, size_t coefficient, size_t zone, const Loop& loop) {
-  const std::vector<StepRecord>& steps = scene.record->coefficients[coefficient].steps;
+  const std::vector<const StepRecord*> steps = steps_of_loop(scene.record->coefficients[coefficient]);
   std::string out =
       "The friction force on side 1 of the zone along t over how far side 2 has moved along t against side 1, on average over "
       "the pairs; markers are recorded steps.";
@@ -35,11 +43,11 @@ std::string caption(const Scene& scene, size_t coefficient, size_t zone, const L
   for (size_t i = loop.first; i < loop.last; ++i)
     area += 0.5 * (loop.path[i].y + loop.path[i + 1].y) * (loop.path[i + 1].x - loop.path[i].x);
   for (size_t i = loop.first; i <= loop.last; ++i) low = std::min(low, loop.path[i].x), high = std::max(high, loop.path[i].x);
-  return out + " The last cycle, steps " + std::to_string(steps[loop.first].step) + " to " +
-         std::to_string(steps[loop.last].step) + ", encloses the area " + figure(std::fabs(area), scene.work_unit, 6) +
+  return out + " The last cycle, steps " + std::to_string(steps[loop.first]->step) + " to " +
+         std::to_string(steps[loop.last]->step) + ", encloses the area " + figure(std::fabs(area), scene.work_unit, 6) +
          " and is " + figure(high - low, scene.length_unit) + " wide; friction dissipated " +
-         figure(value_of(steps[loop.last], Measure::kDissipated, zone) -
-                    value_of(steps[loop.first], Measure::kDissipated, zone),
+         figure(value_of(*steps[loop.last], Measure::kDissipated, zone) -
+                    value_of(*steps[loop.first], Measure::kDissipated, zone),
                 scene.work_unit, 6) +
          " in it. The two agree where all pairs move alike; where the edges slip and the middle sticks the area is less.";
 }
@@ -49,7 +57,8 @@ void draw_loop_of(const Scene& scene, size_t coefficient, size_t zone, Pictures&
   const Loop loop = find_loop(scene.record->coefficients[coefficient], zone);
   Range x, y;
   for (const Point& p : loop.path) x.include(p.x), y.include(p.y);
-  if (!(mu > 0.0) || loop.turns.empty() || !(x.high > x.low) || !(y.high > y.low)) return;
+  if (!(mu > 0.0) || loop.turns.empty() || !(x.high > x.low)) return;
+  if (!(y.high - y.low > least_force(scene.record->coefficients[coefficient], zone))) return;
   const std::string name = "loop" + chart_suffix(scene, coefficient, zone);
   const Chart chart{{84.0, 14.0, kPictureWidth - 26.0, 334.0},
                     make_axis(x, "mean displacement of side 2 against side 1", scene.length_unit, 6),

@@ -140,6 +140,9 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out) {
   draw_tractions(scene, out);
   draw_status_map(scene, out);
   draw_loop(scene, out);
+  draw_cycles(scene, out);
+  draw_cycle_loop(scene, out);
+  draw_cycle_status(scene, out);
   draw_gap(scene, out);
   c2d_status status = C2D_OK;
   if (scene.solved) {

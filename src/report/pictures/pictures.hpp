@@ -34,6 +34,11 @@ void draw_tractions(const Scene& scene, Pictures& out);
 void draw_status_map(const Scene& scene, Pictures& out);
 // Friction force over displacement where the loads turn, per coefficient and zone; the last whole cycle and its area.
 void draw_loop(const Scene& scene, Pictures& out);
+// Of a cycle that is repeated until it is steady, per coefficient: its numbers over the cycles, and over the steps of the
+// recorded one; per zone friction over slip of a pair, and the statuses of all.
+void draw_cycles(const Scene& scene, Pictures& out);
+void draw_cycle_loop(const Scene& scene, Pictures& out);
+void draw_cycle_status(const Scene& scene, Pictures& out);
 // Gap and slip along a zone, per coefficient and zone.
 void draw_gap(const Scene& scene, Pictures& out);
 // The deformed shape over the undeformed one.
