@@ -90,9 +90,11 @@ c2d_status c2d_cycle(c2d_solver* solver, const c2d_cycle_request* request, c2d_c
    Part of the model: legal with c2d_add_path, with c2d_limits.cycle_states above 0. Errors: ARGUMENT also where the cycle does
    not close. */
 enum {
-  C2D_START_AS_LOADED = 0,       /* the cycles begin where the path has led                                            */
-  C2D_START_WITHOUT_FRICTION = 1 /* up to the cycle bodies slide without friction, where it is bounded; then the pairs that
+  C2D_START_AS_LOADED = 0,        /* the cycles begin where the path has led                                            */
+  C2D_START_WITHOUT_FRICTION = 1, /* up to the cycle bodies slide without friction, where it is bounded; then the pairs that
                                     touch stick. If that ends in another steady cycle, the state depends on how it began */
+  C2D_START_COMPARED = 2          /* as loaded; the host compares it with a run of the same path without friction, as the
+                                     program contact2d does */
 };
 c2d_status c2d_repeat_paths(c2d_solver* solver, int32_t pieces, int32_t limit, int32_t digits, int32_t start);
 /* Which segments are repeated: the first, from 1 (0: none), how many; limit, digits and start. Legal as the lists of section 8. */

@@ -420,6 +420,7 @@ PROGRAM_SOURCES += src/program/outputs/results.cpp
 PROGRAM_SOURCES += src/program/progress.cpp
 PROGRAM_SOURCES += src/program/real_in_columns.cpp
 PROGRAM_SOURCES += src/program/run.cpp
+PROGRAM_SOURCES += src/program/second_start.cpp
 PROGRAM_SOURCES += src/program/session.cpp
 PROGRAM_SOURCES += src/program/sketch/chain.cpp
 PROGRAM_SOURCES += src/program/sketch/deck/actions.cpp

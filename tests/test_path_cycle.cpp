@@ -213,8 +213,8 @@ TEST_CASE("cycle of a path: what is refused, and what is given back") {
   refused(model, "pieces is 1, expected 2 or more");
   model.repeated = 2, model.cycle_limit = -1;
   refused(model, "limit is -1, expected 0 to 1000000");
-  model.cycle_limit = 0, model.cycle_start = 2;
-  refused(model, "start is 2, expected 0 to 1");
+  model.cycle_limit = 0, model.cycle_start = 3;
+  refused(model, "start is 3, expected 0 to 2");
   model.cycle_start = 0, model.cycle_digits = 13;
   refused(model, "digits is 13, expected 0 to 12");
   model.cycle_digits = 0, model.paths[2].load = 0.9;

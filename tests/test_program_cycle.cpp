@@ -112,6 +112,37 @@ TEST_CASE("program, cycle: not steady at its limit is exit status 1, with all th
   CHECK((contains(listing, "  not steady after 3 cycles: ") && contains(listing, "Contact in numbers")));
 }
 
+TEST_CASE(
+    "program, cycle: compared with a start without friction, a contact that sticks ends elsewhere, one that slides does not") {
+  const Folder folder;
+  const auto compared = [&folder](const std::string& deck, const std::string& words) {
+    write_file(folder / "d.dat", deck);
+    const Result run = run_shell(kProgram + "run '" + (folder / "d.dat") + "' --listing - --json '" + (folder / "j") + "'");
+    CHECK_MESSAGE(contains(run.out, words), run.out);
+    return JsonReader::read(read_file(folder / "j")).members.at("cycles").items[0];
+  };
+  const auto number = [](const Json& json, const char* name) { return json.members.at(name).number; };
+
+  const Json unlike = compared(rigid_cylinder("cycle 30 Compare ! both starts\n"),
+                               "  a start without friction ends in another cycle: the state depends on how the loads began; "
+                               "pressures and friction differ by 0.");
+  const Json& other = unlike.members.at("frictionless");
+  CHECK((number(other, "same") == 0 && number(other, "difference") > 1e-2));
+  // The same as a run that starts so.
+  const Json alone = compared(rigid_cylinder("cycle 30 frictionless\n"), "  steady in cycle ");
+  CHECK(!alone.has("frictionless"));
+  const double expected = number(alone.members.at("cycles").items.back(), "dissipated");
+  CHECK(std::fabs(number(other.members.at("last"), "dissipated") - expected) <= 1e-9 * expected);
+  CHECK(std::fabs(number(unlike.members.at("cycles").items.back(), "dissipated") - expected) > 1e-3 * expected);
+
+  // Where all pairs slide to and fro nothing is left of the start.
+  std::string sliding = deck_with("");
+  sliding = sliding.substr(0, sliding.find("*PATH")) + "*PATH\n1 1 0\ncycle compare\n1 1 2\n1 1 -2\n1 1 0\n";
+  const Json like = compared(sliding, "  a start without friction ends in the same cycle; ");
+  const Json& same = like.members.at("frictionless");
+  CHECK((number(same, "same") == 1 && number(same, "difference") < 1e-9));
+}
+
 TEST_CASE("program, cycle: faults of the card and of the cycle, with line and column") {
   const auto at = [](const std::string& deck, const std::string& card, const std::string& rest) {
     return std::to_string(line_of(deck, card)) + rest;

@@ -54,6 +54,8 @@ TEST_CASE("sketch, cycle: the first number leads to the loads at which it begins
         "1 1 0;1 1 0.1;cycle 9;1 1 -0.1;1 1 0.1;");
   CHECK(path_of("history normal 1; shear 0.1\ncycle shear -0.1, 0.1 until steady digits 7 frictionless") ==
         "1 1 0;1 1 0.1;cycle 50 digits 7 frictionless;1 1 -0.1;1 1 0.1;");
+  CHECK(path_of("history normal 1; shear 0.1\ncycle shear -0.1, 0.1 until steady limit 8 compare") ==
+        "1 1 0;1 1 0.1;cycle 8 compare;1 1 -0.1;1 1 0.1;");
   CHECK(path_of("history shear 0.01\ncycle normal 1, 0.4, 1 until steady") ==
         "1 0 0.01;1 1 0.01;cycle 50;1 0.4 0.01;1 1 0.01;");
   CHECK(path_of("history normal 1\ncycle shear 0.1; normal 0.5; shear -0.1; normal 1; shear 0 until steady") ==
@@ -80,6 +82,13 @@ TEST_CASE("sketch, cycle: faults with line and column") {
   CHECK(fault_of("history normal 1; shear 0.1\nwant walk\n") ==
         line + "1: error: a walk is that of a steady cycle, expected a statement such as 'cycle shear 1, -1, 1 until steady'");
   CHECK(contains(fault_of("history normal 1; shear 0.1\nwant loss 5 %\n"), "the load history has no cycle"));
+}
+
+TEST_CASE("sketch, cycle: without friction nothing carries a push up to the cycle, so there is nothing to compare with") {
+  const Result done = run(cylinder("history normal 1\ncycle shear 0.1, -0.1, 0.1 until steady compare\ntolerance off\n"
+                                   "elements cylinder.face 10\n"),
+                          "");
+  CHECK(contains(done.out, "  the start without friction is not known: its path ends before the last load\n"));
 }
 
 TEST_CASE("sketch, cycle: the dissipation of the steady cycle, on meshes that the search makes") {

@@ -5,8 +5,8 @@
 //   load body x y fx fy                           a point load, in global coordinates
 // *PATH: replaces the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
 //   a straight path segment, which begins at the end of the last one (the first at zero). The factors may be any number:
-//   they are read a few at a time. A card `cycle [limit] [DIGITS n] [FRICTIONLESS]` between them: those below it are repeated
-//   until steady.
+//   they are read a few at a time. A card `cycle [limit] [DIGITS n] [FRICTIONLESS or COMPARE]` between them: those below it are
+//   repeated until steady.
 // *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
 #include "deck/keywords.hpp"
 #include "memory/math.hpp"
@@ -137,7 +137,7 @@ void read_factors(Deck& deck, Words& words, int32_t increments, bool sound) {
   }
 }
 
-// The card `cycle [limit] [DIGITS n] [FRICTIONLESS]`: the segments below it are a cycle.
+// The card `cycle [limit] [DIGITS n] [FRICTIONLESS or COMPARE]`: the segments below it are a cycle.
 struct CycleCard {
   int32_t line, column, column_end; // line 0: there is none
   int32_t before;                   // segments above it
@@ -151,13 +151,15 @@ void read_cycle(Deck& deck, const Words& words, int32_t pieces, CycleCard& out) 
   if (deck.sizes.cycle_states < kStates) deck.sizes.cycle_states = kStates;
   out = CycleCard{cards.line, words.word[0].column, words.word[0].column_end, pieces, 0, 0, C2D_START_AS_LOADED};
   int32_t at = 1;
-  if (at < words.count && !word_is(words, at, "DIGITS") && !word_is(words, at, "FRICTIONLESS"))
+  const auto is_start = [&words](int32_t i) { return word_is(words, i, "FRICTIONLESS") || word_is(words, i, "COMPARE"); };
+  if (at < words.count && !word_is(words, at, "DIGITS") && !is_start(at))
     integer_word(cards, words, at++, "limit of cycles", 1, kMostCycles, &out.limit);
   if (at < words.count && word_is(words, at, "DIGITS")) {
     integer_word(cards, words, at + 1, "number of digits", 1, kMostDigits, &out.digits);
     at += 2;
   }
-  if (at < words.count && word_is(words, at, "FRICTIONLESS")) ++at, out.start = C2D_START_WITHOUT_FRICTION;
+  if (at < words.count && is_start(at))
+    out.start = word_is(words, at++, "COMPARE") ? C2D_START_COMPARED : C2D_START_WITHOUT_FRICTION;
   end_of_words(cards, words, at);
 }
 

@@ -22,8 +22,8 @@ struct PathCycle {
 };
 
 // What Path::cycle of the first segment contains.
-constexpr int32_t kDigitCodes = 16;
-int32_t code_of(int32_t limit, int32_t digits, int32_t start) { return (2 * limit + start) * kDigitCodes + digits; }
+constexpr int32_t kDigitCodes = 16, kStarts = 3;
+int32_t code_of(int32_t limit, int32_t digits, int32_t start) { return (kStarts * limit + start) * kDigitCodes + digits; }
 
 double power_of_tenth(int32_t digits) {
   double out = 1.0;
@@ -36,7 +36,7 @@ PathCycle cycle_of(const ModelHeader& head, const Path* path) {
   for (int32_t p = 0; p < head.paths; ++p) {
     if (path[p].cycle > 0) {
       const int32_t rest = path[p].cycle / kDigitCodes;
-      out.first = p, out.limit = rest / 2, out.start = rest % 2, out.digits = path[p].cycle % kDigitCodes;
+      out.first = p, out.limit = rest / kStarts, out.start = rest % kStarts, out.digits = path[p].cycle % kDigitCodes;
     }
     if (path[p].cycle < 0) out.pieces = -path[p].cycle;
   }
@@ -110,7 +110,7 @@ extern "C" c2d_status c2d_repeat_paths(c2d_solver* s, int32_t pieces, int32_t li
     status = check_ranges(s, {{"pieces", pieces, 2, INT32_MAX},
                               {"limit", limit, 0, kMostCycles},
                               {"digits", digits, 0, kMostDigits},
-                              {"start", start, C2D_START_AS_LOADED, C2D_START_WITHOUT_FRICTION}});
+                              {"start", start, C2D_START_AS_LOADED, C2D_START_COMPARED}});
   if (status != C2D_OK) return status;
   if (s->sizes.cycle_states == 0) return refuse_limit(s, "cycle_states", 0, 1);
   status = check_pieces(s, pieces);

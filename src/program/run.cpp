@@ -9,6 +9,7 @@
 #include "program/outputs/outputs.hpp"
 #include "program/outputs/results.hpp"
 #include "program/progress.hpp"
+#include "program/second_start.hpp"
 #include "program/session.hpp"
 #include "program/sweep/answer.hpp"
 #include "program/voice.hpp"
@@ -66,6 +67,7 @@ private:
   c2d_status set_options();
   c2d_status factorise();
   int follow();
+  void compare_starts();
   bool save_path(const c2d_step& step);
   int report();
   int close_store();
@@ -359,7 +361,18 @@ int Run::follow() {
   status = c2d_run(session_.solver, on_step, this);
   let_steps_end(false);
   is_following_ = false;
+  if (status == C2D_OK) compare_starts();
   return status == C2D_OK ? 0 : library_failed(status);
+}
+
+// A deck may ask whether its cycle depends on how the loads began.
+void Run::compare_starts() {
+  const RepeatedPaths repeated = repeated_paths(session_.solver);
+  if (repeated.start != C2D_START_COMPARED) return;
+  estimate::Demand demand;
+  demand.memory = options_.memory, demand.symmetry = options_.symmetry, demand.quadrature = options_.quadrature;
+  demand.elimination = options_.elimination;
+  app::compare_starts(session_.deck.text(), repeated.digits, demand, results_.record);
 }
 
 int Run::report() {

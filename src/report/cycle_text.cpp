@@ -49,6 +49,20 @@ std::string cycle_text(const CoefficientRecord& c, const Summary& s) {
   return out + " of the largest";
 }
 
+std::string other_start_text(const CoefficientRecord& c) {
+  const OtherStart& other = c.other_start[0];
+  if (!other.why.empty()) return "the start without friction is not known: " + other.why;
+  std::string out = "a start without friction ends ";
+  if (other.last.result == C2D_CYCLE_NOT_STEADY)
+    out += "in no steady cycle after " + std::to_string(other.last.cycles) + " cycles";
+  else
+    out += other.same ? "in the same cycle" : "in another cycle: the state depends on how the loads began";
+  append_general(out += "; pressures and friction differ by ", other.apart, 0, 3);
+  append_general(out += " of the largest pressure, the energy dissipated in a cycle is ", other.last.dissipated, 0);
+  append_general(out += " instead of ", c.cycles.back().dissipated, 0);
+  return out;
+}
+
 std::string unsteady_text(const CoefficientRecord& c, const Summary& s) {
   std::string text = "mu ";
   append_number(text, c.mu);

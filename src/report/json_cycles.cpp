@@ -40,6 +40,19 @@ void append_cycle(std::string& out, const CycleSeen& one) {
   out += '}';
 }
 
+void append_other_start(std::string& out, const CoefficientRecord& c) {
+  const OtherStart& other = c.other_start[0];
+  Object o(out, "{", ", ");
+  o.word("text", other_start_text(c).c_str());
+  if (other.why.empty()) {
+    o.word("result", cycle_word(other.last.result));
+    o.key("same") += other.same ? "true" : "false";
+    o.number("difference", other.apart);
+    append_cycle(o.key("last"), other.last);
+  }
+  out += '}';
+}
+
 } // namespace
 
 void append_json_cycles(std::string& out, const RunRecord& record, const Summary& s) {
@@ -53,6 +66,7 @@ void append_json_cycles(std::string& out, const RunRecord& record, const Summary
     o.number("mu", c.mu);
     o.word("result", cycle_word(c.cycles.back().result));
     o.word("text", cycle_text(c, s).c_str());
+    if (!c.other_start.empty()) append_other_start(o.key("frictionless"), c);
     o.key("cycles") += '[';
     for (size_t i = 0; i < c.cycles.size(); ++i) append_cycle(out += i > 0 ? ",\n      " : "\n      ", c.cycles[i]);
     out += "]}";

@@ -86,6 +86,7 @@ void append_page_cycles(std::string& out, const Scene& scene) {
     if (first) out += "<section id=\"cycle-table\">\n<h2>Cycles</h2>\n";
     first = false;
     out += "<p>&#956; = " + figure(c.mu) + ": " + escape_xml(cycle_text(c, scene.summary)) + ".</p>\n";
+    if (!c.other_start.empty()) out += "<p>Compared: " + escape_xml(other_start_text(c)) + ".</p>\n";
     append_cycle_rows(out, scene, c);
     for (size_t z = 0; z < scene.zones.size(); ++z)
       if (!scene.zones[z].tied && z < kMostCharts) append_step_rows(out, scene, c, i, z);

@@ -32,6 +32,14 @@ struct StepRecord {
   std::vector<double> stresses; // at the places of --ranges (report/stresses.hpp), if that is wanted
 };
 
+// The same cycle from a start without friction, if the two are to be compared.
+struct OtherStart {
+  CycleSeen last;
+  double apart = 0;  // of pressures and friction at the end, relative to the largest pressure
+  bool same = false; // as far as the cycles are steady
+  std::string why;   // it is not known
+};
+
 // Progress of one coefficient of friction, with the table of pairs at its last valid state.
 struct CoefficientRecord {
   double mu = 0.0;
@@ -47,6 +55,7 @@ struct CoefficientRecord {
   std::vector<StepRecord> steps;          // as many as were recorded
   std::vector<CycleSeen> cycles;          // of the load path's cycle, before the recorded one
   std::vector<StepRecord> cycle_start;    // none or one: the state at which the recorded cycle begins, after the step before it
+  std::vector<OtherStart> other_start;    // none or one
   std::vector<double> slip, slip_at_turn; // C2D_SLIP_SUM of the pairs at the last step, and where the loads last turned
 };
 
@@ -89,6 +98,8 @@ void keep_cycle_start(CoefficientRecord& coefficient, const c2d_step& step, c2d_
 // cycle is not steady has failed.
 std::string cycle_text(const CoefficientRecord& coefficient, const Summary& summary);
 const char* cycle_word(int32_t result);
+// Whether the other start ends elsewhere, of a coefficient that has one.
+std::string other_start_text(const CoefficientRecord& coefficient);
 std::string unsteady_text(const CoefficientRecord& coefficient, const Summary& summary);
 // "load factor 1", or "load factors 1, 0.3": loads reached by a coefficient, of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);

@@ -624,6 +624,7 @@ class c2d_cycle_state(Struct):
 c2d_cycle_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(c2d_cycle_state))
 C2D_START_AS_LOADED = 0
 C2D_START_WITHOUT_FRICTION = 1
+C2D_START_COMPARED = 2
 C2D_CYCLE_RANGE = 0
 C2D_CYCLE_WALK = 1
 C2D_CYCLE_STUCK = 2

@@ -553,4 +553,42 @@ c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std:
   return status;
 }
 
+namespace {
+
+struct EndsSeen {
+  c2d_solver* solver;
+  int32_t zones;
+  std::vector<EndOfCycles>& ends;
+};
+
+int32_t see_end(void* context, const c2d_step* step) {
+  const EndsSeen& seen = *static_cast<EndsSeen*>(context);
+  if (step->kind == C2D_STEP_CYCLE) {
+    if (seen.ends.empty() || seen.ends.back().coefficient != step->coefficient)
+      seen.ends.push_back({step->coefficient, {}, {}});
+    seen.ends.back().last = app::CycleSeen();
+    return app::find_cycle_seen(seen.solver, seen.zones, seen.ends.back().last) == C2D_OK ? 0 : 1;
+  }
+  if (seen.ends.empty() || seen.ends.back().coefficient != step->coefficient) return 0;
+  std::vector<double>& tractions = seen.ends.back().tractions;
+  tractions.clear(); // of a path that stops within its cycle none
+  for (int32_t p = 0; p < step->pairs && step->kind == C2D_STEP_RECORDED; ++p)
+    for (const int32_t field : {C2D_TN, C2D_TT}) tractions.push_back(step->table[p * int64_t{step->stride} + field]);
+  return 0;
+}
+
+} // namespace
+
+c2d_status follow_cycles(const std::string& deck, const Demand& demand, std::vector<EndOfCycles>& out, std::string& why) {
+  Solver solver;
+  c2d_status status = solver.read(deck, demand, why);
+  app::Summary summary;
+  if (status == C2D_OK) status = app::get_summary(solver.get(), summary);
+  if (status == C2D_OK) status = c2d_prepare(solver.get());
+  EndsSeen seen{solver.get(), summary.zones, out};
+  if (status == C2D_OK) status = c2d_run(solver.get(), see_end, &seen);
+  if (status != C2D_OK && why.empty()) why = solver.words(status);
+  return status;
+}
+
 } // namespace estimate

@@ -1,6 +1,7 @@
 // A model solved along its whole history on one mesh, with the data for the comparison with another mesh.
 #pragma once
 
+#include "post/cycles.hpp"
 #include "post/quantities.hpp"
 #include "program/files/store_choice.hpp"
 
@@ -93,5 +94,13 @@ struct Trial {
 
 // Errors: as of c2d_create, c2d_read_deck, c2d_prepare, c2d_advance; `why` describes them.
 c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std::string& why);
+
+// The cycle in which a deck's load path ends, of each coefficient of friction that reached it.
+struct EndOfCycles {
+  int32_t coefficient; // from 1
+  app::CycleSeen last;
+  std::vector<double> tractions; // tn and tt of every pair at the end of the recorded cycle
+};
+c2d_status follow_cycles(const std::string& deck, const Demand& demand, std::vector<EndOfCycles>& out, std::string& why);
 
 } // namespace estimate

@@ -239,6 +239,7 @@ struct Repeat {
   int limit = 50;            // of cycles
   int digits = 0;            // steady: changes over a cycle below 10^-digits; 0: by default
   bool frictionless = false; // the start is without friction
+  bool compare = false;      // a start without friction is compared with the one as loaded
 };
 
 struct Sketch {

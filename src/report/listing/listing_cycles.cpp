@@ -41,6 +41,7 @@ void append_cycles(std::string& out, const RunRecord& record, const Summary& s, 
     first = false;
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n  " + cycle_text(c, s) + '\n';
+    if (!c.other_start.empty()) out += "  " + other_start_text(c) + '\n';
     if (all) append_each(out, c);
     append_zones_of(out, c.cycles.back());
   }

@@ -293,7 +293,9 @@ void Writer::history() {
     if (s_.cycle && piece == static_cast<size_t>(s_.cycle->before))
       card("cycle " + std::to_string(s_.cycle->limit) +
            (s_.cycle->digits > 0 ? " digits " + std::to_string(s_.cycle->digits) : "") +
-           (s_.cycle->frictionless ? " frictionless" : ""));
+           (s_.cycle->frictionless ? " frictionless"
+            : s_.cycle->compare    ? " compare"
+                                   : ""));
     std::string text = std::to_string(s_.steps[std::min(piece, s_.steps.size() - 1)]);
     for (const LoadCase& c : s_.cases) {
       if (text.size() > kFactorColumns) {

@@ -397,7 +397,7 @@ void Reader::drop_piece(size_t piece) {
 
 constexpr int kDigitsOfMovingLoads = 5;
 
-// cycle shear 1, -1, 1 until steady digits 8 limit 80 frictionless: pieces as in a history. The first leads to the loads at
+// cycle shear 1, -1, 1 until steady digits 8 limit 80 compare: pieces as in a history. The first leads to the loads at
 // which the cycle begins, unless they are reached already.
 void Reader::cycle(Statement& s) {
   end_body();
@@ -411,6 +411,7 @@ void Reader::cycle(Statement& s) {
   if (s.accept("digits")) repeat.digits = s.whole("the number of digits", 1, 12);
   if (s.accept("limit")) repeat.limit = s.whole("the limit of cycles", 1, 1000000);
   repeat.frictionless = s.accept("frictionless");
+  repeat.compare = !repeat.frictionless && s.accept("compare");
   const auto last = [&] { return static_cast<size_t>(s_.pieces) - 1; };
   const bool moves = s_.cases.end() != std::find_if(s_.cases.begin(), s_.cases.end(), [&](const LoadCase& c) {
                        return c.places[last()] != (before > 0 ? c.places[before - 1] : 0.0);
