@@ -25,7 +25,7 @@ numbers() {
         split(row[r], f, ",")
         what = f[at["quantity"]]
         if (f[at["mu"]] "," f[at["step"]] != last) continue
-        if (what !~ /^(peak pressure|contact edge|stick border|(largest|smallest) stress|stress|friction force|contact width|dissipated|motion|rotation|SWT|Fatemi-Socie|Findley|Crossland|Dang Van|Ruiz)/) continue
+        if (what !~ /^(peak pressure|contact edge|stick border|(largest|smallest) stress|stress|friction force|contact width|dissipated|walk|motion|rotation|SWT|Fatemi-Socie|Findley|Crossland|Dang Van|Ruiz)/) continue
         value = f[at["value"]]; error = f[at["error"]]; part = f[at["name"]]
         if (value == 0 || (value < 0 ? -value : value) <= 3*error) continue
         if (++seen[part, what] > 2) continue

@@ -89,8 +89,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_CYCLES_EXACT = 0, C2D_CYCLES_PLAIN = 1, C2D_CYCLES_FAST = 2
   integer(c_int32_t), parameter :: C2D_CYCLE_NOT_STEADY = 0, C2D_CYCLE_SHAKES_DOWN = 1, C2D_CYCLE_SLIPS = 2, &
       C2D_CYCLE_RATCHETS = 3, C2D_CYCLE_STOPPED = 4
-  integer(c_int32_t), parameter :: C2D_START_AS_LOADED = 0, C2D_START_WITHOUT_FRICTION = 1, &
-      C2D_START_COMPARED = 2
+  integer(c_int32_t), parameter :: C2D_START_AS_LOADED = 0, C2D_START_WITHOUT_FRICTION = 1, C2D_START_COMPARED = 2
   integer(c_int32_t), parameter :: C2D_CYCLE_RANGE = 0, C2D_CYCLE_WALK = 1, C2D_CYCLE_STUCK = 2, C2D_CYCLE_TOUCHED = 3
 
   ! ---- numbers of c2d_memory.h
