@@ -34,13 +34,16 @@ PairLoop loop_of_pair(const CoefficientHistory& history, size_t zone, double mu)
 std::string loop_caption(const Scene& scene, const ZoneScene& zone, const PairLoop& loop) {
   Range x;
   for (const Point& p : loop.path) x.include(p.x);
+  // (Forces are per thickness but of bodies of revolution.)
+  const bool has_unit = !scene.force_unit.empty() && scene.is_revolved();
+  const std::string work_per_area = has_unit ? scene.force_unit + "/" + scene.length_unit : scene.force_unit;
   std::string out = "The friction on side 1 over how far side 2 has moved along t against side 1 since the cycle began, of the "
                     "pair of the zone with the largest slip range: pair " +
                     std::to_string(loop.pair + 1) + " at " + zone.position + " = " +
                     figure(scene.pairs[loop.pair].s, scene.length_unit) +
                     "; markers are recorded steps, the square is the first state. The pair moves over " +
-                    figure(x.high - x.low, scene.length_unit) + " and dissipates " + figure(loop.area, scene.work_unit, 6) +
-                    " per unit area in the cycle";
+                    figure(x.high - x.low, scene.length_unit) + " and dissipates " + figure(loop.area, work_per_area, 6) +
+                    " of work per area in the cycle";
   const double walk = loop.path.back().x;
   if (std::fabs(walk) > 1e-6 * (x.high - x.low)) out += "; it ends " + figure(walk, scene.length_unit) + " from where it began";
   return out + ". Grey lines are the Coulomb bounds.";
