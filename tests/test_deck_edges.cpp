@@ -639,3 +639,103 @@ TEST_CASE("deck edges: lines beyond what there is room for are told as the last 
     CHECK(c2d::body_line(deck, 1) == std::min(line, (1 << 28) - 2));
   }
 }
+
+namespace {
+
+const List kFreeSquare = {"*FREE", "1",     "SQUARE", "0 0",   "1 0 2", "1 2 4 4",          "1 4", "100 0.3", "1 0",  "0 0",
+                          "1 0 0", "2 1 0", "3 1 1",  "4 0 1", "1",     "1 1 1100 0 0 0 0", "0",   "0 0",     "1 10", "4 1"};
+
+// Two coefficients of friction, and so many point loads without numbers: each a fault.
+List with_faults(int32_t faults, const List& behind) {
+  List deck = squares();
+  deck[10] = "    2       0.5       0.6";
+  if (faults > 0) {
+    deck[27] = std::string(5 - std::to_string(faults).size(), ' ') + std::to_string(faults);
+    deck.erase(deck.begin() + 28);
+    deck.insert(deck.begin() + 28, static_cast<size_t>(faults), "    1         x       0.5       0.0      -2.0");
+  }
+  deck.insert(deck.end(), behind.begin(), behind.end());
+  return deck;
+}
+
+// The last fault of a deck that is not read to its end.
+Fault last_fault(const Reading& r) {
+  CHECK(r.status == C2D_ERR_INPUT);
+  REQUIRE(!r.faults.empty());
+  return r.faults.back();
+}
+
+} // namespace
+
+TEST_CASE("deck edges: a card that is nothing but '&' goes on from nothing") {
+  List deck = kFreeSquare;
+  deck[9] = "&";
+  const Reading within = read(joined(deck));
+  CHECK(within.status == C2D_ERR_INPUT);
+  REQUIRE(!within.faults.empty());
+  CHECK((within.faults[0].line == 10 && within.faults[0].column == 1));
+  CHECK(contains_text(within.faults[0].text, "the card ends in '&', expected that only where a list goes on"));
+  const Reading behind_all = behind({"&"});
+  CHECK(behind_all.status == C2D_ERR_INPUT);
+  REQUIRE(!behind_all.faults.empty());
+  CHECK((behind_all.faults[0].line == 37 && behind_all.faults[0].column == 1));
+}
+
+TEST_CASE("deck edges: a byte that is no text ends the reading of lists that go on") {
+  for (const List& cards : {List{"*FRICTION", "1 0.3 &", "\x01"}, List{"*FRICTION", "1 0.3 0.4 &", "\x01", "2 0.3 0.4"},
+                            List{"*FRICTION", "x 0.3 &", "\x01"}, List{"*PATH", "1 0.5 &", "\x01", "1 1"}}) {
+    CAPTURE(cards[0] + "/" + cards[1]);
+    const Fault f = last_fault(read(joined(with_faults(0, cards))));
+    CHECK((f.line == 39 && f.column == 1));
+    CHECK(contains_text(f.text, "contains the byte 1, expected plain ASCII text"));
+  }
+  List deck = kFreeSquare; // and of the coefficients of the deck itself
+  deck[8] = "2 0.1 &";
+  deck.insert(deck.begin() + 9, "\x01");
+  const Fault f = last_fault(read(joined(deck)));
+  CHECK((f.line == 10 && f.column == 1));
+  CHECK(contains_text(f.text, "contains the byte 1"));
+}
+
+TEST_CASE("deck edges: the hundredth fault may stand above a cycle with another, which ends the reading") {
+  const Reading r = read(joined(with_faults(100, {"*PATH", "1 1", "cycle x", "1 0.5", "1 1", "*UNITS"})));
+  CHECK(r.faults.size() == 101);
+  CHECK(contains_text(last_fault(r).text, "too many faults"));
+  CHECK(r.faults.back().line == 36 + 99 + 3);
+}
+
+TEST_CASE("deck edges: a model that has no room for the first of its load factors is not asked for the rest") {
+  const List path = {"*PATH", "1 0.5 &", "0.6", "1 1"};
+  const Reading whole = read(joined(with_faults(0, path)));
+  size_t at = whole.model.calls.size();
+  while (at-- > 0 && !(whole.model.calls[at].name == "factors" || whole.model.calls[at].name == "path")) continue;
+  REQUIRE(at < whole.model.calls.size());
+  const std::string name = whole.model.calls[at].name;
+  for (size_t call = 0; call <= at; ++call) {
+    if (whole.model.calls[call].name != name) continue;
+    CAPTURE(call);
+    const Reading r = read(joined(with_faults(0, path)), static_cast<int>(call));
+    CHECK(r.status == C2D_ERR_LIMIT);
+    CHECK(r.model.calls.size() == call + 1); // nothing is asked behind it
+  }
+}
+
+TEST_CASE("deck edges: a program without cycles says so of the card that asks for one") {
+  Recorder model;
+  Bytes deck;
+  deck.bytes = joined(with_faults(0, {"*PATH", "1 1", "cycle 7", "1 0.5", "1 1"}));
+  c2d::DeckSink sink = recording_sink(model);
+  sink.repeat_paths = nullptr;
+  std::vector<Fault> faults;
+  host::Limits sizes;
+  sizes.bodies = host::Limits::kRoom;
+  CHECK(c2d::read_deck_cards(&sink, read_bytes, &deck, keep_fault, &faults, &sizes) == C2D_ERR_INPUT);
+  REQUIRE(faults.size() == 1);
+  CHECK((faults[0].line == 39 && faults[0].column == 1 && faults[0].column_end == 5));
+  CHECK(contains_text(faults[0].text, "c2d_repeat_paths"));
+}
+
+TEST_CASE("deck edges: a number whose digits count to nothing in 64 bits is the number that it is") {
+  CHECK(last_call(behind({"*PATH", "1 18446744073709551616", "1 36893488147419103232"}), "path").back() == 0x1p65);
+  CHECK(last_call(behind({"*PATH", "1 18446744073709551616"}), "path").back() == 0x1p64);
+}

@@ -202,7 +202,6 @@ bool next_words(Cards& cards, Words& words) {
       check_extent(cards, words, FieldList::allowed);
       return !cards.ended;
     }
-    if (!words.is_part) return false;
     const int32_t faults = cards.faults;
     if (!next_free_card(cards, words, FieldList::allowed)) {
       if (cards.faults == faults) missing_card(cards, "the fields that follow '&'");

@@ -148,7 +148,7 @@ void read_cycle(Deck& deck, const Words& words, int32_t pieces, CycleCard& out) 
   constexpr int32_t kStates = 30, kMostCycles = 1000000, kMostDigits = 12;
   Cards& cards = deck.cards;
   if (out.line != 0) return void(word_fault(cards, words, 0, "a second cycle below *PATH, expected one"));
-  if (deck.sizes.cycle_states < kStates) deck.sizes.cycle_states = kStates;
+  deck.sizes.cycle_states = kStates;
   out = CycleCard{cards.line, words.word[0].column, words.word[0].column_end, pieces, 0, 0, C2D_START_AS_LOADED};
   int32_t at = 1;
   const auto is_start = [&words](int32_t i) { return word_is(words, i, "FRICTIONLESS") || word_is(words, i, "COMPARE"); };

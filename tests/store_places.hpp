@@ -1,0 +1,62 @@
+#pragma once
+// The places of the program at which the store is asked for something, told apart by their chains of calls, and what becomes of
+// the calls of a host when one of them fails.
+#include "solver_runs.hpp"
+
+#if defined(__GLIBC__)
+#include <execinfo.h>
+#endif
+
+namespace runs {
+
+// Who asks: the calls that lead here.
+inline uint64_t asker() {
+#if defined(__GLIBC__)
+  void* frame[40];
+  const int frames = backtrace(frame, 40);
+  uint64_t out = 14695981039346656037u;
+  for (int i = 0; i < frames; ++i) out = (out ^ reinterpret_cast<uintptr_t>(frame[i])) * 1099511628211u;
+  return out;
+#else
+  return 0;
+#endif
+}
+
+struct Life {
+  c2d_status status = C2D_OK; // of the first call that failed
+  std::string call;           // which it was
+  c2d_error error = C2D_INIT(c2d_error);
+  int32_t state = 0;
+  Numbers numbers;
+};
+
+// The calls in their order, until one of them fails.
+struct Caller {
+  c2d_solver* solver;
+  Life& life;
+  bool operator()(const char* call, c2d_status status) {
+    if (life.status != C2D_OK) return false;
+    life.status = status, life.call = call;
+    if (status != C2D_OK) {
+      life.error = error_of(solver);
+      life.state = c2d_get_state(solver);
+    }
+    return status == C2D_OK;
+  }
+};
+
+inline bool is_of(char kind, c2d_status status) {
+  switch (kind) {
+  case 'o': return status == C2D_ERR_STORE_OPEN;
+  case 'r': return status == C2D_ERR_STORE_READ;
+  case 'w': return status == C2D_ERR_STORE_WRITE;
+  case 's': return status == C2D_ERR_STORE_SYNC;
+  default: return status == C2D_ERR_STORE_CLOSE;
+  }
+}
+
+struct Place {                // of the program
+  size_t first = 0, last = 0; // operations
+};
+
+} // namespace runs
