@@ -9,17 +9,21 @@
 
 namespace runs {
 
-// Who asks: the calls that lead here.
-inline uint64_t asker() {
+// The calls that lead here.
+inline std::vector<uintptr_t> calls_to_here() {
+  std::vector<uintptr_t> out;
 #if defined(__GLIBC__)
   void* frame[40];
   const int frames = backtrace(frame, 40);
-  uint64_t out = 14695981039346656037u;
-  for (int i = 0; i < frames; ++i) out = (out ^ reinterpret_cast<uintptr_t>(frame[i])) * 1099511628211u;
-  return out;
-#else
-  return 0;
+  for (int i = 0; i < frames; ++i) out.push_back(reinterpret_cast<uintptr_t>(frame[i]));
 #endif
+  return out;
+}
+// Who asks.
+inline uint64_t asker(const std::vector<uintptr_t>& calls = calls_to_here()) {
+  uint64_t out = 14695981039346656037u;
+  for (const uintptr_t call : calls) out = (out ^ call) * 1099511628211u;
+  return out;
 }
 
 struct Life {
