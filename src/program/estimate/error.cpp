@@ -144,13 +144,6 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   return presses ? std::max(size, sizes.pressure[zone]) : size;
 }
 
-// Difference of two values of a number. Places are compared by position, because lengths may start at different pairs.
-double apart(const app::Quantity& a, const app::Quantity& b) {
-  const bool place = app::row_of(a.what).scale == app::Scale::kPlace;
-  return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
-                                                               : std::fabs(a.value - b.value);
-}
-
 // Data of a number on two meshes, from which its error follows.
 struct Seen {
   double apart;  // difference of its values on the two meshes, c of METHOD (16.7)
@@ -289,6 +282,16 @@ bool ended_by_mesh(const Trial& halved, const Round* before) {
 }
 
 } // namespace
+
+bool is_same_number(const app::Stated& a, const app::Stated& b) {
+  return std::tie(a.what, a.of, a.zone, a.item, a.body) == std::tie(b.what, b.of, b.zone, b.item, b.body);
+}
+
+const app::Stated* find_number(const std::vector<app::Stated>& all, const app::Stated& s, size_t n) {
+  for (const app::Stated& one : all)
+    if (is_same_number(one, s) && n-- == 0) return &one;
+  return nullptr;
+}
 
 std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved, const Distance& between, const Round* before) {
   std::vector<app::Stated> out;

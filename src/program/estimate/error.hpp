@@ -4,7 +4,20 @@
 #include "post/stated.hpp"
 #include "program/estimate/compare.hpp"
 
+#include <cmath>
+
 namespace estimate {
+
+bool is_same_number(const app::Stated& a, const app::Stated& b);
+// The n-th number, from 0, that is the same as `s`; null: there are fewer.
+const app::Stated* find_number(const std::vector<app::Stated>& all, const app::Stated& s, size_t n);
+
+// Difference of two values of a number, app::Quantity or app::Stated. Places are compared by position, because lengths may
+// start at different pairs.
+template <class Number> double apart(const Number& a, const Number& b) {
+  const bool is_at_place = app::row_of(a.what).scale == app::Scale::kPlace;
+  return is_at_place ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]) : std::fabs(a.value - b.value);
+}
 
 // Data of a round for the next one: its numbers, the distance of the tractions of each zone, and the loads and the work at the
 // end of the history.

@@ -8,6 +8,7 @@
 #include "program/estimate/positions.hpp"
 
 #include "program/commands/drawn_words.hpp"
+#include "program/estimate/error.hpp"
 #include "program/estimate/fatigue.hpp"
 #include "program/estimate/tolerances.hpp"
 #include "program/interrupt.hpp"
@@ -27,23 +28,6 @@ constexpr double kChangesMuch = 1.0 / 3;
 constexpr double kOfMesh = 0.7; // of the tolerances
 constexpr int kMostFirst = 4;   // doublings there
 
-bool is_same_number(const app::Stated& a, const app::Stated& b) {
-  return a.what == b.what && a.zone == b.zone && a.item == b.item && a.body == b.body && a.of == b.of;
-}
-
-// The n-th of these that is the same number; null: there is none.
-const app::Stated* find_number(const std::vector<app::Stated>& all, const app::Stated& s, int n) {
-  for (const app::Stated& one : all)
-    if (is_same_number(one, s) && n-- == 0) return &one;
-  return nullptr;
-}
-
-double change(const app::Stated& a, const app::Stated& b) {
-  const bool place = app::row_of(a.what).scale == app::Scale::kPlace;
-  return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
-                                                               : std::fabs(a.value - b.value);
-}
-
 using Numbers = std::vector<app::Stated>;
 
 // The numbers as the last solution has them, with errors of the mesh and of the positions. `with`: solutions, each with twice
@@ -54,11 +38,11 @@ Numbers with_errors(const Numbers& of_mesh, const std::vector<Numbers>& with) {
   for (size_t i = 0; i < out.size(); ++i) {
     app::Stated& s = out[i];
     if (!s.has_value()) continue;
-    const auto equal = static_cast<int>(std::count_if(of_mesh.begin(), of_mesh.begin() + static_cast<std::ptrdiff_t>(i),
-                                                      [&](const app::Stated& other) { return is_same_number(other, s); }));
+    const auto equal = static_cast<size_t>(std::count_if(of_mesh.begin(), of_mesh.begin() + static_cast<std::ptrdiff_t>(i),
+                                                         [&](const app::Stated& other) { return is_same_number(other, s); }));
     const app::Stated *a = find_number(few, s, equal), *b = find_number(more, s, equal), *c = find_number(most, s, equal);
     const bool all = a != nullptr && b != nullptr && c != nullptr;
-    s.error = all ? s.error + kOfDoubling * std::max(change(*b, *c), change(*a, *b) / 2) : NAN;
+    s.error = all ? s.error + kOfDoubling * std::max(apart(*b, *c), apart(*a, *b) / 2) : NAN;
     if (c != nullptr) s.value = c->value, s.at[0] = c->at[0], s.at[1] = c->at[1], s.along = c->along;
   }
   return out;
@@ -69,7 +53,7 @@ bool are_settled(const Numbers& numbers, const Numbers& few, const Numbers& more
   return std::all_of(numbers.begin(), numbers.end(), [&](const app::Stated& s) {
     const app::Stated *a = find_number(few, s, 0), *b = find_number(more, s, 0);
     if (std::isnan(s.tolerance) || !s.has_value() || (a == nullptr && b == nullptr)) return true;
-    return a != nullptr && b != nullptr && change(*a, *b) <= kChangesMuch * std::max(s.scale, std::fabs(b->value));
+    return a != nullptr && b != nullptr && apart(*a, *b) <= kChangesMuch * std::max(s.scale, std::fabs(b->value));
   });
 }
 

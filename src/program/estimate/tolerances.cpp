@@ -156,22 +156,17 @@ public:
   explicit Distinct(const std::vector<app::Toleranced>& numbers) {
     for (const app::Toleranced& t : numbers) {
       size_t before = 0;
-      for (size_t i = 0; i < which_.size(); ++i) before += is_same(numbers[i].number, t.number) ? 1 : 0;
+      for (size_t i = 0; i < which_.size(); ++i) before += is_same_number(numbers[i].number, t.number) ? 1 : 0;
       which_.push_back(before);
     }
   }
   // The value of number i in another list, as it is shown; NaN: it has none.
   double value(size_t i, const app::Stated& number, const std::vector<app::Stated>& all) const {
-    size_t left = which_[i];
-    for (const app::Stated& s : all)
-      if (is_same(s, number) && left-- == 0) return app::shown_value(s.what, s.value, s.along);
-    return NAN;
+    const app::Stated* const s = find_number(all, number, which_[i]);
+    return s == nullptr ? NAN : app::shown_value(s->what, s->value, s->along);
   }
 
 private:
-  static bool is_same(const app::Stated& a, const app::Stated& b) {
-    return a.what == b.what && a.of == b.of && a.zone == b.zone && a.body == b.body && a.item == b.item;
-  }
   std::vector<size_t> which_;
 };
 
