@@ -102,7 +102,7 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   constexpr uint64_t kMostKept = uint64_t{1} << 28; // bytes of workspace; saved states of larger models need too much memory
   keeps_ = demand.store != nullptr && workspace_.bytes <= kMostKept;
   if (keeps_) store_ = demand.store;
-  if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
+  store_->choose("memory", 0, false, why); // which never fails
   c2d_port port = C2D_INIT(c2d_port);
   if (status == C2D_OK) status = make_store(demand, port);
   port.cancel = [](void*) { return static_cast<int32_t>(app::interrupted()); };
@@ -159,6 +159,7 @@ private:
   app::RepeatedPaths repeated_;
   bool has_cycles_ = false; // followed, until steady or to their limit
   c2d_cycle_state cycle_ = C2D_INIT(c2d_cycle_state);
+  c2d_status cycle_status_ = C2D_OK; // of the call that reads it
 };
 
 c2d_status History::measure(int32_t body) {
@@ -208,7 +209,7 @@ c2d_status History::describe(const std::string& deck) {
       return Side{s.body - 1, (down ? s.last_element : s.first_element) - 1, (down ? s.first_element : s.last_element) - 1};
     };
     out_.zones.push_back({side(zone.side1), side(zone.side2)});
-    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
+    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0); // (a platen is tied)
   }
   repeated_ = app::repeated_paths(solver_);
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
@@ -342,9 +343,9 @@ c2d_status History::note_inside(const std::vector<Place>& places, State& state) 
 
 // A state of the last cycle; the loads turn there if a state of the history has just been noted at these loads.
 c2d_status History::note_of_cycle() {
-  if (is_third_) return noted_ < out_.cycle.size() ? note_inside(below_, out_.cycle[noted_++]) : c2d_status{C2D_OK};
+  if (is_third_) return note_inside(below_, out_.cycle[noted_++]);
   State state;
-  state.turn = !out_.states.empty() && out_.states.back().turn && out_.states.back().loads == loads_;
+  state.turn = out_.states.back().turn && out_.states.back().loads == loads_;
   state.loads = loads_;
   const int32_t fields[] = {C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_SZZ};
   constexpr Field kOfCycle[] = {kTx, kTy, kHoop, kSzz};
@@ -396,8 +397,7 @@ c2d_status History::find_events() {
       solver_,
       [](void* context, const c2d_step* step) {
         auto& events = static_cast<History*>(context)->events_;
-        if (step->kind == C2D_STEP_CHANGE && step->coefficient <= 1)
-          events[step->step].emplace_back(step->loads, step->loads + step->cases);
+        if (step->kind == C2D_STEP_CHANGE) events[step->step].emplace_back(step->loads, step->loads + step->cases);
         return int32_t{0};
       },
       this);
@@ -415,7 +415,7 @@ c2d_status History::visit_events(int32_t step, const std::vector<double>& to) {
   c2d_status status = C2D_OK;
   for (const std::vector<double>& event : events_[step]) {
     if (status != C2D_OK || out_.outcome != C2D_REACHED) break;
-    if (event.size() != to.size() || apart(event, loads_) <= same || apart(event, to) <= same) continue;
+    if (apart(event, loads_) <= same || apart(event, to) <= same) continue;
     status = go_to(event);
     if (status == C2D_OK) status = note_of_cycle();
   }
@@ -454,7 +454,6 @@ c2d_status History::end_cycles(const c2d_cycle_state& now) {
   out_.outcome = now.outcome;
   if (out_.outcome != C2D_REACHED) return C2D_OK;
   has_cycles_ = true;
-  out_.cycles = now.cycles;
   if (now.result == C2D_CYCLE_NOT_STEADY)
     out_.why = "the cycle is not steady after " + std::to_string(now.cycles) + (now.cycles == 1 ? " cycle" : " cycles");
   c2d_status status = C2D_OK;
@@ -469,7 +468,8 @@ int32_t History::before_steady(void* context, const c2d_step* step) {
   history.loads_.assign(step->loads, step->loads + step->cases);
   history.out_.outcome = step->outcome;
   if (step->kind != C2D_STEP_CYCLE) return 0;
-  if (c2d_get_cycle_state(history.solver_, &history.cycle_) != C2D_OK) return 1;
+  history.cycle_status_ = c2d_get_cycle_state(history.solver_, &history.cycle_);
+  if (history.cycle_status_ != C2D_OK) return 1;
   return history.cycle_.result == C2D_CYCLE_NOT_STEADY && history.cycle_.cycles < history.repeated_.limit ? 0 : 1;
 }
 
@@ -478,7 +478,7 @@ c2d_status History::start_without_friction() {
   cycle_ = C2D_INIT(c2d_cycle_state);
   const c2d_status status = c2d_run(solver_, before_steady, this);
   if (status != C2D_ERR_CALLBACK) return status; // the path has ended early
-  return end_cycles(cycle_);
+  return cycle_status_ == C2D_OK ? end_cycles(cycle_) : cycle_status_;
 }
 
 c2d_status History::follow() {
@@ -486,7 +486,7 @@ c2d_status History::follow() {
   c2d_status status = C2D_OK;
   if (cycle.from > 0) status = find_events();
   if (status == C2D_OK) status = follow_once();
-  if (status != C2D_OK || out_.outcome != C2D_REACHED || !cycle.below || out_.cycle.empty()) return status;
+  if (status != C2D_OK || out_.outcome != C2D_REACHED || !cycle.below) return status;
   below_ = cycle.below(out_);
   is_third_ = !below_.empty();
   return is_third_ ? follow_once() : status;

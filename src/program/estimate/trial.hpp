@@ -85,8 +85,7 @@ struct Trial {
   std::vector<State> states;
   std::vector<State> cycle; // at the turns and events of the last cycle, if it is demanded and was reached
   c2d_outcome outcome = C2D_REACHED;
-  std::string why;    // why the history ended early, or that its cycle is not steady; empty: it is complete
-  int32_t cycles = 0; // followed until steady, of a history with a cycle
+  std::string why; // why the history ended early, or that its cycle is not steady; empty: it is complete
   int32_t elements = 0, pairs = 0, equations = 0;
   double seconds = 0;
   double work = 0; // approximate multiplications, equal on every machine
