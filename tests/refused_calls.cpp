@@ -2,6 +2,7 @@
 
 #include <contact2d.h>
 #include <contact2d_cards.h>
+#include <contact2d_cycle.h>
 
 #include <map>
 #include <mutex>
@@ -79,6 +80,15 @@ WRAPPED(c2d_indicators, (Solver s, int32_t a, int32_t b, int32_t c, double* d, i
 WRAPPED(c2d_set_options, (Solver s, const c2d_options* a), (s, a))
 WRAPPED(c2d_read_deck, (Solver s, c2d_read_line a, void* b), (s, a, b))
 WRAPPED(c2d_prepare, (Solver s), (s))
+WRAPPED(c2d_begin, (Solver s, const double* a, int32_t b), (s, a, b))
+WRAPPED(c2d_advance, (Solver s, const double* a, int32_t b, c2d_outcome* c), (s, a, b, c))
+WRAPPED(c2d_cycle, (Solver s, const c2d_cycle_request* a, c2d_cycle_fn b, void* c, c2d_cycle_state* d), (s, a, b, c, d))
+WRAPPED(c2d_get_cycle_state, (Solver s, c2d_cycle_state* a), (s, a))
+WRAPPED(c2d_get_zone_state, (Solver s, int32_t a, c2d_zone_state* b), (s, a, b))
+WRAPPED(c2d_get_body_state, (Solver s, int32_t a, c2d_body_state* b), (s, a, b))
+WRAPPED(c2d_tape_need,
+        (const c2d_limits* a, const c2d_options* b, uint64_t c, int32_t d, uint64_t* e, uint64_t* f, uint64_t* g),
+        (a, b, c, d, e, f, g))
 WRAPPED(c2d_run, (Solver s, c2d_step_fn a, void* b), (s, a, b))
 WRAPPED(c2d_save, (Solver s), (s))
 WRAPPED(c2d_restore, (Solver s), (s))

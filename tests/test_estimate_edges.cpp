@@ -1,0 +1,137 @@
+// The search for a mesh where something fails: every call of the library refused, limits, histories that end early.
+#include "paths.hpp"
+#include "refused_calls.hpp"
+#include "sketches.hpp"
+
+#include "program/estimate/fatigue.hpp"
+#include "program/estimate/loop.hpp"
+#include "program/estimate/wanted.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace sketch;
+using namespace sketches;
+using namespace test;
+
+namespace {
+
+// A rigid cylinder on a block, P from pi/400; `more`: history, cycle and wants.
+std::string cylinder(const std::string& more) {
+  return "body block E {1-(2/7)^2} nu {2/7}\nfrom -1 -2\nline bottom to 1 -2\nline right to 1 0\nline top to -1 0\n"
+         "line left close\nbody cylinder rigid\nfrom -0.3 {1-sqrt(0.91)}\narc face to 0.3 {1-sqrt(0.91)} radius 1\n"
+         "line right to 0.3 0.5\nline above to -0.3 0.5\nline left close\ncontact block.top cylinder.face mu 0.3\n"
+         "case normal\nplaten block.bottom about 0 -2 x 0 fy {pi/400} turn 0\n"
+         "case shear\nplaten block.bottom about 0 -2 x 0.01\n" +
+         more;
+}
+
+// A cylinder that overlaps the block at first.
+std::string overlapping(const std::string& more) {
+  const std::string text = cylinder("interference\n" + more);
+  std::string out = text;
+  out.replace(out.find("from -0.3 {1-sqrt(0.91)}"), 24, "from -0.3 {1-sqrt(0.91)-1e-3}");
+  out.replace(out.find("to 0.3 {1-sqrt(0.91)} radius"), 28, "to 0.3 {1-sqrt(0.91)-1e-3} radius");
+  return out;
+}
+
+struct Solved {
+  c2d_status status = C2D_OK;
+  estimate::Trial trial;
+  std::string why;
+};
+Solved solved(const Sketch& s, const Mesh& mesh) {
+  Solved out;
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  estimate::ask_below(s, mesh, demand.cycle);
+  demand.drawn = true;
+  out.status = estimate::solve(deck_of(s, mesh), demand, out.trial, out.why);
+  return out;
+}
+
+// No call of the library that a solution makes is taken for done.
+void every_call_of_a_trial_refused(const std::string& text) {
+  CAPTURE(text);
+  const Sketch s = sound(text);
+  const Mesh mesh = first_mesh(s, 0.25);
+  refuse_call(0);
+  const Solved whole = solved(s, mesh);
+  REQUIRE_MESSAGE(whole.status == C2D_OK, whole.why);
+  REQUIRE(whole.trial.outcome == C2D_REACHED);
+  const std::vector<int64_t> calls = calls_to_refuse(), summaries = calls_of("c2d_get_summary");
+  CHECK(calls.size() > 30);
+  for (const int64_t n : calls) {
+    refuse_call(n);
+    const Solved refused = solved(s, mesh);
+    const std::string call = call_refused();
+    CAPTURE(n);
+    CAPTURE(call);
+    REQUIRE(!call.empty());
+    if (call == "c2d_close" || call == "c2d_get_condition" || n >= summaries.back()) continue; // the last one is of the work
+    CHECK(refused.status != C2D_OK);
+    CHECK(!refused.why.empty());
+  }
+  refuse_call(0);
+}
+
+} // namespace
+
+TEST_CASE("estimate edges: no refused call of a solution is taken for done") {
+  if (!can_refuse_calls()) return;
+  const std::string fatigue = "steps 2\nwant fatigue ruiz2 block.top fatigue swt block.top depth 0.1 hoop block.top walk\n";
+  every_call_of_a_trial_refused(
+      cylinder("history normal 1; shear 0.05\ncycle normal 1, 0.4, 1 until steady frictionless\n" + fatigue));
+  every_call_of_a_trial_refused(
+      cylinder("history normal 1; shear 0.1, -0.1, 0.1\nsteps 2\nwant fatigue ruiz1 block.top pressure\n"));
+  every_call_of_a_trial_refused(
+      overlapping("history normal 1; shear 0.05\ncycle normal 1, 0.4, 1 until steady\nsteps 1\nwant pressure\n"));
+  every_call_of_a_trial_refused(cylinder("history normal 1\ncycle shear 0.1, -0.1, 0.1 until steady\n" + fatigue));
+}
+
+namespace {
+
+Solved solved(const std::string& text, double fineness = 0.25) {
+  const Sketch s = sound(text);
+  return solved(s, first_mesh(s, fineness));
+}
+
+} // namespace
+
+TEST_CASE("estimate edges: cycles that are not steady, and such that the path does not reach the end of") {
+  const std::string wants = "steps 2\nwant fatigue swt block.top\n";
+  const Solved one = solved(cylinder("history normal 1\ncycle shear 0.1, -0.1, 0.1 until steady digits 12 limit 1\n" + wants));
+  CHECK(one.status == C2D_OK);
+  CHECK(one.trial.outcome == C2D_REACHED);
+  CHECK(one.trial.why == "the cycle is not steady after 1 cycle");
+  CHECK(!one.trial.cycle.empty());
+  const Solved two =
+      solved(cylinder("history normal 1; shear 0.3\ncycle normal 0.4, 1 until steady digits 12 limit 2\n" + wants));
+  CHECK(two.status == C2D_OK);
+  CHECK(two.trial.why == "the cycle is not steady after 2 cycles");
+  const Solved smooth = solved(
+      cylinder("history normal 1; shear 0.3\ncycle normal 0.4, 1 until steady digits 12 limit 1 frictionless\n" + wants));
+  CHECK(smooth.trial.why == "the cycle is not steady after 1 cycle");
+  CHECK(smooth.trial.outcome == C2D_REACHED);
+  // Pulled over its friction by forces it slides away, in the cycle.
+  std::string forces = cylinder("history normal 1\ncycle shear 0.1, 2, 0.1 until steady\n" + wants);
+  forces.replace(forces.find("x 0 fy"), 3, "fx 0");
+  forces.replace(forces.find("x 0.01"), 6, "fx {pi/400}");
+  const Solved slides = solved(forces);
+  CHECK(slides.status == C2D_OK);
+  CHECK(slides.trial.outcome == C2D_GROSS_SLIDING);
+  CHECK(slides.trial.why == c2d_outcome_message(slides.trial.outcome));
+}
+
+TEST_CASE("estimate edges: overlaps are closed before a cycle begins, with friction and without") {
+  for (const char* start : {"", " frictionless"}) {
+    CAPTURE(start);
+    const Solved s = solved(overlapping("history normal 1; shear 0.05\ncycle normal 1, 0.4, 1 until steady" +
+                                        std::string(start) + "\nsteps 1\nwant pressure\n"));
+    CHECK_MESSAGE(s.status == C2D_OK, s.why);
+    CHECK(s.trial.outcome == C2D_REACHED);
+    REQUIRE(!s.trial.states.empty());
+    CHECK(s.trial.states.back().loads.back() == 1); // the case of the overlaps stays whole
+    CHECK(estimate::peak_pressure(s.trial.states.back(), 1) > 0);
+  }
+}
