@@ -63,8 +63,8 @@ void add_opposite(const std::vector<sketch::MeshedCurve*>& curves, Point p) {
   if (nearest == nullptr) return;
   std::vector<double>& ends = nearest->ends;
   const double room = kSamePlace * ends.back();
-  const auto above = std::lower_bound(ends.begin(), ends.end(), at);
-  if ((above != ends.end() && *above - at < room) || (above != ends.begin() && at - *(above - 1) < room)) return;
+  const auto above = std::lower_bound(ends.begin() + 1, ends.end() - 1, at);
+  if (*above - at < room || at - *(above - 1) < room) return;
   ends.insert(above, at);
 }
 
