@@ -5,6 +5,7 @@
 
 #include "program/estimate/fatigue.hpp"
 #include "program/estimate/loop.hpp"
+#include "program/estimate/tolerances.hpp"
 #include "program/estimate/wanted.hpp"
 
 #include <algorithm>
@@ -134,4 +135,123 @@ TEST_CASE("estimate edges: overlaps are closed before a cycle begins, with frict
     CHECK(s.trial.states.back().loads.back() == 1); // the case of the overlaps stays whole
     CHECK(estimate::peak_pressure(s.trial.states.back(), 1) > 0);
   }
+}
+
+namespace {
+
+estimate::Adapted found(const std::string& text) {
+  const Sketch s = sound(text);
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  return estimate::adapt(s, demand, [](const app::MeshRound&) {});
+}
+
+const std::string kPulled =
+    "plane stress\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\n"
+    "fix b.s y\nfix b.w x\ntraction b.n y 1\n";
+
+// A beam: linear functions cannot follow its bending.
+const std::string kBeam = "body b E 1e3 nu 0.3\nfrom 0 0\nline s to 12 0\nline e to 12 1\nline n to 0 1\nline w close\n"
+                          "fix b.w\ntraction b.e y 1\nwant approach at b 11.9 0.5 b 0.1 0.5 1 %\n";
+
+} // namespace
+
+TEST_CASE("estimate edges: digits that arithmetic does not have are not reached") {
+  const estimate::Adapted a = found(kPulled + "want stress at b 0.5 0.5 1e-12 %\nlimit elements 50\n");
+  CHECK(a.status == C2D_OK);
+  CHECK(a.loop.stopped == "a finer mesh would have more than 50 elements");
+  for (const app::Stated& s : a.loop.stated)
+    if (s.what == app::Measure::kStressYY) CHECK(s.value == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "estimate edges: bending takes quadratic functions, and linear ones where these cannot be solved or would be too much") {
+  if (!can_refuse_calls()) return;
+  refuse_call(0);
+  const estimate::Adapted whole = found(kBeam);
+  const std::vector<int64_t> solutions = calls_of("c2d_prepare");
+  CHECK(whole.sketch.order == 2);
+  const auto deflection = [](const estimate::Adapted& a) {
+    for (const app::Stated& s : a.loop.stated)
+      if (s.what == app::Measure::kShiftOf) return std::fabs(s.value);
+    return 0.0;
+  };
+  CHECK(deflection(whole) > 0);
+  int linear = 0;
+  for (size_t k = 0; k < std::min<size_t>(6, solutions.size()); ++k) {
+    CAPTURE(k);
+    refuse_call(solutions[k], C2D_ERR_SINGULAR);
+    const estimate::Adapted a = found(kBeam + "limit elements 400\n");
+    if (a.sketch.order == 2) continue;
+    if (a.loop.stopped.empty() || a.loop.stopped.find("elements") != std::string::npos) {
+      ++linear; // goes on
+      CHECK(deflection(a) == doctest::Approx(deflection(whole)).epsilon(0.03));
+    }
+  }
+  CHECK(linear > 0);
+  refuse_call(0);
+  for (double most = 1e6; most < 1e10; most *= 1.5) { // somewhere among them only the other functions exceed it
+    const estimate::Adapted a = found(kBeam + "limit work " + std::to_string(most) + "\n");
+    CHECK((a.loop.stopped.empty() || a.loop.stopped.find("another refinement would exceed the work limit") == 0));
+    if (a.loop.stopped.empty()) break;
+  }
+}
+
+namespace {
+
+// A block that a drive presses against a rigid cylinder.
+const std::string kDriven =
+    "parameter d 0.01 +- 1 %\nbody block E 1 nu 0.3\nfrom -1 -2\nline bottom to 1 -2\nline right to 1 0\nline top to -1 0\n"
+    "line left close\nbody cylinder rigid\nfrom -0.3 {1-sqrt(0.91)}\narc face to 0.3 {1-sqrt(0.91)} radius 1\n"
+    "line right to 0.3 0.5\nline above to -0.3 0.5\nline left close\ncontact block.top cylinder.face mu 0.3\n"
+    "platen block.bottom about 0 -2 x 0 y d turn 0\nsteps 1\nwant pressure edges 20 %\nlimit elements 60\n";
+
+// With another sketch in the place of the changed one.
+app::ToleranceTable toleranced(const std::string& text, const estimate::Redraw& redraw) {
+  const Sketch s = sound(text);
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  const estimate::Adapted a = estimate::adapt(s, demand, [](const app::MeshRound&) {});
+  REQUIRE(a.status == C2D_OK);
+  return estimate::tolerances_of({a.sketch, a.mesh, a.trial}, a.loop.stated, redraw, demand, nullptr);
+}
+
+} // namespace
+
+TEST_CASE("estimate edges: a number that a change of a parameter ends has no derivative") {
+  for (const double side : {1, -1}) {
+    CAPTURE(side);
+    const app::ToleranceTable t = toleranced(kDriven, [&](const Parameters& changed) {
+      const double d = changed.at("d");
+      return read(kDriven, {{"d", side * (d - 0.01) < 0 ? -0.01 : d}}); // apart
+    });
+    REQUIRE(!t.numbers.empty());
+    int edges = 0;
+    for (const app::Toleranced& n : t.numbers)
+      if (n.number.what == app::Measure::kContactEdge)
+        ++edges, CHECK(n.by[0].why == "it does not exist on both sides of the value");
+    CHECK(edges == 2);
+  }
+}
+
+TEST_CASE("estimate edges: a sketch that a change of a parameter spoils is named with its fault") {
+  for (const int line : {0, 3}) {
+    const app::ToleranceTable t = toleranced(kDriven, [&](const Parameters& changed) {
+      Reading out = read(kDriven, changed);
+      out.faults.push_back({{line, 1}, "no such curve"});
+      return out;
+    });
+    CHECK(t.parameters[0].why == std::string("with d = 0.0101: ") + (line > 0 ? "line 3: " : "") + "no such curve");
+  }
+}
+
+TEST_CASE("estimate edges: an unbounded pressure has no derivative") {
+  std::string punch = kDriven;
+  const size_t from = punch.find("from -0.3"), to = punch.find("line right to 0.3 0.5");
+  punch.replace(from, to - from, "from -0.3 0\nline face to 0.3 0\n");
+  const app::ToleranceTable t = toleranced(punch, [&](const Parameters& changed) { return read(punch, changed); });
+  bool seen = false;
+  for (const app::Toleranced& n : t.numbers)
+    if (n.number.is_unbounded()) seen = true, CHECK(n.by[0].why == "it is unbounded");
+  CHECK(seen);
 }

@@ -90,9 +90,9 @@ TEST_CASE("estimate, forged: a finer mesh on which the arithmetic fails leaves t
 }
 
 TEST_CASE("estimate, forged: a history that ends before its first state has no numbers, and says why") {
-  for (const char* wants :
-       {"want pressure edges hoop block.top stress at block 0 -0.5\n",
-        "want approach at block 0 -0.5 block 0 -1 forces hoop block.top+right\n", "want width dissipation\n"}) {
+  for (const char* wants : {"want pressure edges hoop block.top stress at block 0 -0.5\n",
+                            "want approach at block 0 -0.5 block 0 -1 forces hoop block.top+right\n",
+                            "want pressure at block.top 0 0 width dissipation\n"}) {
     CAPTURE(wants);
     Search search(pressed(wants + std::string("limit elements 200\n")));
     for (size_t k = 1; k <= std::min<size_t>(4, search.meshes()); ++k) {
@@ -108,4 +108,34 @@ TEST_CASE("estimate, forged: a history that ends before its first state has no n
         if (is_last) CHECK(!(s.confirmed && s.error <= s.tolerance * s.scale));
     }
   }
+}
+
+TEST_CASE("estimate, forged: stresses out of the plane, of a cycle and fatigue need a history that reaches them") {
+  const std::string tube =
+      "axisymmetric\nbody b E 1 nu 0.3\nfrom 1 0\nline s to 2 0\nline e to 2 1\nline n to 1 1\nline w close\n"
+      "fix b.s y\npressure b.w {1+y}\nsteps 1\nwant hoop b.e stress at b 1.5 0.5\nlimit elements 100\n";
+  std::string sheared =
+      pressed("case shear\nplaten block.bottom about 0 -2 x 0.01\nhistory normal 1; shear 0.1, -0.1, 0.1\n"
+              "want fatigue ruiz1 block.top fatigue swt block.top fatigue swt block 0 -0.5\n"
+              "want fatigue swt block.top depth 0.1 cycle range stress at block 0 -0.5 cycle range hoop block.top\n"
+              "limit elements 150\n");
+  sheared.replace(sheared.find("fx 0 fy"), 4, "x 0");
+  for (const std::string& text : {tube, sheared})
+    for (const int left_out : {0, 1, 2}) {
+      CAPTURE(text);
+      CAPTURE(left_out);
+      Search search(text);
+      REQUIRE(search.meshes() >= 2);
+      for (size_t k = 1; k <= 2; ++k) {
+        const estimate::Adapted a = search.with(k, [&](estimate::Trial& t) {
+          end_early(t, C2D_GROSS_SLIDING);
+          if (left_out > 0) t.cycle.clear();
+          if (left_out > 1) t.states.clear();
+        });
+        CHECK(a.status == C2D_OK);
+        const bool is_last = a.loop.stopped.find("the history ended early: ") == 0; // no later mesh took its place
+        for (const app::Stated& number : a.loop.stated)
+          if (is_last) CHECK(!number.confirmed);
+      }
+    }
 }

@@ -123,6 +123,24 @@ TEST_CASE("torsion edges: a closed section with its mirror image carries as the 
   CHECK(torque_of(t, "hub.rim") == doctest::Approx(t.contacts[0].turns_through).epsilon(1e-9));
 }
 
+TEST_CASE("torsion edges: a hub turned a little slips from both of its faces, as its image does") {
+  for (const std::string functions : {"linear", "quadratic", "cubic"}) {
+    CAPTURE(functions);
+    Shape whole;
+    whole.functions = functions;
+    whole.symmetry = "", whole.start = "from 40 -20\n", whole.bore = "line bore to 20 -20\n",
+    whole.hub_close = "line back close\n";
+    std::string text = hub("fix hub.rim y\nmove hub.rim+face turn 0.0008\n", whole);
+    text.replace(text.find("from 20.02 0\n"), 13, "from 0 -60\nline foot to 20.02 -60\n");
+    text.replace(text.find("fix shaft.end turn"), 18, "fix shaft.end turn\nfix shaft.foot turn\nfix shaft.end y");
+    const app::TorsionTable t = table_of(text);
+    REQUIRE(t.why == "");
+    CHECK(t.parts[0].name != "");
+    for (const auto& border : t.borders) CHECK(std::fabs(border.at[1]) < 20);
+    CHECK(t.borders.size() >= 1);
+  }
+}
+
 TEST_CASE("torsion edges: a contact without friction carries nothing") {
   Shape smooth;
   smooth.contact = "contact hub.bore shaft.seat mu 0";

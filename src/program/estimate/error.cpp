@@ -137,8 +137,7 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Scale::kSlip: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
   case Scale::kContact: return sizes.length[zone];
   case Scale::kPlace: return sizes.length[zone] / edges_of(state, q.zone);
-  case Scale::kOwn:
-  case Scale::kGiven: break;
+  default: break; // its own size
   }
   const bool presses = q.what == Measure::kPeakPressure || q.what == Measure::kMeanPressure;
   return presses ? std::max(size, sizes.pressure[zone]) : size;
@@ -226,7 +225,7 @@ double sum_of_errors(const std::vector<app::Stated>& stated, Measure what, int32
 
 // The error of a mean pressure follows from the errors of the edges of its zone.
 double by_edges(const std::vector<app::Stated>& stated, const app::Stated& mean, double length) {
-  return length > 0 ? mean.value * sum_of_errors(stated, Measure::kContactEdge, mean.zone) / length : 0;
+  return mean.value * sum_of_errors(stated, Measure::kContactEdge, mean.zone) / length;
 }
 
 // So does that of a width, and of the errors of borders; without borders stick ends at the edges.
@@ -260,7 +259,7 @@ bool has_edge(const State& state, size_t zone) {
 
 // Does the contact of a zone consist of only a few pairs? Zone 0: of any zone.
 bool is_scant(const Trial& trial, int32_t zone) {
-  for (size_t z = 0; z < trial.zones.size() && !trial.states.empty(); ++z) {
+  for (size_t z = 0; z < trial.zones.size(); ++z) {
     if (trial.tied[z] != 0 || (zone > 0 && static_cast<size_t>(zone) != z + 1)) continue;
     const int32_t pairs = has_edge(trial.states.back(), z) ? touching_pairs(trial, z) : 0;
     if (pairs > 0 && pairs < kFewPairs) return true;
@@ -334,10 +333,10 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     if (q.unbounded) s.endless = true, s.error = s.error_by_before = NAN;
     out.push_back(s);
   }
-  for (app::Stated& s : out) { // needs the errors of the edges
-    if (s.what == Measure::kMeanPressure && s.value > 0 && !std::isnan(s.error))
+  for (app::Stated& s : out) { // needs the errors of the edges; an unknown error stays unknown
+    if (s.what == Measure::kMeanPressure && s.value > 0)
       s.error = std::max(s.error, by_edges(out, s, force_on(f, s.zone) / s.value));
-    if (!std::isnan(s.error)) s.error = std::max(s.error, by_places(out, s));
+    s.error = std::max(s.error, by_places(out, s));
   }
   return out;
 }
