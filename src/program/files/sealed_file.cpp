@@ -60,7 +60,8 @@ bool write_sealed(const std::string& path, const std::string& kind, const std::s
     return seal_failed(path, "cannot be written", code, error);
   }
   code = sync_folder(folder_of(path));
-  return code == 0 || seal_failed(path, "cannot be flushed to disk", code, error);
+  if (code == 0) return true;
+  return seal_failed(path, "cannot be flushed to disk", code, error);
 }
 
 Sealed read_sealed(const std::string& path, const std::string& kind, std::string& text, std::string& error) {
@@ -84,7 +85,8 @@ Sealed read_sealed(const std::string& path, const std::string& kind, std::string
 }
 
 bool remove_file(const std::string& path, std::string& error) {
-  return ::unlink(path.c_str()) == 0 || errno == ENOENT || seal_failed(path, "cannot be removed", errno, error);
+  if (::unlink(path.c_str()) == 0 || errno == ENOENT) return true;
+  return seal_failed(path, "cannot be removed", errno, error);
 }
 
 bool remove_sealed(const std::string& path, std::string& error) {

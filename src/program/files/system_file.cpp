@@ -19,7 +19,8 @@ namespace {
 // Windows separates by either, and has drives.
 constexpr bool kWindows = std::filesystem::path::preferred_separator != '/';
 constexpr const char* kSeparators = kWindows ? "/\\" : "/";
-size_t begin_without_drive(const std::string& path) { return kWindows && path.size() > 1 && path[1] == ':' ? 2 : 0; }
+constexpr size_t kDrive = kWindows ? 2 : 0; // characters of a drive before a path
+size_t begin_without_drive(const std::string& path) { return kDrive * static_cast<size_t>(path.find(':') == 1); }
 
 } // namespace
 
@@ -145,8 +146,7 @@ size_t begin_of_name(const std::string& path) {
 }
 
 bool is_absolute(const std::string& path) {
-  const size_t begin = begin_without_drive(path);
-  return begin > 0 || path.find_first_of(kSeparators) == 0;
+  return begin_without_drive(path) + static_cast<size_t>(path.find_first_of(kSeparators) == 0) > 0;
 }
 
 std::string folder_of(const std::string& path) {

@@ -50,11 +50,12 @@ int append_locked(const std::string& name, int file, const std::string& heading,
   struct stat about;
   if (::fstat(file, &about) != 0) return errno;
   const bool fresh = about.st_size == 0, regular = S_ISREG(about.st_mode);
-  if (!fresh && regular)
+  if (!fresh) // only a regular file has a size
     if (const int code = compare_heading(file, heading); code != 0) return code;
   if (const int code = write_all(file, fresh ? heading + row : row); code != 0) return code;
+  if (!regular) return 0; // a device or a pipe cannot be synchronised
   if (const int code = sync_file(file); code != 0) return code;
-  if (regular && !inputs.inputs.files.empty()) write_row_inputs(name, file, fresh, inputs);
+  if (!inputs.inputs.files.empty()) write_row_inputs(name, file, fresh, inputs);
   return 0;
 }
 
@@ -73,7 +74,8 @@ Inputs without_given(Inputs inputs, const std::vector<std::string>& settings) {
 bool write_results(const std::string& name, const std::string& text, const Inputs& inputs, std::string& error) {
   if (!write_output(name, text, error)) return false;
   struct stat about = {};
-  const bool regular = name != "-" && ::stat(name.c_str(), &about) == 0 && S_ISREG(about.st_mode);
+  ::stat(name.c_str(), &about); // of "-" nothing
+  const bool regular = name != "-" && S_ISREG(about.st_mode);
   return !regular || write_output(name + kInputsEnding, inputs_text(inputs), error);
 }
 
