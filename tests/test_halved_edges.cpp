@@ -28,7 +28,7 @@ TEST_CASE("halved edges: more than five coefficients go on in another card") {
   if (at == std::string::npos) FAIL(deck.substr(0, 800));
   deck.replace(at + 1, one.size(), "7 0.1 0.2 0.3 0.4 0.5\n0.6 0.7");
   write_file(folder / "d.dat", deck);
-  const Result halved = run_shell(kProgram + "halve '" + (folder / "d.dat") + "'");
+  const Result halved = run_shell(kProgram + "mesh --halve '" + (folder / "d.dat") + "'");
   REQUIRE_MESSAGE(halved.status == 0, halved.err);
   CHECK(contains(halved.out, "7 0.1 0.2 0.3 0.4 0.5\n 0.6 0.7\n"));
   write_file(folder / "h.dat", halved.out);
