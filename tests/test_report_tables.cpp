@@ -15,6 +15,8 @@
 #include "report/page_tolerances.hpp"
 #include "report/page_torsion.hpp"
 #include "report/pictures/pictures.hpp"
+#include "report/totals.hpp"
+#include "shell.hpp"
 
 #include <doctest/doctest.h>
 
@@ -143,6 +145,50 @@ TEST_CASE("report tables: bars of tolerances, of many parameters and many number
   CHECK_FALSE(contains(out[0].svg, "force x"));
 }
 
+TEST_CASE("report tables: bars of every number of parameters have as many fills, and one more for all others") {
+  for (size_t count = 1; count < 9; ++count) {
+    CAPTURE(count);
+    Kept kept;
+    for (size_t p = 0; p < count; ++p) kept.table().parameters.push_back({"p" + std::to_string(p), 1, 0.1, ""});
+    Toleranced one{number(Measure::kContactEdge, 1, 1, 1), {}};
+    one.by.assign(count, {1.0, ""});
+    kept.table().numbers.push_back(one);
+    Pictures out;
+    draw_tolerances(kept.scene, out);
+    REQUIRE(out.size() == 1);
+    CHECK(contains(out[0].svg, "all others") == (count > 6));
+    CHECK(contains(out[0].svg, ">p" + std::to_string(count - 1) + " ") == (count <= 6));
+  }
+}
+
+TEST_CASE("report tables: whole forces of zones, of a body that a line of symmetry cuts, and nothing else") {
+  Kept kept;
+  Summary& s = kept.scene.summary;
+  std::vector<Quantity> all(4);
+  for (Quantity& q : all) q.what = Measure::kForceY, q.value = 3, q.zone = 1;
+  all[1].zone = 0, all[2].zone = 7, all[3].what = Measure::kMoment;
+  CHECK(with_wholes(all, s).size() == 4);
+  CHECK(std::string(words_of_totals(s)).empty());
+}
+
+TEST_CASE("report tables: loads of more cases than a legend has strokes share these") {
+  const test::Folder folder;
+  std::string text = "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\nfix b.s\n", history;
+  for (int c = 1; c <= 18; ++c) {
+    text += "case c" + std::to_string(c) + "\n" + (c % 4 == 2 ? "force b at 0.5 0.5 fx 1\n" : "traction b.n fx 0.1\n");
+    history += "history c" + std::to_string(c) + " 1\n";
+  }
+  test::write_file(folder / "s.c2s", text + history + "steps 1\ntolerance off\n");
+  const test::Result run =
+      test::run_shell("'" + paths::program() + "' run -q '" + (folder / "s.c2s") + "' --report '" + (folder / "p.html") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const std::string page = test::read_file(folder / "p.html");
+  for (const char* part : {"cases 1, 5, 9, ...", "cases 3, 7, 11, ...", "cases 4, 8, 12, ..."}) {
+    CAPTURE(part);
+    CHECK(contains(page, part));
+  }
+}
+
 TEST_CASE("report tables: rows of the summary find their tolerances by measure, curve, body and place") {
   Kept kept;
   ToleranceTable& t = kept.table();
@@ -156,9 +202,14 @@ TEST_CASE("report tables: rows of the summary find their tolerances by measure, 
   along_other.of = " of foot";
   double derivative = 0;
   for (const Stated& s : {other, beside, above, along, along_other, stress}) add(s, derivative += 2);
+  Stated nowhere = stress; // a place that is not known is another one
+  nowhere.at[0] = nowhere.at[1] = NAN;
   Stated missing = stress;
   missing.at[0] = missing.at[1] = 77;
-  kept.record.meshes.stated = {stress, other, beside, above, along, along_other, missing};
+  kept.record.meshes.stated = {stress, other, beside, above, along, along_other, missing, nowhere};
+  Stated moment = number(Measure::kMoment, 2, 1);
+  moment.body = 1; // not that of the zone
+  add(moment, 500);
   add(number(Measure::kContactWidth, 1, 1), 100), add(number(Measure::kContactWidth, 2, 1), 200);
   add(number(Measure::kContactEdge, 2, 1, 1), 300), add(number(Measure::kContactEdge, 2, 1, 2), 400);
   std::vector<Quantity> all;
@@ -177,7 +228,7 @@ TEST_CASE("report tables: rows of the summary find their tolerances by measure, 
     worst.push_back(last - before > 1 ? std::strtod(csv.c_str() + before + 1, nullptr) : -1);
     at = end + 1;
   }
-  CHECK(worst == std::vector<double>{50, 100, 200, -1, 6, 1, 2, 3, 4, 5, -1});
+  CHECK(worst == std::vector<double>{50, 100, 200, -1, 6, 1, 2, 3, 4, 5, -1, -1});
 }
 
 TEST_CASE("report tables: loads round the axis that end early, and tractions that are given") {

@@ -46,7 +46,7 @@ bool SlipPath::exchange(size_t pair) {
   const size_t n = problem_.limit.size(), columns = table_.columns;
   double* own = table_.row(pair);
   const double pivot = own[pair];
-  if (slips_[pair] == 0 && !(pivot > kNoStiffness * scale_[pair]) && scale_[pair] > 0) return false;
+  if (slips_[pair] == 0 && !(pivot > kNoStiffness * scale_[pair])) return false;
   for (size_t c = 0; c < columns; ++c) own[c] = c == pair ? 1 / pivot : -own[c] / pivot;
   for (size_t i = 0; i < n; ++i) {
     if (i == pair) continue;

@@ -261,7 +261,7 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
   const std::string fill = filled ? ink : "white";
   const Stroke edge{ink, 1.2, ""};
   switch (mark) {
-  case Mark::kNone: return;
+  default: return; // kNone
   case Mark::kCircle:
     body_ += "<circle";
     append_attribute(body_, "cx", at.x);
