@@ -666,3 +666,22 @@ TEST_CASE("drawing: statements beside a drawing, with a byte order mark, blank l
   CHECK((c.materials[0].body == "plate" && c.materials[0].text == "E 1 nu 0 ! steel" && c.materials[0].line == 3));
   CHECK(c.tail == "body\n\n\nbody own E 2 nu 0\n\n\n  from 0 0\n  line to 1 0\nfix plate.c1\n");
 }
+
+TEST_CASE("drawing: types of entities and layers in rare notations, blocks of no height, elements that repeat a node") {
+  CHECK(tells(drawn("0 FOO~ 10 0 0 FOO~ 10 0"), "left out: 2 FOO~ (from line 6)"));
+  const std::string block = section("BLOCKS", "0 BLOCK 2 part 0 LINE 10 0 20 0 11 1 21 0 0 ENDBLK");
+  for (const char* scale : {" 41 0", " 42 0", " 41 2 42 0"}) {
+    CAPTURE(scale);
+    const Drawing d = drawn("0 INSERT 2 part 10 0 20 0" + std::string(scale), block);
+    CHECK(tells(d, "its scale is 0"));
+    CHECK(d.curves.empty());
+  }
+  // A flag of another program behind LibreCAD's name is not LibreCAD's.
+  const std::string layers = section("TABLES", "0 TABLE 2 LAYER 0 LAYER 2 a 70 0 62 7 1001 LibreCad 1001 OTHER 1070 1 "
+                                               "0 LAYER 2 b 70 0 62 7 1001 LibreCad 1070 1 0 ENDTAB");
+  const Drawing two = drawn("0 LINE 8 a 10 0 20 0 11 1 21 0 0 LINE 8 b 10 0 20 1 11 1 21 1", layers);
+  REQUIRE(two.curves.size() == 1);
+  CHECK(two.curves[0].begin.y == 0);
+  CHECK(fault_of("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n$EndNodes\n"
+                 "$Elements\n1\n1 3 2 0 1 1 2 1 4\n$EndElements\n") == "");
+}

@@ -214,3 +214,26 @@ TEST_CASE("sketch facing: facing parts shorter than what divides an outline") {
                 "contact f.n b.s\n",
        short_one);
 }
+
+TEST_CASE("sketch facing: the ends of a curve that contacts divide are its own ends") {
+  const std::string text = kFloor + block("b", -1, 0, 1, 1) + "contact f.n b.s\n";
+  const auto supported = [&](const std::string& supports) { // element ends beyond the foot, as many as of one node
+    const std::string all = deck(text + supports);
+    size_t count = 0, begin = all.find("conditions of f");
+    const size_t end = all.find("point loads", begin);
+    while ((begin = all.find(" 1100 ", begin + 1)) < end) ++count;
+    return count - 2;
+  };
+  for (const char* one : {"fix f.n.start\n", "fix f.n.end\n", "fix f.e.end\n", "fix f.w.start\n"}) CHECK(supported(one) == 1);
+  CHECK(supported("fix f.n.start\nfix f.n.end\n") == 2);
+  CHECK(supported("") == 0);
+}
+
+TEST_CASE("sketch facing: both faces of a notch, which meet at its tip") {
+  const Sketch s = sound("body a E 1 nu 0\nfrom 0 0\nline s to 2 0\nline e1 to 2 1\nline l to 1 1.1\nline u to 2 1.2\n"
+                         "line e2 to 2 2\nline n to 0 2\nline w close\nfix a.s\npressure a.n 1\ncontact a.l a.u\n");
+  REQUIRE(s.contacts.size() == 1);
+  CHECK(s.contacts[0].side[0].to - s.contacts[0].side[0].from > 0.9);
+  const std::string text = deck_of(s, first_mesh(s, 1));
+  CHECK(text.find("*ZONE BODIES 1 -1 ") != std::string::npos);
+}
