@@ -6,7 +6,7 @@
 namespace app {
 namespace {
 
-std::string lower(std::string text) {
+std::string lower_case_of(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
@@ -26,7 +26,7 @@ double difference(const std::vector<double>& table, const std::vector<double>& t
 } // namespace
 
 std::string with_other_start(const std::string& deck) {
-  const std::string word = "compare", text = lower(deck);
+  const std::string word = "compare", text = lower_case_of(deck);
   for (size_t line = 0; line < text.size();) {
     const size_t end = std::min(text.find('\n', line), text.size()), at = text.find(word, line);
     const size_t first = text.find_first_not_of(" \t", line), comment = std::min(text.find('!', line), end);

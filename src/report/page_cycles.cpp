@@ -17,13 +17,13 @@ void append_cells(std::string& out, const Cells& cells, const char* tag = "td") 
   out += "</tr>\n";
 }
 
-std::string heading_of(const char* name, const std::string& unit) { return unit.empty() ? name : name + (", " + unit); }
+std::string cycle_heading(const char* name, const std::string& unit) { return unit.empty() ? name : name + (", " + unit); }
 
 void append_cycle_rows(std::string& out, const Scene& scene, const CoefficientRecord& c) {
   out += "<details>\n<summary>Cycle by cycle, &#956; = " + figure(c.mu) + "</summary>\n<div class=\"wide\"><table>\n";
   append_cells(out,
-               {"cycle", "change", heading_of("dissipated", scene.work_unit), heading_of("slip range", scene.length_unit),
-                heading_of("largest walk", scene.length_unit), "pairs stuck", "pairs slipped", "extrapolations"},
+               {"cycle", "change", cycle_heading("dissipated", scene.work_unit), cycle_heading("slip range", scene.length_unit),
+                cycle_heading("largest walk", scene.length_unit), "pairs stuck", "pairs slipped", "extrapolations"},
                "th");
   for (const CycleSeen& one : c.cycles)
     append_cells(out, {std::to_string(one.cycles), figure(one.change, 3), figure(one.dissipated, 6), figure(one.slip_range, 6),
@@ -39,7 +39,7 @@ double value_in(const StepRecord& step, Measure what, size_t zone) {
 }
 
 // (u2 - u1).t of a zone at the recorded steps of the cycle, since its beginning.
-std::vector<double> displacements(const Scene& scene, size_t coefficient, size_t zone) {
+std::vector<double> displacements_in_cycle(const Scene& scene, size_t coefficient, size_t zone) {
   std::vector<double> out;
   if (coefficient >= scene.history->coefficients().size()) return out;
   const std::vector<const PathPoint*> points = points_of_cycle(scene.history->coefficients()[coefficient]);
@@ -52,16 +52,16 @@ std::vector<double> displacements(const Scene& scene, size_t coefficient, size_t
 
 void append_step_rows(std::string& out, const Scene& scene, const CoefficientRecord& c, size_t coefficient, size_t zone) {
   const std::vector<const StepRecord*> steps = steps_of_cycle(c);
-  const std::vector<double> moved = displacements(scene, coefficient, zone);
+  const std::vector<double> moved = displacements_in_cycle(scene, coefficient, zone);
   if (steps.empty() || steps[0]->quantities.empty() || moved.size() != steps.size()) return;
   out += "<details>\n<summary>Steps of the last cycle" + chart_title(scene, friction_of(scene, coefficient, zone), zone) +
          "</summary>\n<div class=\"wide\"><table>\n";
   Cells names{"step"};
   const bool few = scene.cases <= 4; // else the factors would fill the table
   for (size_t k = 1; few && k <= scene.cases; ++k) names.push_back(k == 1 ? "load" : "load" + std::to_string(k));
-  names.push_back(heading_of("peak pressure", scene.stress_unit));
-  names.push_back(heading_of("displacement", scene.length_unit));
-  names.push_back(heading_of("dissipated", scene.work_unit));
+  names.push_back(cycle_heading("peak pressure", scene.stress_unit));
+  names.push_back(cycle_heading("displacement", scene.length_unit));
+  names.push_back(cycle_heading("dissipated", scene.work_unit));
   append_cells(out, names, "th");
   for (size_t i = 0; i < steps.size(); ++i) {
     Cells row{i == 0 ? "start" : std::to_string(steps[i]->step)};
