@@ -285,5 +285,5 @@ TEST_CASE("users: every sketch of the examples is short, and the program takes i
     const std::string page = test::read_file(paths::root() + "/examples/README.md");
     CHECK(test::contains(page, "`examples/" + entry.path().filename().string() + "`"));
   }
-  CHECK(sketches == 13);
+  CHECK(sketches == 15);
 }
