@@ -192,7 +192,7 @@ bool is_new(const std::vector<uintptr_t>& calls) {
   return seen.insert(asker(calls)).second && (some || test::in_full());
 }
 
-size_t sweep(Told told) {
+void sweep(Told told) {
   CAPTURE(told.name);
   RamStore first;
   told.bytes = live(told, first).error.bytes_needed;
@@ -206,9 +206,9 @@ size_t sweep(Told told) {
   CAPTURE(clean.call);
   CAPTURE(clean.error.text);
   REQUIRE(clean.status == C2D_OK);
+  CHECK(whole.done.size() > 1000);
   for (const size_t n : failing) check_failure(told, n, clean);
   MESSAGE(told.name << ": " << failing.size() << " places failed");
-  return failing.size();
 }
 
 // ---- models
@@ -234,30 +234,43 @@ constexpr int32_t kPairs = 84, kTouching = 60;
 TEST_CASE("store edges: contact on demand" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = with_push(many::rough(kPairs), many::end_of(many::kHeld, 0, 0, 1e-5, 0));
   m.cycle_states = 8;
-  CHECK(sweep({"held", demand::on_demand(m, kTouching), {{1, 0}, {1, 1}}, {0.3, 0.1}, {{0.9, 0}, {1, 1}}}) > 50);
+  sweep({"held", demand::on_demand(m, kTouching), {{1, 0}, {1, 1}}, {0.3, 0.1}, {{0.9, 0}, {1, 1}}});
 }
 
 TEST_CASE("store edges: bodies on demand that contact alone holds" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = with_push(floating(kPairs, 0.03), many::end_of(many::kPulled, 0.002, 0));
   m.cycle_states = 8;
-  CHECK(sweep({"floating", demand::on_demand(m, kTouching), {{1, 0}, {1, 1}}, {0.3, 0.2}, {{0.9, 0}, {1, 1}}}) > 20);
+  sweep({"floating", demand::on_demand(m, kTouching), {{1, 0}, {1, 1}}, {0.3, 0.2}, {{0.9, 0}, {1, 1}}});
   m = floating(kPairs, 0.03); // slides on a line of symmetry
   for (int32_t body : {1, 2}) m.set(body, 4, many::end_of("1001"));
   m.friction = 0;
-  CHECK(sweep({"sliding", demand::on_demand(m, kTouching), {{1}}, {0.0, 0.3}}) > 0);
+  sweep({"sliding", demand::on_demand(m, kTouching), {{1}}, {0.0, 0.3}});
   m = many::rough(kPairs);
   m.set(2, 3, many::End());
   many::Body& body = m.body(2);
   body.rigid = 1, body.is_free[0] = body.is_free[1] = body.is_free[2] = 1;
   body.point[0] = body.point[1] = 0.5, body.load[1] = -0.03;
-  CHECK(sweep({"rigid", demand::on_demand(m, kTouching), {{1}}, {0.3}}) > 0);
+  sweep({"rigid", demand::on_demand(m, kTouching), {{1}}, {0.3}});
+}
+
+// A rigid table, and beside it a block and a rigid body that meet nothing.
+TEST_CASE("store edges: a body on demand on a rigid one, and bodies without contact" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = floating(kPairs, 0.03);
+  m.set(1, 1, many::End());
+  m.body(1).rigid = 1;
+  m.add(many::rectangle(5, 0, 6, 1, {4, 4, 4, 4}));
+  m.set(3, 1, many::end_of(many::kHeld));
+  m.set(3, 3, many::end_of(many::kPulled, 0, 1));
+  m.add(many::rectangle(8, 0, 9, 1, {4, 4, 4, 4}));
+  m.body(4).rigid = 1;
+  sweep({"beside", demand::on_demand(m, kTouching), {{1}}, {0.3}});
 }
 
 TEST_CASE("store edges: a body on demand that overlaps push off" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = with_push(floating(kPairs, 0.03), many::end_of(many::kPulled));
   for (size_t i = 1; i < m.body(2).xy.size(); i += 2) m.body(2).xy[i] -= 5e-6;
   m.interference = 2;
-  CHECK(sweep({"overlaps", demand::on_demand(m, kTouching), {{1, 1}}, {0.3}}) >= 0);
+  sweep({"overlaps", demand::on_demand(m, kTouching), {{1, 1}}, {0.3}});
 }
 
 namespace {
@@ -280,7 +293,7 @@ many::Model layered(int32_t layers, double t, int32_t kind) {
 } // namespace
 
 TEST_CASE("store edges: layers whose displacements are unknowns" * doctest::skip(c2d::kSmallCode)) {
-  CHECK(sweep({"layers", layered(2, 1e-4, C2D_ZONE_MATCHING), {{1}}, {0.5, 0.0}}) > 0);
-  CHECK(sweep({"tied layers", layered(3, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED), {{1}}, {0.5}}) > 0);
-  CHECK(sweep({"free layers", layered(2, 1e-5, C2D_ZONE_FREE), {{1}}, {0.5}}) > 0);
+  sweep({"layers", layered(2, 1e-4, C2D_ZONE_MATCHING), {{1}}, {0.5, 0.0}});
+  sweep({"tied layers", layered(3, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED), {{1}}, {0.5}});
+  sweep({"free layers", layered(2, 1e-5, C2D_ZONE_FREE), {{1}}, {0.5}});
 }
