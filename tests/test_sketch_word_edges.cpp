@@ -34,7 +34,7 @@ TEST_CASE("sketch words: the end of a line, quotes and bodies with the names of 
   CHECK_FALSE(sound(zz + "pressure zz.n 1\nwant stress zz 0.5 0.5\n").wants.back().is_zz);
   tells("parameter \"R\" 1\n" + kHeld, "1:");
   tells("parameter R \"1\"\n" + kHeld, "1:13");
-  tells("parameter R +-0.1\n" + kHeld, "1:13 '+-0.1': expected the value of R before its tolerance");
+  tells("parameter R +- 0.1\n" + kHeld, "1:13 '+-': expected the value of R before its tolerance");
   tells("parameter R \"\"\n" + kHeld, "1:13");
   tells("parameter R 1 \"+-\" 0.1\n" + kHeld, "1:15");
   tells("parameter R 1+-\n" + kHeld, "expected the tolerance of R");

@@ -196,7 +196,7 @@ void Reader::parameter(Statement& s) {
     if (name == "pi" || name == "deg" || name == "inf")
       s.fail(in_quotes(name) + " is reserved, expected a name other than pi, deg and inf");
     used_.insert(name);
-    if (s.begins_with(kTolerance)) s.missing("the value of " + name + " before its tolerance");
+    if (s.is_next(kTolerance)) s.missing("the value of " + name + " before its tolerance");
     s.divide_at(kTolerance);
     const double value = s.number("the value of " + name, true);
     const auto given = given_.find(name);

@@ -149,12 +149,8 @@ bool Statement::accept_phrase(const std::string& phrase) {
   return ahead > 0;
 }
 
-bool Statement::begins_with(const std::string& mark) const {
-  return has_more() && !words_[next_].quoted && words_[next_].text.compare(0, mark.size(), mark) == 0;
-}
-
 bool Statement::accept_prefix(const std::string& mark) {
-  if (!begins_with(mark)) return false;
+  if (!has_more() || words_[next_].quoted || words_[next_].text.compare(0, mark.size(), mark) != 0) return false;
   words_[next_].text.erase(0, mark.size());
   words_[next_].at.column += static_cast<int>(mark.size());
   return true;

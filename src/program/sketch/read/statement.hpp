@@ -16,10 +16,9 @@ public:
 
   bool has_more() const { return next_ < words_.size(); }
   bool is_next(const char* word, size_t ahead = 0) const;
-  bool is_side() const;          // does the next word have a dot that is not in a number: body.curve?
-  bool accept(const char* word); // takes the word if it is next
-  bool begins_with(const std::string& mark) const;
-  bool accept_prefix(const std::string& mark);               // takes the mark off the next word if more follows it there
+  bool is_side() const;                        // does the next word have a dot that is not in a number: body.curve?
+  bool accept(const char* word);               // takes the word if it is next
+  bool accept_prefix(const std::string& mark); // takes the mark off the next word if more follows it there
   const Place& last() const { return words_[next_ - 1].at; } // of the last word taken
   bool accept_phrase(const std::string& phrase);             // the same of words with blanks between them
   bool is_number(size_t ahead = 0) const;                    // may the next word, or a later one, begin an expression?
