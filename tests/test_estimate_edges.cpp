@@ -255,3 +255,66 @@ TEST_CASE("estimate edges: an unbounded pressure has no derivative") {
     if (n.number.is_unbounded()) seen = true, CHECK(n.by[0].why == "it is unbounded");
   CHECK(seen);
 }
+
+TEST_CASE("estimate edges: rubbing on two curves, and on one that touches nothing") {
+  std::string text = cylinder("history normal 1; shear 0.1, -0.1, 0.1\nsteps 2\n"
+                              "want fatigue ruiz1 block.left1+top fatigue ruiz2 block.left1+top fatigue ruiz1 block.left\n");
+  text.replace(text.find("line top to -1 0\n"), 17, "line top to 0.013 0\nline left1 to -1 0\n");
+  text.replace(text.find("contact block.top "), 18, "contact block.top+left1 ");
+  const Sketch s = sound(text);
+  const Mesh mesh = first_mesh(s, 0.5);
+  const Solved one = solved(s, mesh);
+  REQUIRE_MESSAGE(one.status == C2D_OK, one.why);
+  const std::vector<app::Stated> values = estimate::wanted_of(s, mesh, one.trial);
+  // The same on one curve.
+  const Sketch whole = sound(
+      cylinder("history normal 1; shear 0.1, -0.1, 0.1\nsteps 2\nwant fatigue ruiz1 block.top fatigue ruiz2 block.top\n"));
+  const Mesh other = first_mesh(whole, 0.5);
+  const Solved two = solved(whole, other);
+  const std::vector<app::Stated> same = estimate::wanted_of(whole, other, two.trial);
+  REQUIRE(values.size() == same.size()); // none of the curve that nothing rubs
+  CHECK(values[0].value > 0);
+  CHECK(values[0].value == doctest::Approx(same[0].value).epsilon(0.2)); // meshes differ
+}
+
+TEST_CASE("estimate edges: a body of three, no contact of which is on it, and a contact at the joint of a closed outline") {
+  // The block's contact side goes round the first point of its outline.
+  std::string text = cylinder("history normal 1; shear 0.05\nsteps 1\nwant hoop block.top2+top hoop base.lid pressure\n");
+  const std::string outline = "from -1 -2\nline bottom to 1 -2\nline right to 1 0\nline top to -1 0\nline left close\n";
+  text.replace(text.find(outline), outline.size(),
+               "from 0.007 0\nline top to -1 0\nline left to -1 -2\nline bottom to 1 -2\nline right to 1 0\nline top2 close\n"
+               "body base E 1 nu 0.3\nfrom -1 -3\nline foot to 1 -3\nline flank to 1 -2\nline lid to -1 -2\nline back "
+               "close\ntie block.bottom base.lid\n");
+  text.replace(text.find("contact block.top "), 18, "contact block.top2+top ");
+  for (size_t at; (at = text.find("platen block.bottom about 0 -2")) != std::string::npos;)
+    text.replace(at, 30, "platen base.foot about 0 -3");
+  const Solved s = solved(text, 0.5);
+  REQUIRE_MESSAGE(s.status == C2D_OK, s.why);
+  CHECK(s.trial.outcome == C2D_REACHED);
+  CHECK(s.trial.zones.size() >= 2);
+  CHECK(estimate::peak_pressure(s.trial.states.back(), s.trial.tied[0] == 0 ? 1 : 2) > 0);
+  const Sketch sketch = sound(text);
+  const Mesh mesh = first_mesh(sketch, 0.5);
+  const std::vector<app::Stated> values = estimate::wanted_of(sketch, mesh, s.trial);
+  CHECK(values.size() >= 4);
+}
+
+TEST_CASE("estimate edges: more than the machine's memory is refused before it is taken, compressed bodies are of less work") {
+  const std::string pulled = kPulled;
+  const Sketch s = sound(pulled + "tolerance off\n");
+  const Mesh mesh = first_mesh(s, 1);
+  const auto work_of = [&](int32_t elimination, const Mesh& on) {
+    estimate::Demand demand;
+    demand.elimination = elimination;
+    estimate::Trial trial;
+    std::string why;
+    REQUIRE_MESSAGE(estimate::solve(deck_of(s, on), demand, trial, why) == C2D_OK, why);
+    CHECK(trial.states.back().ends[0][estimate::kUy].size() > 0);
+    return trial.work;
+  };
+  CHECK(work_of(C2D_ELIMINATION_COMPRESSED, mesh) == doctest::Approx(work_of(C2D_ELIMINATION_DENSE, mesh)).epsilon(0.01));
+  const Mesh large = first_mesh(s, 40);
+  if (elements_of(large) > 1000 && elements_of(large) < 3000)
+    CHECK(work_of(C2D_ELIMINATION_COMPRESSED, large) <
+          100 * work_of(C2D_ELIMINATION_COMPRESSED, mesh) * std::pow(elements_of(large), 2));
+}

@@ -237,3 +237,40 @@ TEST_CASE("rare, outputs: points of an earlier run are written anew, a listing a
   CHECK(run({"run", sample(), "-q", "--no-progress", "--out", out}).exit == 0);
   CHECK(read_file(points) == "x,y\n1,2\n");
 }
+
+TEST_CASE("rare, run: a full device, sizes of tapes that are refused, a state saved within a cycle") {
+  const Folder folder;
+  const Ran full = run({"run", sample(), "-q", "--no-progress", "--csv", "/dev/full"});
+  CHECK(full.exit == 3);
+  CHECK(contains(full.reason, "No space left on device"));
+  // A sketch with a cycle, kept at every step: the same numbers as without a store.
+  write_file(folder / "s.c2s",
+             "body block E {1-(2/7)^2} nu {2/7}\nfrom -1 -2\nline bottom to 1 -2\nline right to 1 0\nline top to -1 0\n"
+             "line left close\nbody cylinder rigid\nfrom -0.3 {1-sqrt(0.91)}\narc face to 0.3 {1-sqrt(0.91)} radius 1\n"
+             "line right to 0.3 0.5\nline above to -0.3 0.5\nline left close\ncontact block.top cylinder.face mu 0.3\n"
+             "case normal\nplaten block.bottom about 0 -2 fx 0 fy {pi/400} turn 0\nhistory normal 1\n"
+             "cycle normal 1, 0.4, 1 until steady\nsteps 1\ntolerance off\n");
+  const Ran plain = run({"run", folder / "s.c2s", "-q", "--no-progress", "--csv", folder / "a"});
+  const Ran kept = run({"run", folder / "s.c2s", "-q", "--no-progress", "--csv", folder / "b", "--store",
+                        "file:" + (folder / "t"), "--keep", "--save-every", "0"});
+  CHECK(plain.exit == kept.exit);
+  CHECK(read_file(folder / "a") == read_file(folder / "b"));
+  CHECK(read_file(folder / "a") != "");
+  if (!can_refuse_calls()) return;
+  // The bounds of tapes only choose where tapes go.
+  const std::vector<std::string> words = {"run",        sample(),        "-q",        "--no-progress", "--csv",
+                                          folder / "c", "--elimination", "compressed"};
+  refuse_call(0);
+  CHECK(run(words).exit == 0);
+  const std::string whole = read_file(folder / "c");
+  const std::vector<int64_t> sizes = calls_of("c2d_tape_need");
+  CHECK(!sizes.empty());
+  for (const int64_t n : sizes) {
+    CAPTURE(n);
+    fs::remove(folder / "c");
+    refuse_call(n);
+    const Ran ran = run(words);
+    CHECK((ran.exit == 0 ? read_file(folder / "c") == whole : !ran.reason.empty()));
+  }
+  refuse_call(0);
+}

@@ -1,5 +1,6 @@
 // Rare shapes and states of loads round the axis: joints within contacts, closed sections, several contacts, what has no
 // result.
+#include "program/estimate/loop.hpp"
 #include "program/estimate/torsion.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
@@ -215,4 +216,38 @@ TEST_CASE("torsion edges: what has no result says why") {
   REQUIRE(estimate::solve(deck_of(s.sketch, finer.mesh), demand, finer.trial, why) == C2D_OK);
   estimate::mark_torsion(s.sketch, s.twisted, estimate::twist(s.sketch, finer.mesh, finer.trial), s.mesh, levels);
   CHECK(marked() > 0);
+}
+
+TEST_CASE("torsion edges: the search for a mesh with loads round the axis and numbers of the plane") {
+  std::string text =
+      hub("move hub.rim turn 0.0008\nwant torque 20 % hoop hub.bore 30 % stress at hub 30 5 30 %\nlimit elements 160\n");
+  text.replace(text.find("tolerance off\n"), 14, "");
+  const Sketch s = sound(text);
+  estimate::Demand demand;
+  estimate::ask(s, demand);
+  const estimate::Adapted a = estimate::adapt(s, demand, [](const app::MeshRound&) {});
+  REQUIRE_MESSAGE(a.status == C2D_OK, a.why);
+  bool torque = false;
+  for (const app::Stated& n : a.loop.stated) {
+    torque = torque || n.what == app::Measure::kTorque;
+  }
+  CHECK(torque);
+  const app::TorsionTable first = table_of(hub("move hub.rim turn 0.0008\n"));
+  CHECK(torque_of(a.loop.torsion, "hub.rim") == doctest::Approx(torque_of(first, "hub.rim")).epsilon(0.05));
+}
+
+TEST_CASE("torsion edges: the flat of a ball in two curves, whose joint lies within the contact") {
+  // Partial contact: pressure and slip at nodes that the mesh of the history does not have.
+  const auto ball = [](const std::string& flat) {
+    return "axisymmetric\nbody block E 1000 nu 0.3\nfrom 0 -8\nline foot to 8 -8\nline side to 8 0\n" + flat +
+           "body ball E 1000 nu 0.3\nfrom 0 0\narc face to 4 {8-sqrt(48)} radius 8\nline side to 4 6\nline lid to 0 6\n"
+           "contact block.TOP ball.face mu 0.5\nfix block.foot\nfix block.foot turn\n"
+           "case press\nplaten ball.lid about 0 6 fy -100 turn 0\ncase twist\nmove ball.lid turn 0.002\n"
+           "history press 1; twist 1\nsteps 2\ntolerance off\n";
+  };
+  std::string one = ball("line top to 0 0\n"), two = ball("line top1 to 0.31 0\nline top to 0 0\n");
+  one.replace(one.find("block.TOP"), 9, "block.top"), two.replace(two.find("block.TOP"), 9, "block.top1+top");
+  const app::TorsionTable a = table_of(one), b = table_of(two);
+  REQUIRE((a.why == "" && b.why == ""));
+  CHECK(torque_of(b, "ball.lid") == doctest::Approx(torque_of(a, "ball.lid")).epsilon(0.1));
 }
