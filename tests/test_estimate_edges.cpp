@@ -299,22 +299,18 @@ TEST_CASE("estimate edges: a body of three, no contact of which is on it, and a 
   CHECK(values.size() >= 4);
 }
 
-TEST_CASE("estimate edges: more than the machine's memory is refused before it is taken, compressed bodies are of less work") {
+TEST_CASE("estimate edges: a small body is the same work with compression and without") {
   const std::string pulled = kPulled;
   const Sketch s = sound(pulled + "tolerance off\n");
   const Mesh mesh = first_mesh(s, 1);
-  const auto work_of = [&](int32_t elimination, const Mesh& on) {
+  const auto work_of = [&](int32_t elimination) {
     estimate::Demand demand;
     demand.elimination = elimination;
     estimate::Trial trial;
     std::string why;
-    REQUIRE_MESSAGE(estimate::solve(deck_of(s, on), demand, trial, why) == C2D_OK, why);
+    REQUIRE_MESSAGE(estimate::solve(deck_of(s, mesh), demand, trial, why) == C2D_OK, why);
     CHECK(trial.states.back().ends[0][estimate::kUy].size() > 0);
     return trial.work;
   };
-  CHECK(work_of(C2D_ELIMINATION_COMPRESSED, mesh) == doctest::Approx(work_of(C2D_ELIMINATION_DENSE, mesh)).epsilon(0.01));
-  const Mesh large = first_mesh(s, 40);
-  if (elements_of(large) > 1000 && elements_of(large) < 3000)
-    CHECK(work_of(C2D_ELIMINATION_COMPRESSED, large) <
-          100 * work_of(C2D_ELIMINATION_COMPRESSED, mesh) * std::pow(elements_of(large), 2));
+  CHECK(work_of(C2D_ELIMINATION_COMPRESSED) == doctest::Approx(work_of(C2D_ELIMINATION_DENSE)).epsilon(0.01));
 }
