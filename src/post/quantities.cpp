@@ -146,7 +146,7 @@ Stretches stuck_stretches(const LineState& state, const std::vector<ContactEdge>
 }
 
 double touching_length(const LineState& state, const std::vector<ContactEdge>& edges) {
-  return length_of(state.line, touching_stretches(state, edges));
+  return state.line.size() == 0 ? 0 : length_of(state.line, touching_stretches(state, edges));
 }
 
 // A length round a closed side from 0 on.
@@ -180,6 +180,7 @@ void take_peak(const ZoneStep& z, Quantities& out) {
 // The area that touches, of bodies of revolution.
 double touching_area(const LineState& state, const std::vector<ContactEdge>& edges) {
   const ZoneLine& line = state.line;
+  if (line.size() == 0) return 0;
   const Stretches stretches = touching_stretches(state, edges);
   double sum = 0;
   for (const StretchEnd& end : stretches.ends) sum += end.direction * line.area(end.s);

@@ -16,8 +16,9 @@ std::string unit_of(Measure what, const Scene& scene) {
   case Unit::kLength: return scene.length_unit;
   case Unit::kForce: return scene.force_unit;
   case Unit::kWork: return scene.work_unit;
-  default: return ""; // kNone
+  case Unit::kNone: break;
   }
+  return "";
 }
 
 // Words that name a quantity, as they end a link.

@@ -43,6 +43,11 @@ size_t tidy(Loop& loop) {
     out.front() = joined(out.back(), out.front());
     out.pop_back();
   }
+  if (out.size() == 2 && goes_on(out[1], out[0], tolerance) && out[0].kind == Curve::kArc &&
+      std::fabs(std::fabs(out[0].sweep + out[1].sweep) - 360) < 1e-6) {
+    out[0] = joined(out[1], out[0]);
+    out.pop_back();
+  }
   if (out.size() == 1 && !out[0].whole && out[0].kind == Curve::kArc) {
     const Curve arc = out[0];
     out[0] = circular(arc.centre, arc.a, arc.sweep > 0 ? arc.from : arc.from + arc.sweep, 360);

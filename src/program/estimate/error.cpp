@@ -137,7 +137,8 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Scale::kSlip: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
   case Scale::kContact: return sizes.length[zone];
   case Scale::kPlace: return sizes.length[zone] / edges_of(state, q.zone);
-  default: break; // its own size
+  case Scale::kOwn:
+  case Scale::kGiven: break;
   }
   const bool presses = q.what == Measure::kPeakPressure || q.what == Measure::kMeanPressure;
   return presses ? std::max(size, sizes.pressure[zone]) : size;

@@ -98,6 +98,7 @@ HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const std::
         elements_.push_back(
             {&curve, curve.ends[e], curve.ends[e + 1], i == begin ? i : i - 1, i + 1, side.has(curve.curve->name)});
       }
+    if (elements_.size() == begin) continue;
     const size_t last = elements_.size() - 1;
     elements_[last].after = outline.open ? last : begin;
     if (!outline.open) elements_[begin].before = last;
@@ -109,6 +110,7 @@ HoopFinder::HoopFinder(const sketch::Mesh& mesh, const Trial& trial, const std::
 double HoopFinder::field(size_t state, Field f, size_t element, double at) const {
   const std::vector<double>& v = states_[state].ends[body_][f];
   const auto n = static_cast<size_t>(trial_.nodes);
+  if (n == 1) return v[element];
   const double place = std::clamp(at, 0.0, 1.0) * static_cast<double>(n - 1);
   const size_t i = std::min(static_cast<size_t>(place), n - 2);
   const double part = place - static_cast<double>(i);
@@ -128,7 +130,7 @@ double HoopFinder::pressure(size_t state, size_t element, double at, double* fri
 // pressure.
 double HoopFinder::smooth_part(size_t state, size_t element) const {
   const double p = pressure(state, element, 0.5), a = pressure(state, element, 0), b = pressure(state, element, 1),
-               mean = 2.0 / 3 * (a * a + a * b + b * b) / (a + b), across = trial_.across[body_];
+               mean = trial_.nodes == 1 ? p : 2.0 / 3 * (a * a + a * b + b * b) / (a + b), across = trial_.across[body_];
   return field(state, kHoop, element, 0.5) + across * p + (1 - across) * mean;
 }
 
@@ -153,7 +155,7 @@ bool HoopFinder::find_place(sketch::Point at, HoopEdge& out) const {
 std::vector<HoopEdge> HoopFinder::edges_of(size_t state) const {
   std::vector<HoopEdge> out;
   for (const app::Quantity& q : states_[state].quantities) {
-    if (q.what != app::Measure::kContactEdge || q.at_corner) continue;
+    if (q.what != app::Measure::kContactEdge || q.at_corner || std::isnan(q.at[0])) continue;
     const auto& zone = trial_.zones[static_cast<size_t>(q.zone) - 1];
     if (zone[0].body != static_cast<int32_t>(body_) && zone[1].body != static_cast<int32_t>(body_)) continue;
     HoopEdge edge{};
@@ -251,11 +253,12 @@ void HoopFinder::find_edges() {
 bool HoopFinder::find_beside(const std::vector<double>& v, size_t e, size_t i, bool up, double& value, double& away) const {
   const auto n = static_cast<size_t>(trial_.nodes);
   size_t other = e, j = i;
-  if (i == (up ? n - 1 : 0)) {
+  if (n > 1 && i == (up ? n - 1 : 0)) {
     other = next(e, up), j = up ? 0 : n - 1;
     if (other == e || !elements_[other].wanted || shadowed_[other] != 0) return false;
     if (std::fabs(v[other * n + j] - v[e * n + i]) > kSmooth * std::fabs(v[e * n + i])) return false;
   }
+  if (n == 1) return false;
   value = v[other * n + (up ? j + 1 : j - 1)];
   away = (up ? 1 : -1) * elements_[other].length() / static_cast<double>(n - 1);
   return true;
@@ -263,7 +266,7 @@ bool HoopFinder::find_beside(const std::vector<double>& v, size_t e, size_t i, b
 
 sketch::Point HoopFinder::place_beside(size_t e, size_t i, double away) const {
   const auto n = static_cast<double>(trial_.nodes);
-  const double s = static_cast<double>(i) / (n - 1) * elements_[e].length() + away;
+  const double s = (n == 1 ? 0.5 : static_cast<double>(i) / (n - 1)) * elements_[e].length() + away;
   const bool before = s < 0;
   const bool after = s > elements_[e].length();
   const HoopElement& own = elements_[before || after ? next(e, after) : e];
@@ -367,7 +370,7 @@ app::StressState tensor_of(double hoop, sketch::Point traction, double zz, sketc
 SurfaceCycle HoopFinder::cycle_at_node(size_t e, size_t i) const {
   const auto n = static_cast<size_t>(trial_.nodes);
   const HoopElement& own = elements_[e];
-  const double f = static_cast<double>(i) / static_cast<double>(n - 1);
+  const double f = n == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(n - 1);
   SurfaceCycle out;
   out.at = own.at(f), out.along = own.tangent(f);
   out.curve = own.curve, out.length = own.from + f * own.length(), out.element = own.length();

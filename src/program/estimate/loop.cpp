@@ -168,6 +168,7 @@ Overlaps overlaps_of(const sketch::Mesh& coarse, const sketch::Mesh& fine) {
         first += static_cast<int32_t>(p.size()) - 1, first_fine += static_cast<int32_t>(q.size()) - 1;
       }
   }
+  for (size_t b = coarse.bodies.size(); b > out.size();) out.push_back({});
   return out;
 }
 
@@ -280,7 +281,7 @@ void Loop::state_errors(const Level& coarse, const Level& fine, const Distance& 
   for (const app::Stated& s :
        state_wanted(wanted_of(s_, coarse.mesh, coarse.trial), wanted_of(s_, fine.mesh, fine.trial), between, before))
     stated.push_back(s);
-  if (fine.twisted != nullptr) // on both or on none
+  if (coarse.twisted != nullptr && fine.twisted != nullptr)
     for (const app::Stated& s : state_wanted(coarse.twisted->numbers, fine.twisted->numbers, between, before))
       stated.push_back(s);
   // While contact is neither found nor excluded somewhere, no number has an error.
@@ -377,7 +378,7 @@ sketch::Mesh Loop::next_mesh(const Level& coarse, const Level& fine, const Dista
   std::vector<app::Stated> stated = out_.loop.stated;
   for (app::Stated& s : stated) s.tolerance *= stage_ / least_;
   if (near) mark_places(s_, fine.trial, stated, mesh, levels);
-  if (fine.twisted != nullptr && std::any_of(stated.begin(), stated.end(), is_torsion_missed))
+  if (coarse.twisted != nullptr && fine.twisted != nullptr && std::any_of(stated.begin(), stated.end(), is_torsion_missed))
     mark_torsion(s_, *coarse.twisted, *fine.twisted, mesh, levels);
   return sketch::refined(s_, mesh, levels, edges_of(fine.trial));
 }

@@ -63,8 +63,8 @@ void add_opposite(const std::vector<sketch::MeshedCurve*>& curves, Point p) {
   if (nearest == nullptr) return;
   std::vector<double>& ends = nearest->ends;
   const double room = kSamePlace * ends.back();
-  const auto above = std::lower_bound(ends.begin() + 1, ends.end() - 1, at);
-  if (*above - at < room || at - *(above - 1) < room) return;
+  const auto above = std::lower_bound(ends.begin(), ends.end(), at);
+  if ((above != ends.end() && *above - at < room) || (above != ends.begin() && at - *(above - 1) < room)) return;
   ends.insert(above, at);
 }
 
@@ -139,7 +139,7 @@ struct Part {
 };
 
 bool same_part(const sketch::Turn& a, const sketch::Turn& b) {
-  if (a.body != b.body) return false; // of a rigid body neither has a side
+  if (a.body != b.body || a.side.has_value() != b.side.has_value()) return false;
   return !a.side || a.side->names == b.side->names;
 }
 
@@ -201,7 +201,7 @@ void Builder::bodies() {
     twist.modulus = body.rigid ? 1 : body.youngs_modulus / (2 * (1 + body.poisson_ratio)) / stress_;
     out_.curves.emplace_back();
     for (const sketch::MeshedOutline& outline : kept_->mesh.bodies[b]) {
-      const size_t begin = twist.nodes;
+      const size_t begin = twist.nodes, first = twist.elements.size();
       for (const sketch::MeshedCurve& curve : outline.curves) {
         kept_->curves.push_back(std::make_unique<SectionCurve>(curve, unit_));
         for (size_t e = 0; e < curve.elements(); ++e) {
@@ -216,7 +216,7 @@ void Builder::bodies() {
       }
       if (outline.open)
         ++twist.nodes;
-      else
+      else if (twist.elements.size() > first)
         twist.elements.back().node[twist.order] = begin;
       if (!outline.open || !s_.symmetry[1]) continue;
       for (const Point& p : {outline.curves.front().curve->shape->at(0), outline.curves.back().curve->shape->at(1)})
@@ -255,6 +255,7 @@ void Builder::conditions() {
             if (t->load_case >= 0) angle[static_cast<size_t>(t->load_case)] += t->value;
             continue;
           }
+          if (t->load_case < 0) continue;
           if (end.traction.empty()) end.traction.assign(m.cases, 0.0);
           const Point p =
               unit_ * body.elements[element].at(-1 + 2.0 * static_cast<double>(e % local) / static_cast<double>(body.order)).at;

@@ -102,7 +102,7 @@ c2d_status Solver::read(const std::string& text, const Demand& demand, std::stri
   constexpr uint64_t kMostKept = uint64_t{1} << 28; // bytes of workspace; saved states of larger models need too much memory
   keeps_ = demand.store != nullptr && workspace_.bytes <= kMostKept;
   if (keeps_) store_ = demand.store;
-  store_->choose("memory", 0, false, why); // which never fails
+  if (!store_->choose("memory", 0, false, why)) return C2D_ERR_MEMORY;
   c2d_port port = C2D_INIT(c2d_port);
   if (status == C2D_OK) status = make_store(demand, port);
   port.cancel = [](void*) { return static_cast<int32_t>(app::interrupted()); };
@@ -343,9 +343,9 @@ c2d_status History::note_inside(const std::vector<Place>& places, State& state) 
 
 // A state of the last cycle; the loads turn there if a state of the history has just been noted at these loads.
 c2d_status History::note_of_cycle() {
-  if (is_third_) return note_inside(below_, out_.cycle[noted_++]);
+  if (is_third_) return noted_ < out_.cycle.size() ? note_inside(below_, out_.cycle[noted_++]) : c2d_status{C2D_OK};
   State state;
-  state.turn = out_.states.back().turn && out_.states.back().loads == loads_;
+  state.turn = !out_.states.empty() && out_.states.back().turn && out_.states.back().loads == loads_;
   state.loads = loads_;
   const int32_t fields[] = {C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_SZZ};
   constexpr Field kOfCycle[] = {kTx, kTy, kHoop, kSzz};
@@ -397,7 +397,8 @@ c2d_status History::find_events() {
       solver_,
       [](void* context, const c2d_step* step) {
         auto& events = static_cast<History*>(context)->events_;
-        if (step->kind == C2D_STEP_CHANGE) events[step->step].emplace_back(step->loads, step->loads + step->cases);
+        if (step->kind == C2D_STEP_CHANGE && step->coefficient <= 1)
+          events[step->step].emplace_back(step->loads, step->loads + step->cases);
         return int32_t{0};
       },
       this);
@@ -415,7 +416,7 @@ c2d_status History::visit_events(int32_t step, const std::vector<double>& to) {
   c2d_status status = C2D_OK;
   for (const std::vector<double>& event : events_[step]) {
     if (status != C2D_OK || out_.outcome != C2D_REACHED) break;
-    if (apart(event, loads_) <= same || apart(event, to) <= same) continue;
+    if (event.size() != to.size() || apart(event, loads_) <= same || apart(event, to) <= same) continue;
     status = go_to(event);
     if (status == C2D_OK) status = note_of_cycle();
   }
@@ -486,7 +487,7 @@ c2d_status History::follow() {
   c2d_status status = C2D_OK;
   if (cycle.from > 0) status = find_events();
   if (status == C2D_OK) status = follow_once();
-  if (status != C2D_OK || out_.outcome != C2D_REACHED || !cycle.below) return status;
+  if (status != C2D_OK || out_.outcome != C2D_REACHED || !cycle.below || out_.cycle.empty()) return status;
   below_ = cycle.below(out_);
   is_third_ = !below_.empty();
   return is_third_ ? follow_once() : status;

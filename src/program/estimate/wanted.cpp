@@ -52,7 +52,7 @@ double least_displacement(const Trial& trial) {
 double least_stress(const Trial& trial, size_t body) {
   double boundary = 0;
   for (const double length : trial.lengths[body]) boundary += length;
-  return trial.stiffness[body] * least_displacement(trial) / boundary;
+  return boundary > 0 ? trial.stiffness[body] * least_displacement(trial) / boundary : 0;
 }
 
 // Range of a stress over states.

@@ -19,8 +19,7 @@ namespace {
 // Windows separates by either, and has drives.
 constexpr bool kWindows = std::filesystem::path::preferred_separator != '/';
 constexpr const char* kSeparators = kWindows ? "/\\" : "/";
-constexpr size_t kDrive = kWindows ? 2 : 0; // characters of a drive before a path
-size_t begin_without_drive(const std::string& path) { return kDrive * static_cast<size_t>(path.find(':') == 1); }
+size_t begin_without_drive(const std::string& path) { return kWindows && path.size() > 1 && path[1] == ':' ? 2 : 0; }
 
 } // namespace
 
@@ -146,7 +145,8 @@ size_t begin_of_name(const std::string& path) {
 }
 
 bool is_absolute(const std::string& path) {
-  return begin_without_drive(path) + static_cast<size_t>(path.find_first_of(kSeparators) == 0) > 0;
+  const size_t begin = begin_without_drive(path);
+  return begin > 0 || path.find_first_of(kSeparators) == 0;
 }
 
 std::string folder_of(const std::string& path) {

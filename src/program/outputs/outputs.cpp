@@ -32,9 +32,9 @@ std::string spelled_out(const std::string& name) {
       std::filesystem::weakly_canonical(std::filesystem::absolute(std::filesystem::u8path(name), error), error);
   if (error) return name;
   std::string text = path.lexically_normal().generic_u8string();
-  constexpr int kToOneCase = std::filesystem::path::preferred_separator != '/' ? 'a' - 'A' : 0; // Windows, of letters of ASCII
+  const bool any_case = std::filesystem::path::preferred_separator != '/'; // Windows, of letters of ASCII
   for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + kToOneCase);
+    if (any_case && c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
 }
 

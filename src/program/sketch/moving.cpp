@@ -121,7 +121,7 @@ void Expansion::copy_loads() {
   replace(out_.drives, [&](Drive d, const MovedLoad& moved, int load_case) -> std::optional<Drive> {
     for (auto* pair : {&d.motion, &d.load}) {
       const Point turned = moved.share * moved.turned({(*pair)[0].value_or(0), (*pair)[1].value_or(0)});
-      if ((*pair)[0]) (*pair)[0] = turned.x, (*pair)[1] = turned.y;
+      if ((*pair)[0] || (*pair)[1]) (*pair)[0] = turned.x, (*pair)[1] = turned.y;
       if ((*pair)[2]) *(*pair)[2] *= moved.share;
     }
     d.load_case = load_case;
@@ -171,6 +171,7 @@ void Expansion::make_history() {
         add_piece(factors, before, 1);
       }
   }
+  if (out_.steps.empty()) out_.steps = from_.steps;
 }
 
 Sketch Expansion::run() {
@@ -275,6 +276,7 @@ void MovingCheck::check_force(const PointLoad& p, const Course& course) {
 void MovingCheck::check_drive(const Drive& d, const Course& course) {
   if (course.kind != Course::kRound)
     return fault(d.at, "the loads of a rigid part can turn, not travel, expected a case with 'round'");
+  if (s_.axisymmetric) return fault(d.at, "a body of revolution has no load that turns");
   if (!(d.motion[0] && d.motion[1]) && !(d.load[0] && d.load[1]))
     fault(d.at, "what turns has two components, expected x and y, or fx and fy");
 }

@@ -8,7 +8,7 @@ namespace sketch {
 bool Side::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
 
 bool same_target(const Drive& a, const Drive& b) {
-  if (a.body != b.body) return false; // a rigid one is driven whole, of another one curves
+  if (a.body != b.body || a.side.has_value() != b.side.has_value()) return false;
   return !a.side || std::is_permutation(a.side->names.begin(), a.side->names.end(), b.side->names.begin(), b.side->names.end());
 }
 

@@ -42,6 +42,7 @@ bool has_corner(const Chain& chain, double length) {
 } // namespace
 
 std::string end_of_part(const Sketch& sketch, const FacingRun& run, bool last) {
+  if (run.ring) return "";
   const FacingPoints& p = last ? run.points.back() : run.points.front();
   bool ends = false;
   for (size_t side = 0; side < 2; ++side) {

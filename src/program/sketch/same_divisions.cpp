@@ -18,7 +18,7 @@ void same(bool is_same, const std::string& what) {
 }
 
 bool correspond(const Curve& a, const Curve& b) {
-  return a.name == b.name && a.contact == b.contact && a.side == b.side && a.is_last == b.is_last;
+  return a.name == b.name && a.contact == b.contact && a.side == b.side && a.is_first == b.is_first && a.is_last == b.is_last;
 }
 
 void compare(const Body& a, const Body& b) {

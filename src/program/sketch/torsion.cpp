@@ -103,11 +103,14 @@ void TorsionCases::take_history() {
     for (const LoadCase& c : t.cases)
       for (int k = 0; k < s_.pieces; ++k)
         if (c.factors[static_cast<size_t>(k)] != 0) first = std::min(first, k);
-    for (LoadCase& c : s_.cases)
+    for (LoadCase& c : s_.cases) {
       for (int k = std::max(first, 1); k < s_.pieces && !c.factors.empty(); ++k)
         if (c.factors[static_cast<size_t>(k)] != c.factors[static_cast<size_t>(k) - 1])
           return faults_.push_back(
               {at, "the history changes " + case_named(c) + " after loads round the axis, expected these last"});
+      if (first == 0 && !c.factors.empty() && c.factors[0] != 0)
+        return faults_.push_back({at, "the history changes " + case_named(c) + " and loads round the axis in one piece"});
+    }
     for (LoadCase& c : s_.cases) c.factors.resize(static_cast<size_t>(c.factors.empty() ? 0 : first));
     for (LoadCase& c : s_.cases) c.places.resize(c.factors.size());
     for (LoadCase& c : t.cases) c.factors.erase(c.factors.begin(), c.factors.begin() + first);
@@ -115,12 +118,11 @@ void TorsionCases::take_history() {
     s_.pieces = first;
   }
   for (size_t c = 0; c < t.cases.size(); ++c)
-    if (std::all_of(t.cases[c].factors.begin(), t.cases[c].factors.end(), [](double f) { return f == 0; })) {
-      const auto turn =
-          std::find_if(t.turns.begin(), t.turns.end(), [c](const Turn& of) { return of.load_case == static_cast<int>(c); });
-      return faults_.push_back(
-          {turn->at, case_named(t.cases[c]) + " is never applied, expected a statement 'history' that gives it a factor"});
-    }
+    if (std::all_of(t.cases[c].factors.begin(), t.cases[c].factors.end(), [](double f) { return f == 0; }))
+      for (const Turn& turn : t.turns)
+        if (turn.load_case == static_cast<int>(c))
+          return faults_.push_back(
+              {turn.at, case_named(t.cases[c]) + " is never applied, expected a statement 'history' that gives it a factor"});
   if (has_history_ && s_.pieces == 0 && acts(s_, 0))
     faults_.push_back(
         {at, case_named(s_.cases[0]) + " is never applied, expected a statement 'history' that gives it a factor"});

@@ -50,7 +50,7 @@ int append_locked(const std::string& name, int file, const std::string& heading,
   struct stat about;
   if (::fstat(file, &about) != 0) return errno;
   const bool fresh = about.st_size == 0, regular = S_ISREG(about.st_mode);
-  if (!fresh) // only a regular file has a size
+  if (!fresh && regular)
     if (const int code = compare_heading(file, heading); code != 0) return code;
   if (const int code = write_all(file, fresh ? heading + row : row); code != 0) return code;
   if (!regular) return 0; // a device or a pipe cannot be synchronised
@@ -74,8 +74,7 @@ Inputs without_given(Inputs inputs, const std::vector<std::string>& settings) {
 bool write_results(const std::string& name, const std::string& text, const Inputs& inputs, std::string& error) {
   if (!write_output(name, text, error)) return false;
   struct stat about = {};
-  ::stat(name.c_str(), &about); // of "-" nothing
-  const bool regular = name != "-" && S_ISREG(about.st_mode);
+  const bool regular = name != "-" && ::stat(name.c_str(), &about) == 0 && S_ISREG(about.st_mode);
   return !regular || write_output(name + kInputsEnding, inputs_text(inputs), error);
 }
 

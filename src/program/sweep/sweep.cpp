@@ -100,6 +100,7 @@ void Sweep::name_parameters(const DeckFile& deck) {
     named.insert(word.substr(0, word.find('=')));
     named_.parameters.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
   }
+  if (table_.rows.empty()) return;
   const auto first = parameters_used(deck, settings_of(0)), last = parameters_used(deck, settings_of(table_.rows.size() - 1));
   for (const auto& parameter : first)
     if (named.count(parameter.first) == 0 && std::find(last.begin(), last.end(), parameter) != last.end())

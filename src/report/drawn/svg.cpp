@@ -261,7 +261,7 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
   const std::string fill = filled ? ink : "white";
   const Stroke edge{ink, 1.2, ""};
   switch (mark) {
-  default: return; // kNone
+  case Mark::kNone: return;
   case Mark::kCircle:
     body_ += "<circle";
     append_attribute(body_, "cx", at.x);

@@ -48,7 +48,7 @@ void append_toleranced(std::string& out, const ToleranceTable& table, const Tole
   for (size_t p = 0; p < t.by.size(); ++p) {
     const std::string by = "  by " + table.parameters[p].name;
     out.append(18, ' ') += by;
-    out.append(width - by.size(), ' ');
+    out.append(by.size() < width ? width - by.size() : 0, ' ');
     append_or_dash(out, t.by[p].derivative, 14, 5);
     append_or_dash(out, table.share(t, p), 14, 4);
     if (!t.by[p].why.empty()) out += "   no usable derivative: " + t.by[p].why;

@@ -49,7 +49,7 @@ void append_torsion_steps(std::string& out, const TorsionTable& t) {
   for (size_t i = 0; i < t.contacts.size(); ++i) {
     const TorsionContact& c = t.contacts[i];
     append_torsion_name(out, c.name, width);
-    append_torsion_value(out, t.steps.back().carried[i]);
+    append_torsion_value(out, t.steps.empty() ? NAN : t.steps.back().carried[i]);
     for (const double v : {c.start, c.through, c.turns_through}) append_torsion_value(out, v);
     out += '\n';
   }

@@ -43,7 +43,7 @@ void draw_fatigue_line(Svg& svg, const Box& frame, const Scene& scene, const Fat
   for (const Point& p : points) pixels.push_back(chart.at(p));
   svg.polyline(pixels, Stroke{colour::kBlue, 1.6, ""});
   const auto most = std::max_element(points.begin(), points.end(), [](Point a, Point b) { return a.y < b.y; });
-  svg.mark(Mark::kCircle, chart.at(*most), 7.0, colour::kOrange, true);
+  if (most != points.end()) svg.mark(Mark::kCircle, chart.at(*most), 7.0, colour::kOrange, true);
 }
 
 } // namespace

@@ -12,7 +12,8 @@ struct Functions {
       value[i] = 1;
       const double own = n == 1 ? 0 : -1 + 2.0 * i / (n - 1);
       for (int32_t k = 0; k < n; ++k)
-        if (k != i) value[i] *= (eta - (-1 + 2.0 * k / (n - 1))) / (own - (-1 + 2.0 * k / (n - 1)));
+        if (const double other = n == 1 ? 1 : -1 + 2.0 * k / (n - 1); k != i && n > 1)
+          value[i] *= (eta - other) / (own - other);
     }
   }
 };

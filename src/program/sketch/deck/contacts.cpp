@@ -146,9 +146,11 @@ void Cutter::find(size_t index) {
   const std::vector<Chain>&a = chains_[index][0], &b = chains_[index][1];
   const size_t before = parts_.size();
   for (const Chain& one : a)
-    for (const Chain& two : b)
+    for (const Chain& two : b) {
+      if (one.curves() == two.curves()) continue;
       for (FacingRun& run : facing_runs(one, two, limits_of(interface, one, two)))
         parts_.push_back({index, std::move(run), {false, false}});
+    }
   if (parts_.size() == before) faults_.push_back({interface.at, why(interface, a, b)});
 }
 

@@ -24,6 +24,7 @@ template <class Function> double only_root(const Statement& s, int samples, cons
     if (!(begin * end < 0)) continue;
     while (high - low > 1e-15) {
       const double middle = (low + high) / 2;
+      if (middle <= low || middle >= high) break;
       ((f(middle) < 0) == (begin < 0) ? low : high) = middle;
     }
     add((low + high) / 2);
@@ -98,7 +99,7 @@ std::vector<Curve*> Reader::pieces_named(Statement& s, const std::string& name) 
   if (out.empty())
     s.fail("body " + in_quotes(s_.bodies.back().name) + " has no curve " + in_quotes(name) + " before this statement");
   for (const Curve* curve : out)
-    if (out.size() > 1 && !curve->drawn) // what statements `part` left of one curve has that
+    if (out.size() > 1 && (!curve->drawn || curve->drawn != out[0]->drawn))
       s.fail("several curves are called " + in_quotes(name) + ", expected a name of one curve");
   return out;
 }

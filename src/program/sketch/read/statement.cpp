@@ -28,7 +28,7 @@ bool Statement::accept(const char* word) {
 
 // May a word begin an expression: a digit, a sign, a bracket, a parameter or a function?
 bool Statement::begins_number(const Word& word) const {
-  if (word.quoted) return false;
+  if (word.quoted || word.text.empty()) return false;
   const char c = word.text[0];
   if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '(' || c == '{') return true;
   size_t end = 0;
