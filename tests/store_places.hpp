@@ -1,7 +1,9 @@
 #pragma once
-// The places of the program at which the store is asked for something, told apart by their chains of calls, and what becomes of
+// The places of the program at which the store is asked for something, by their chains of calls, and what becomes of
 // the calls of a host when one of them fails.
 #include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
 
 #if defined(__GLIBC__)
 #include <execinfo.h>
@@ -57,6 +59,25 @@ inline bool is_of(char kind, c2d_status status) {
   case 's': return status == C2D_ERR_STORE_SYNC;
   default: return status == C2D_ERR_STORE_CLOSE;
   }
+}
+
+// What the failure of one operation of the store has led to; `clean`: the same calls with a store that does not fail.
+inline void check_failed_life(const Life& life, const Life& clean, const RamStore::Operation& failed) {
+  if (life.status == C2D_OK) { // at most what says how far the tapes are used, or the end
+    CHECK((failed.kind == 'c' || failed.tape == C2D_TAPE_CONTROL));
+    CHECK(life.numbers == clean.numbers);
+    return;
+  }
+  if (life.call == "c2d_restore") { // an older state may be there, or none: the solver is as before, or broken
+    CHECK(life.status >= C2D_ERR_STORE_OPEN);
+    CHECK((life.state == C2D_STATE_RUNNING || life.state == C2D_STATE_BROKEN));
+    return;
+  }
+  CHECK(is_of(failed.kind, life.status));
+  CHECK(life.error.status == life.status);
+  CHECK(life.error.host_code == 1000 + failed.kind);
+  CHECK(life.error.tape == failed.tape);
+  if (life.call != "c2d_save") CHECK(life.state == C2D_STATE_BROKEN);
 }
 
 struct Place {                // of the program

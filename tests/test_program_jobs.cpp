@@ -1,6 +1,7 @@
 // Kept jobs, sketches whose search for a mesh is kept, and signals, in this process: calls of the library and of the system
 // fail, files are replaced, and a child is told to stop at one call after the other.
 #include "paths.hpp"
+#include "program_options.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
 #include "system_calls.hpp"
@@ -27,15 +28,6 @@ extern "C" int __llvm_profile_write_file(void) __attribute__((weak)); // where b
 using namespace test;
 
 namespace {
-
-app::Options options_of(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"contact2d"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  app::Options options;
-  std::string error;
-  REQUIRE_MESSAGE(app::read_options(static_cast<int>(argv.size()), argv.data(), options, error), error);
-  return options;
-}
 
 using Words = std::vector<std::string>;
 

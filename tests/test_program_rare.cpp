@@ -1,6 +1,7 @@
 // Rare turns of the program's files, outputs and sweeps: what the system refuses late, names that are none, rows without a
 // place.
 #include "paths.hpp"
+#include "program_options.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
 #include "system_calls.hpp"
@@ -26,15 +27,6 @@
 using namespace test;
 
 namespace {
-
-app::Options options_of(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"contact2d"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  app::Options options;
-  std::string error;
-  REQUIRE_MESSAGE(app::read_options(static_cast<int>(argv.size()), argv.data(), options, error), error);
-  return options;
-}
 
 const std::string& sample() {
   static const std::string name = paths::data() + "/decks/sample.dat";

@@ -1,6 +1,7 @@
 // What the system refuses the program: its calls fail one by one in this process (tests/refused_calls.hpp), and what is told,
 // left behind and done instead is looked at.
 #include "paths.hpp"
+#include "program_options.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
 #include "system_calls.hpp"
@@ -33,15 +34,6 @@
 using namespace test;
 
 namespace {
-
-app::Options options_of(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"contact2d"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  app::Options options;
-  std::string error;
-  REQUIRE_MESSAGE(app::read_options(static_cast<int>(argv.size()), argv.data(), options, error), error);
-  return options;
-}
 
 const std::string& sample() {
   static const std::string name = paths::data() + "/decks/sample.dat";

@@ -1,6 +1,7 @@
 // Every call of the library that report and program make is refused, one after the other: the run fails and says why, and no
 // output has its name.
 #include "paths.hpp"
+#include "program_options.hpp"
 #include "refused_calls.hpp"
 #include "shell.hpp"
 
@@ -14,15 +15,6 @@
 using namespace test;
 
 namespace {
-
-app::Options options_of(const std::vector<std::string>& words) {
-  std::vector<const char*> argv = {"contact2d"};
-  for (const std::string& word : words) argv.push_back(word.c_str());
-  app::Options options;
-  std::string error;
-  REQUIRE_MESSAGE(app::read_options(static_cast<int>(argv.size()), argv.data(), options, error), error);
-  return options;
-}
 
 // A picture is drawn without a curve's bound, a length told without what lies beyond its end, a listing without the deck's
 // headings; zones and bodies are counted up to the first refused. An estimate that comes to nothing says so, and the run goes

@@ -166,21 +166,7 @@ void check_failure(const Told& told, size_t n, const Life& clean) {
   CAPTURE(failed.kind);
   CAPTURE(failed.tape);
   CAPTURE(life.call);
-  if (life.status == C2D_OK) { // at most what tells how far the tapes are used, or the end
-    CHECK((failed.kind == 'c' || failed.tape == C2D_TAPE_CONTROL));
-    CHECK(life.numbers == clean.numbers);
-    return;
-  }
-  if (life.call == "c2d_restore") { // an older state may be there, or none: the solver is as before, or broken
-    CHECK(life.status >= C2D_ERR_STORE_OPEN);
-    CHECK((life.state == C2D_STATE_RUNNING || life.state == C2D_STATE_BROKEN));
-    return;
-  }
-  CHECK(is_of(failed.kind, life.status));
-  CHECK(life.error.status == life.status);
-  CHECK(life.error.host_code == 1000 + failed.kind);
-  CHECK(life.error.tape == failed.tape);
-  if (life.call != "c2d_save") CHECK(life.state == C2D_STATE_BROKEN);
+  check_failed_life(life, clean, failed);
 }
 
 // Over all models a place needs to fail once; in short every call that leads to one.
