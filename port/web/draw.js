@@ -378,9 +378,8 @@ function shapesFit(d, factor, pixel) {
   return true;
 }
 
-// Has what is drawn its gaps and shapes, and does no body reach into another, to a part of a pixel of `wide`?
-function fits(d, factor, wide) {
-  const pixel = 2 * d.half / wide;
+// Has what is drawn its gaps and shapes, and does no body reach into another, to a part of a `pixel`?
+function fits(d, factor, pixel) {
   if (!gapsFit(d, factor, pixel) || !shapesFit(d, factor, pixel)) return false;
   const drawn = new Map([...d.shapes].map(([body, curves]) => [body, placed(d, curves, factor)]));
   for (const [other, outlines] of d.closed) {
@@ -394,15 +393,31 @@ function fits(d, factor, wide) {
   return true;
 }
 
+// Where a picture of `wide` pixels draws: its box, the middle of what it shows, and how long a pixel is.
+function frameOf(d, lines, wide) {
+  let [midX, midY, halfX, halfY] = [d.x, d.y, d.half, d.half]; // the contact in the middle
+  if (d.whole) { // or the whole with its images
+    const ends = [...d.shapes.values()].flat(2), all = imagesOf(lines).flatMap((image) => ends.map((end) => turned(image, end)));
+    [halfX, halfY] = [0.55 * spread(all, "x"), 0.55 * spread(all, "y")];
+    [midX, midY] = [Math.min(...all.map((p) => p.x)) + halfX / 1.1, Math.min(...all.map((p) => p.y)) + halfY / 1.1];
+  } else {
+    for (const line of lines) if (line.axis === "x" && isInView(line, midX, halfX)) halfX += Math.abs(midX - line.at), midX = line.at;
+    for (const line of lines) if (line.axis === "y" && isInView(line, midY, halfY)) halfY += Math.abs(midY - line.at), midY = line.at;
+  }
+  const box = {left: 62, right: wide - 14, top: 24, bottom: 0}, room = box.right - box.left;
+  box.bottom = box.top + Math.min(460, Math.max(0.5 * room, room * halfY / halfX));
+  return {box, midX, midY, per: Math.max(2 * halfX / room, 2 * halfY / (box.bottom - box.top))};
+}
+
 // 1, 2, 5, 10, ...: those that fit, and which of them is wanted.
-function factorsOf(d, wide) {
-  const out = [1];
+function factorsOf(d, lines, wide) {
+  const out = [1], pixel = frameOf(d, lines, wide).per;
   for (let i = 1; ; ++i) {
     const factor = [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3);
     if (factor > 10 * d.wanted) break;
-    if (!fits(d, factor, wide)) {
+    if (!fits(d, factor, pixel)) {
       d.lifted.add(factor);
-      if (!fits(d, factor, wide)) break;
+      if (!fits(d, factor, pixel)) break;
     }
     out.push(factor);
   }
@@ -445,20 +460,8 @@ const isInView = (line, middle, half) => Math.abs(middle - line.at) < 2 * half;
 
 // `lines`: with images beyond them; of bodies of revolution the axis is one.
 function drawDeformed(d, factor, lines, unit, wide) {
-  const ends = [...d.shapes.values()].flat(2), images = imagesOf(lines);
-  // the view: the contact in the middle, or the whole with its images
-  let [midX, midY, halfX, halfY] = [d.x, d.y, d.half, d.half];
-  if (d.whole) {
-    const all = images.flatMap((image) => ends.map((end) => turned(image, end)));
-    [halfX, halfY] = [0.55 * spread(all, "x"), 0.55 * spread(all, "y")];
-    [midX, midY] = [Math.min(...all.map((p) => p.x)) + halfX / 1.1, Math.min(...all.map((p) => p.y)) + halfY / 1.1];
-  } else {
-    for (const line of lines) if (line.axis === "x" && isInView(line, midX, halfX)) halfX += Math.abs(midX - line.at), midX = line.at;
-    for (const line of lines) if (line.axis === "y" && isInView(line, midY, halfY)) halfY += Math.abs(midY - line.at), midY = line.at;
-  }
-  const box = {left: 62, right: wide - 14, top: 24, bottom: 0}, room = box.right - box.left;
-  box.bottom = box.top + Math.min(460, Math.max(0.5 * room, room * halfY / halfX));
-  const per = Math.max(2 * halfX / room, 2 * halfY / (box.bottom - box.top)), high = box.bottom - box.top;
+  const images = imagesOf(lines), {box, midX, midY, per} = frameOf(d, lines, wide);
+  const room = box.right - box.left, high = box.bottom - box.top;
   const x = scale(midX - per * room / 2, midX + per * room / 2, box.left, box.right);
   const y = scale(midY - per * high / 2, midY + per * high / 2, box.bottom, box.top);
   const path = (curves, image) => curves.map((curve) => curve.map((p, i) => {

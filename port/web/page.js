@@ -461,8 +461,8 @@ function showDeformed(wide) {
     const bodies = ((json.steps_detail || []).slice(-1)[0] || {}).bodies || []; // rigid ones have a motion
     const rigid = new Set(bodies.map((body, i) => (body.motion === undefined ? 0 : i + 1)));
     const at = last.filter((row) => row.step === step);
-    const d = deformation(ends, at, json.zones || [], rigid, linesOf(json), $("view").value === "whole");
-    page.shape = {of: page.result, key, d, ...factorsOf(d, wide)};
+    const lines = linesOf(json), d = deformation(ends, at, json.zones || [], rigid, lines, $("view").value === "whole");
+    page.shape = {of: page.result, key, d, ...factorsOf(d, lines, wide)};
   }
   const {d, factors, automatic} = page.shape;
   const now = page.magnified === null ? automatic : factors.filter((factor) => factor <= page.magnified).length - 1;
