@@ -371,3 +371,27 @@ TEST_CASE("outputs: a folder holds nothing of an earlier run's model, and all th
   CHECK(run_shell(program + " run " + quoted(folder / "deck") + " --out " + quoted(out)).status == 2);
   CHECK(names_in(figures) == expected);
 }
+
+TEST_CASE("outputs: motions of a rigid body bear its name, in JSON, table and page, and are those of its point") {
+  Folder folder;
+  write_file(folder / "shoe.c2s", read_file(example("tutorial/t9_shoe.c2s")) + "\ntolerance off\n");
+  const Result r = run_shell("cd " + quoted(folder.path()) + " && " + quoted(paths::program()) +
+                             " run -q shoe.c2s --json j --summary s --report r --listing l");
+  REQUIRE_MESSAGE(r.status == 0, r.err);
+  const Json json = JsonReader::read(read_file(folder / "j"));
+  const Json &last = json["steps_detail"].items.back(), &motion = last["bodies"][2]["motion"];
+  const std::vector<std::string> names = {"motion x", "motion y", "rotation"};
+  size_t found = 0;
+  for (const Json& q : last["quantities"].items) {
+    CHECK(q.has("name") == (q["zone"].number == 0 && q["item"].number > 0));
+    const size_t i = static_cast<size_t>(std::find(names.begin(), names.end(), q["quantity"].text) - names.begin());
+    if (i == names.size()) continue;
+    CHECK(q["item"].number == 3);
+    CHECK(q["name"].text == "shoe");
+    CHECK(std::fabs(q["value"].number - motion[i].number) < 1e-11 * std::fabs(motion[i].number));
+    ++found;
+  }
+  CHECK(found == names.size());
+  CHECK(read_file(folder / "s").find(",shoe,motion x,3,") != std::string::npos);
+  CHECK(read_file(folder / "r").find("motion x</a>, body 3 (shoe)") != std::string::npos);
+}

@@ -529,7 +529,8 @@ function showNumbers() {
         const error = each.error === undefined ? none : `\u00b1 ${short(times * zero(each.error, noise), 2)}`;
         rows.push([name, unit ? `${value} ${unit}` : value, ...(stated ? [error] : []), ...where]);
       };
-      add(each.quantity + (each.item ? ` ${each.item}` : ""), 1);
+      const body = zone === 0 && each.item ? `, body ${each.item}${each.name ? ` (${each.name})` : ""}` : "";
+      add(each.quantity + (body || (each.item ? ` ${each.item}` : "")), 1);
       if (isHalf(each)) add(`${each.quantity}, whole`, 2);
     }
   }

@@ -94,11 +94,12 @@ void append_force(std::string& out, const Summary& s) {
   out += "]}";
 }
 
-void append_quantity(std::string& out, const Quantity& q) {
+void append_quantity(std::string& out, const Quantity& q, const Summary& summary) {
   Object o(out, "{", ", ");
   o.integer("zone", q.zone);
   o.word("quantity", name_of(q.what));
   o.integer("item", q.item);
+  if (q.is_of_body()) append_json_name(o, summary.body_name, static_cast<size_t>(q.item) - 1);
   o.number("value", q.value);
   if (std::isfinite(q.at[0])) {
     o.number("x", q.at[0]);
@@ -111,18 +112,18 @@ void append_quantity(std::string& out, const Quantity& q) {
 }
 
 // Of a step; nothing where there is no contact at all.
-void append_quantities(Object& o, const StepRecord& step, const char* between) {
+void append_quantities(Object& o, const StepRecord& step, const Summary& summary, const char* between) {
   if (step.quantities.empty()) return;
   std::string& out = o.key("quantities") += '[';
   for (size_t i = 0; i < step.quantities.size(); ++i) {
     out += i > 0 ? "," : "";
     out += i > 0 || *between == '\n' ? between : "";
-    append_quantity(out, step.quantities[i]);
+    append_quantity(out, step.quantities[i], summary);
   }
   out += ']';
 }
 
-void append_runs(std::string& out, const RunRecord& record) {
+void append_runs(std::string& out, const RunRecord& record, const Summary& summary) {
   out += '[';
   bool first = true;
   for (const CoefficientRecord& c : record.coefficients) {
@@ -134,7 +135,7 @@ void append_runs(std::string& out, const RunRecord& record) {
     o.integer("step", c.step);
     o.number("load", c.load);
     o.integer("changes", c.changes);
-    if (!c.steps.empty()) append_quantities(o, c.steps.back(), "\n      ");
+    if (!c.steps.empty()) append_quantities(o, c.steps.back(), summary, "\n      ");
     out += '}';
   }
   out += ']';
@@ -236,7 +237,7 @@ void append_corners(Object& o, const std::vector<CornerState>& corners, const ch
 }
 
 // Per recorded step: factors of all load cases, energy, zones, bodies.
-void append_history(std::string& out, const RunRecord& record) {
+void append_history(std::string& out, const RunRecord& record, const Summary& summary) {
   out += '[';
   bool first = true;
   for (const CoefficientRecord& c : record.coefficients)
@@ -266,7 +267,7 @@ void append_history(std::string& out, const RunRecord& record) {
       }
       out += ']';
       append_cracks(o, step);
-      append_quantities(o, step, " ");
+      append_quantities(o, step, summary, " ");
       out += '}';
     }
   out += ']';
@@ -413,8 +414,8 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   if (s.compressed_bodies > 0) append_compression(o.key("compression"), s);
   o.number("tension_ratio", s.tension_ratio);
   append_force(o.key("force"), s);
-  append_runs(o.key("runs"), record);
-  append_history(o.key("steps_detail"), record);
+  append_runs(o.key("runs"), record, s);
+  append_history(o.key("steps_detail"), record, s);
   const auto has_cycles = [](const CoefficientRecord& c) { return !c.cycles.empty(); };
   if (std::any_of(record.coefficients.begin(), record.coefficients.end(), has_cycles))
     append_json_cycles(o.key("cycles"), record, s);

@@ -46,7 +46,8 @@ const char kStyle[] =
     "@media screen and (min-width:1000px){body{display:grid;grid-template-columns:190px minmax(0,1fr);column-gap:32px}\n"
     "nav{display:block;position:sticky;top:16px;align-self:start;max-height:95vh;overflow:auto;font-size:13px}\n"
     "nav ul{list-style:none;margin:4px 0;padding:0}nav li{margin:5px 0}}\n"
-    // The numbers beside the first picture need more room than it.
+    // The numbers beside the first picture need more room than it; long names take two lines.
+    ".first td:first-child{white-space:normal}\n"
     "@media screen and (min-width:1240px){.first{grid-template-columns:410px minmax(0,1fr)}"
     ".first>section:first-child{position:sticky;top:16px;align-self:start}}\n"
     "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}th,td{padding:2px 6px}}\n";
