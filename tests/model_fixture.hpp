@@ -1,6 +1,6 @@
 #pragma once
 // A model over plain vectors, put together by a few calls whose numbers start at 1, like those of the cards.
-#include "contact/frames.hpp"
+#include "contact/pairs/frames.hpp"
 #include "model/geometry.hpp"
 #include "model/model.hpp"
 #include "model/rigid.hpp"

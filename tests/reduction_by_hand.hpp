@@ -1,7 +1,7 @@
 #pragma once
 // The reduction of a solver that is prepared, called by hand.
 #include "callable.hpp"
-#include "contact/reduction.hpp"
+#include "contact/reduction/reduction.hpp"
 #include "linalg/kernel.hpp"
 #include "solver/solver.hpp"
 

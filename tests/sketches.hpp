@@ -2,8 +2,8 @@
 #pragma once
 
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/read.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <doctest/doctest.h>
 #include <string>

@@ -4,8 +4,8 @@
 #include "program/drawing/read.hpp"
 #include "program/drawing/write.hpp"
 #include "program/sketch/mesh.hpp"
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/read.hpp"
+#include "program/sketch/shapes/outline.hpp"
 #include "shell.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "program/drawing/placing.hpp"
 #include "program/drawing/text.hpp"
 #include "program/drawing/write.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // The cone of the forces that pairs can have: what of a load it balances is judged by what a projection onto a cone is, however
 // nearly parallel its rays are; and where there is no room for it, that is told.
-#include "contact/force_cone.hpp"
+#include "contact/rates/force_cone.hpp"
 #include "hand_tableau.hpp"
 
 #include <memory>

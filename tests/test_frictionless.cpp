@@ -1,9 +1,9 @@
 // The contact system without friction (METHOD 10.10) against that with every pair sticking, which the same model has as soon as
 // one of its coefficients is not zero.
 #include "contact/basis.hpp"
-#include "contact/body_compliance.hpp"
-#include "contact/orthonormal.hpp"
-#include "contact/rigid_balance.hpp"
+#include "contact/reduction/body_compliance.hpp"
+#include "contact/reduction/orthonormal.hpp"
+#include "contact/reduction/rigid_balance.hpp"
 #include "effort.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"

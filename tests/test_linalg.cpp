@@ -1,4 +1,4 @@
-#include "contact/orthonormal.hpp"
+#include "contact/reduction/orthonormal.hpp"
 #include "effort.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"

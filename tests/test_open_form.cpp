@@ -1,8 +1,8 @@
 // The contact system with every pair open (METHOD 10.11) against that with every pair sticking, of the same bodies' equations.
 #include "contact/asleep.hpp"
 #include "contact/basis.hpp"
-#include "contact/open_form.hpp"
-#include "contact/reduction.hpp"
+#include "contact/reduction/open_form.hpp"
+#include "contact/reduction/reduction.hpp"
 #include "family_runs.hpp"
 #include "many_bodies.hpp"
 #include "reduction_by_hand.hpp"

@@ -1,6 +1,6 @@
 // How bodies begin to move where contact holds them no longer: which of them, and along what motion.
 #include "many_bodies.hpp"
-#include "solver/motion.hpp"
+#include "solver/energy/motion.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>

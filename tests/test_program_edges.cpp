@@ -10,10 +10,10 @@
 #include "program/option_table.hpp"
 #include "program/options.hpp"
 #include "program/progress.hpp"
-#include "program/real_in_columns.hpp"
 #include "program/sweep/responses.hpp"
 #include "program/sweep/table.hpp"
-#include "program/voice.hpp"
+#include "program/words/real_in_columns.hpp"
+#include "program/words/voice.hpp"
 
 #include <cstdlib>
 #include <cstring>

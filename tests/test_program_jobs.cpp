@@ -16,7 +16,7 @@
 #include "program/interrupt.hpp"
 #include "program/run.hpp"
 #include "program/sweep/sweep.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 
 #include <algorithm>
 #include <cerrno>

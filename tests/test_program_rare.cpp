@@ -18,7 +18,7 @@
 #include "program/sweep/parameters.hpp"
 #include "program/sweep/responses.hpp"
 #include "program/sweep/sweep.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 
 #include <cerrno>
 #include <cmath>

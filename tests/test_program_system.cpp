@@ -18,7 +18,7 @@
 #include "program/run.hpp"
 #include "program/sweep/answer.hpp"
 #include "program/sweep/journal.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "program/workspace.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The rate problem on tableaux made by hand: cells, all sets of them, the piecewise linear path; and decks whose states are
 // hard (tests/data/hard).
-#include "contact/rate_problem.hpp"
+#include "contact/rates/rate_problem.hpp"
 #include "json.hpp"
 #include "paths.hpp"
 #include "problem.hpp"

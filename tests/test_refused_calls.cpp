@@ -6,7 +6,7 @@
 #include "shell.hpp"
 
 #include "program/run.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 
 #include <algorithm>
 #include <doctest/doctest.h>

@@ -7,7 +7,7 @@
 
 #include "post/corner_exponent.hpp"
 #include "program/run.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/cycle.hpp"
 #include "report/history.hpp"
 

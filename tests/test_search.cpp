@@ -2,8 +2,8 @@
 // built anew, bodies are let go and held again, and some have no rates at all. Whatever becomes of them is judged by the law of
 // contact and friction and the stiffness that was drawn; and the store fails, and the host cancels, at every place.
 #include "contact/let_go.hpp"
-#include "contact/limit_analysis.hpp"
-#include "contact/search.hpp"
+#include "contact/rates/limit_analysis.hpp"
+#include "contact/rates/search.hpp"
 #include "hand_tableau.hpp"
 #include "memory/parts.hpp"
 

@@ -3,7 +3,7 @@
 #include "problem.hpp"
 #include "program/sketch/deck/zones.hpp"
 #include "program/sketch/refine.hpp"
-#include "program/sketch/region.hpp"
+#include "program/sketch/shapes/region.hpp"
 #include "sketches.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The sketches of users' problems under examples/: each against a closed form, another method, or another mesh and order.
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 #include "sketch_runs.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // What the tableau on the tape has among its unknowns: of every slot its force, as of a pair that sticks, or its motion. Most
 // often forces alone; motions of the tangents without friction (contact/frictionless.hpp), and all motions but those that hold
-// the bodies where nothing is touched yet (contact/open_form.hpp).
+// the bodies where nothing is touched yet (contact/reduction/open_form.hpp).
 #include "contact/contact_tape.hpp"
 #include "linalg/delayed.hpp"
 

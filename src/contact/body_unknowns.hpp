@@ -25,7 +25,7 @@ bool next_pair_of(const Model& m, int b, PairSide& at);
 template <class Visit> void for_pairs_of(const Model& m, int b, Visit visit) {
   for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) visit(m.pair[at.pair], at.side);
 }
-// Does a body of the zone keep its equations (contact/reduction_plan.hpp)?
+// Does a body of the zone keep its equations (contact/reduction/reduction_plan.hpp)?
 bool has_kept(const Model& m, int32_t zone);
 
 } // namespace c2d

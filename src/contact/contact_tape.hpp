@@ -7,8 +7,8 @@
 namespace c2d {
 
 // Of each body, with as many rows as it has contact unknowns: S_u u = S_t t + sum_k lambda_k s_k. Bodies that keep no equations
-// are solved for: u = F t + sum_k lambda_k v_k + R x (contact/body_compliance.hpp). (F and v do not stand where S_t and s
-// stood: a write that is lost must not leave what reads as good.)
+// are solved for: u = F t + sum_k lambda_k v_k + R x (contact/reduction/body_compliance.hpp). (F and v do not stand where S_t
+// and s stood: a write that is lost must not leave what reads as good.)
 enum class BodyMatrix : int32_t {
   displacement, // S_u
   traction,     // S_t
@@ -22,7 +22,7 @@ enum class BodyMatrix : int32_t {
   equilibrium,
   count
 };
-// Of the model (contact/reduction.hpp).
+// Of the model (contact/reduction/reduction.hpp).
 enum class ContactMatrix : int32_t {
   compliance, // A and C: m columns of m, and one for each motion of bodies that keep no equations; on demand as many as
               // there is room for, of pairs in the order in which they were made (Pair::made)

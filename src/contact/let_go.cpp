@@ -1,6 +1,6 @@
 #include "contact/let_go.hpp"
 
-#include "contact/limit_analysis.hpp"
+#include "contact/rates/limit_analysis.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Following a straight piece of the load path through the space of load factors, on one tableau.
-#include "contact/rate_problem.hpp"
+#include "contact/rates/rate_problem.hpp"
 #include "model/model.hpp"
 
 namespace c2d {

@@ -3,8 +3,8 @@
 #include "contact/asleep.hpp"
 #include "contact/let_go.hpp"
 #include "contact/path.hpp"
-#include "contact/rate_cells.hpp"
-#include "contact/search.hpp"
+#include "contact/rates/rate_cells.hpp"
+#include "contact/rates/search.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "contact/asleep.hpp"
 #include "contact/body_unknowns.hpp"
-#include "contact/force_cone.hpp"
 #include "contact/let_go.hpp"
-#include "contact/limit_analysis.hpp"
+#include "contact/rates/force_cone.hpp"
+#include "contact/rates/limit_analysis.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 #include "model/free_zones.hpp"

@@ -1,9 +1,9 @@
 // c2d_link_compressed.
 #include "memory/parts.hpp"
 #include "results/interior/interior_cells.hpp"
-#include "solver/compressed.hpp"
-#include "solver/hold_demand.hpp"
-#include "solver/on_demand.hpp"
+#include "solver/demand/compressed.hpp"
+#include "solver/demand/hold_demand.hpp"
+#include "solver/demand/on_demand.hpp"
 
 // Small code has no compressed elimination.
 const c2d::CompressedPart c2d::kCompressedPart = kSmallCode ? CompressedPart()

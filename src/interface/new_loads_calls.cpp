@@ -1,5 +1,5 @@
 // c2d_change_loads: new right-hand sides for the stored factorisation.
-#include "contact/reduction.hpp"
+#include "contact/reduction/reduction.hpp"
 #include "elimination/eliminate.hpp"
 #include "interface/entry.hpp"
 #include "memory/parts.hpp"

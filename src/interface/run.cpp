@@ -6,7 +6,7 @@
 #include "memory/parts.hpp"
 #include "results/back.hpp"
 #include "results/table.hpp"
-#include "solver/energy.hpp"
+#include "solver/energy/energy.hpp"
 
 namespace c2d {
 

@@ -1,6 +1,6 @@
 // c2d_link_search.
 #include "contact/let_go.hpp"
-#include "contact/search.hpp"
+#include "contact/rates/search.hpp"
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
 

@@ -5,8 +5,8 @@
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "results/balance.hpp"
-#include "solver/energy.hpp"
-#include "solver/motion.hpp"
+#include "solver/energy/energy.hpp"
+#include "solver/energy/motion.hpp"
 
 namespace c2d {
 

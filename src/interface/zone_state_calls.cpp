@@ -5,7 +5,7 @@
 #include "interface/entry.hpp"
 #include "memory/hostile.hpp"
 #include "results/approach.hpp"
-#include "solver/energy.hpp"
+#include "solver/energy/energy.hpp"
 
 using namespace c2d;
 

@@ -57,7 +57,7 @@ struct Adjoint;
 struct Session;
 
 struct FreeZonePart { // model/free_zones.cpp with model/facing_*.cpp and zone_surface.cpp, bie/transfer.cpp,
-                      // contact/facing_pairs.cpp, results/transferred.cpp
+                      // contact/pairs/facing_pairs.cpp, results/transferred.cpp
   bool linked = false;
   Function<c2d_status, c2d_solver*, const c2d_zone&> add_free_zone = NotLinked();
   Function<bool, const Model&, int32_t, Reporter&> fit_free_zone = Nothing();
@@ -136,7 +136,7 @@ struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/par
 
 struct Reduction;
 
-struct RigidPart { // model/validate/validate_rigid.cpp, results/rigid.cpp, solver/energy_rigid.cpp
+struct RigidPart { // model/validate/validate_rigid.cpp, results/rigid.cpp, solver/energy/energy_rigid.cpp
   bool linked = false;
   decltype(&c2d_set_rigid) set_rigid = nullptr;
   decltype(&c2d_set_rigid_load) set_rigid_load = nullptr;
@@ -188,7 +188,7 @@ struct Follower;
 struct PathScales;
 struct Tableau;
 
-struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start.cpp
+struct SearchPart { // contact/rates/search.cpp, limit_analysis.cpp, let_go.cpp, start.cpp
   bool linked = false;
   Function<c2d_status, Follower&, bool, int32_t*> try_all = Nothing();
   Function<c2d_status, Follower&, bool, c2d_outcome*> decide = Nothing();
@@ -211,7 +211,7 @@ struct Tapes;
 struct Watch;
 struct Engine;
 
-struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction.cpp
+struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction/reduction.cpp
   bool linked = false;
   Function<c2d_status, const EliminationPlan&, int32_t, const ColumnSource&, const RowSink&, Tapes&, void*, const Watch&,
            const Engine&>
@@ -226,7 +226,7 @@ struct PivotStats;
 
 struct Points;
 
-struct CompressedPart { // solver/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp,
+struct CompressedPart { // solver/demand/compressed.cpp with elimination/compressed*.cpp, cells.cpp, stream.cpp,
                         // bie/integrals/chosen.cpp, results/interior/interior_cells.cpp with bie/far_field.cpp
   bool linked = false;
   Function<int32_t, const Sizes&> elimination_by_size = Nothing(); // C2D_ELIMINATION_DENSE

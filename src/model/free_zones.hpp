@@ -51,7 +51,7 @@ bool next_piece(PieceWalk& walk, FacingPiece& out);
 // 0 in part. Returns false if it reported a fault.
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter);
 
-// The parts of these zones are optional (memory/parts.hpp): this file, contact/facing_pairs.hpp, bie/transfer.hpp and
+// The parts of these zones are optional (memory/parts.hpp): this file, contact/pairs/facing_pairs.hpp, bie/transfer.hpp and
 // results/transferred.hpp.
 
 } // namespace c2d

@@ -153,7 +153,7 @@ C2D_AS_LISTED(PointSet);
 C2D_AS_LISTED(Curve);
 C2D_AS_LISTED(SlipGap);
 
-// How a body enters the contact system, Body::keeps_equations (contact/reduction_plan.hpp).
+// How a body enters the contact system, Body::keeps_equations (contact/reduction/reduction_plan.hpp).
 enum Enters : int8_t {
   kSolvedFor = 0,     // its displacements are F tau + ... + R x
   kKept = 1,          // its equations are rows; its displacements follow from those of the bodies it meets
@@ -175,7 +175,7 @@ struct Body {
   int8_t rigid;           // 1: no equations; the load cases prescribe its motion,
   int8_t free_rigidly;    // except these free motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
   int8_t has_force;       // 1: body forces
-  int8_t keeps_equations; // how it enters the contact system: Enters, contact/reduction_plan.hpp
+  int8_t keeps_equations; // how it enters the contact system: Enters, contact/reduction/reduction_plan.hpp
   int8_t lines;           // of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
   int8_t on_demand;       // 1: lazy columns: contact nodes are ordinary ones, contact tractions right-hand sides (METHOD 10.12)
   double youngs_modulus, poisson_ratio;

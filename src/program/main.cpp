@@ -11,7 +11,7 @@
 #include "program/sweep/answer.hpp"
 #include "program/sweep/parameters.hpp"
 #include "program/sweep/sweep.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/text.hpp"
 
 #include <contact2d.h>

@@ -3,7 +3,7 @@
 #include "program/commands/drawn_words.hpp"
 #include "program/exit_code.hpp"
 #include "program/files/output_file.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "program/options.hpp"
 
-#include "program/near_word.hpp"
 #include "program/option_table.hpp"
-#include "program/read_number.hpp"
+#include "program/words/near_word.hpp"
+#include "program/words/read_number.hpp"
 
 #include <c2d_threads.h>
 #include <contact2d.h>

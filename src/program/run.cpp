@@ -12,7 +12,7 @@
 #include "program/second_start.hpp"
 #include "program/session.hpp"
 #include "program/sweep/answer.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

@@ -24,7 +24,7 @@
 #include "model/unknowns.hpp"
 #include "results/back.hpp"
 #include "results/table.hpp"
-#include "solver/energy_adjoint.hpp"
+#include "solver/energy/energy_adjoint.hpp"
 
 namespace c2d {
 

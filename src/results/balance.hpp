@@ -8,7 +8,7 @@ namespace c2d {
 // known, with the applied forces initialised to zero.
 void add_boundary_force(const Session& session, int b, int32_t element, const double* transferred);
 // Forces on all bodies, after add_boundary_force, and their balance: on a body supported by contact alone the contact force
-// balances the applied one. Optional, with the calls that report it (solver/energy.hpp).
+// balances the applied one. Optional, with the calls that report it (solver/energy/energy.hpp).
 void balance_forces(Session& session);
 
 } // namespace c2d

@@ -14,7 +14,7 @@
 
 #include "contact/basis.hpp"
 #include "contact/body_unknowns.hpp"
-#include "contact/orthonormal.hpp"
+#include "contact/reduction/orthonormal.hpp"
 #include "memory/parts.hpp"
 
 namespace c2d {

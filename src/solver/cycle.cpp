@@ -5,7 +5,7 @@
 
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
-#include "solver/energy.hpp"
+#include "solver/energy/energy.hpp"
 #include "solver/judge.hpp"
 #include "solver/load_path.hpp"
 

@@ -7,14 +7,14 @@
 #include "contact/body_unknowns.hpp"
 #include "contact/frictionless.hpp"
 #include "contact/let_go.hpp"
-#include "contact/orthonormal.hpp"
-#include "contact/rigid_balance.hpp"
+#include "contact/reduction/orthonormal.hpp"
+#include "contact/reduction/rigid_balance.hpp"
 #include "contact/start.hpp"
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
-#include "solver/energy.hpp"
+#include "solver/energy/energy.hpp"
 #include "solver/load_path.hpp"
 
 namespace c2d {
@@ -29,7 +29,7 @@ double larger(double a, double b) { return a > b ? a : b; }
 struct Book {
   Real* stick;                     // v.T [m]; of the open form it counts for tau, and what v' is for w'
   double* stick_load;              // v.b [cases]
-  Real *equation_w, *equation_tau; // v'.B, v'.A [m]; v' is v without its part along C (contact/reduction.hpp)
+  Real *equation_w, *equation_tau; // v'.B, v'.A [m]; v' is v without its part along C (contact/reduction/reduction.hpp)
   double* equation_load;           // v'.h [cases]
   double* equation_terms;          // magnitudes of what h is the rest of [cases]
   Real* moment[2];                 // [m] of tau = 1 on the body of a side about its centre, where that body floats

@@ -7,7 +7,7 @@
 #include "memory/hostile.hpp"
 #include "memory/math.hpp"
 #include "memory/parts.hpp"
-#include "solver/energy.hpp"
+#include "solver/energy/energy.hpp"
 #include "solver/judge.hpp"
 
 namespace c2d {

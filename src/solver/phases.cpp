@@ -150,8 +150,8 @@ uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
 namespace {
 
 // n of the rates' numbers, n (n + 4): those of the rate problem; and where columns are made on demand, of bodies that the
-// contact alone holds, seven of each contact unknown and two squares of the motions (contact/force_cone.cpp) are more than
-// these may be.
+// contact alone holds, seven of each contact unknown and two squares of the motions (contact/rates/force_cone.cpp) are more
+// than these may be.
 uint64_t side_of_rates(const PhaseSizes& s) {
   uint64_t n = static_cast<uint64_t>(s.columns) + 1;
   if (kSmallCode || s.columns >= s.m || s.motions == 0) return n;
@@ -340,7 +340,7 @@ bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
 
 namespace {
 
-// Slender bodies upon each other (contact/reduction_plan.hpp) are three bodies and more with what holds them; in
+// Slender bodies upon each other (contact/reduction/reduction_plan.hpp) are three bodies and more with what holds them; in
 // layers every other one's displacements are unknowns, and of a contact unknown one side's.
 uint64_t slender_need(const PhaseSizes& s) {
   PhaseSizes slender = s;

@@ -1,7 +1,7 @@
 #pragma once
 // What the phase area of the workspace holds, one phase after another. The same functions tell the need and carve.
 #include "contact/contact_tape.hpp"
-#include "contact/reduction.hpp"
+#include "contact/reduction/reduction.hpp"
 #include "contact/tableau.hpp"
 #include "elimination/eliminate.hpp"
 #include "memory/sizes.hpp"

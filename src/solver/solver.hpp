@@ -32,15 +32,15 @@ struct c2d_solver {
   int32_t blocked;          // nothing holds some motion: c2d_advance says so at once
   int8_t keeps_flexibility; // the phase area has room for F
   int8_t sliding;           // the contact system is that without friction (contact/frictionless.hpp)
-  int8_t open;              // it is that with every pair open (contact/open_form.hpp)
-  int8_t keeps_energy;      // this program has calls that tell energies (solver/energy.hpp)
+  int8_t open;              // it is that with every pair open (contact/reduction/open_form.hpp)
+  int8_t keeps_energy;      // this program has calls that tell energies (solver/energy/energy.hpp)
   int32_t warnings;
   int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed; // since they were last validated
   int32_t mean_motions;  // 1: those of the bodies are known as functionals (results/approach.cpp)
   int32_t rank_needed;   // by compressed elimination, where memory was too small; 0: not known
   double smallest_pivot, largest_pivot, pivot_growth, condition;
-  double compression_residual, compression_error; // largest of the states that were looked at (solver/compressed.cpp)
+  double compression_residual, compression_error; // largest of the states that were looked at (solver/demand/compressed.cpp)
   uint64_t peak_bytes;
   double seconds[C2D_PHASES];
   // written by c2d_begin, c2d_advance
@@ -50,7 +50,7 @@ struct c2d_solver {
   int32_t made;                              // columns on demand that are on the tape
   int32_t guided, good_guided;               // pair of the tableau, now and in the last good state
   int32_t back_substituted; // results outside the contact are those of the load reached: 1, or 1 + number of the
-                            // body whose far cells (solver/far_cells.hpp) lie in the work of back substitution
+                            // body whose far cells (solver/demand/far_cells.hpp) lie in the work of back substitution
   int32_t table_is_current;
   int32_t coefficient;
   int32_t warned;           // bits: which warnings were given since c2d_begin
@@ -65,7 +65,7 @@ struct c2d_solver {
   int64_t turns;    // of the path: a load case began, ended or turned
   c2d::PathStats stats;
   double stiffness, gap_scale, pressure_scale, max_residual, peak_pressure, mu;
-  double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
+  double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy/energy.hpp
   double turn[3][3];                                                               // at its last turns, the last one first:
                                                                                    // work, elastic, dissipated
   double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion

@@ -4,7 +4,7 @@
 #include "interface/model/refuse.hpp"
 #include "memory/parts.hpp"
 #include "model/validate/validate_finding.hpp"
-#include "solver/energy_adjoint.hpp"
+#include "solver/energy/energy_adjoint.hpp"
 #include "solver/particular.hpp"
 
 const c2d::BodyForcePart c2d::kBodyForcePart = {true,

@@ -2,12 +2,12 @@
 #include <string.h>
 
 #include "bie/transfer.hpp"
-#include "contact/facing_pairs.hpp"
+#include "contact/pairs/facing_pairs.hpp"
 #include "interface/model/zone_calls.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "results/transferred.hpp"
-#include "solver/energy_adjoint.hpp"
+#include "solver/energy/energy_adjoint.hpp"
 
 const c2d::FreeZonePart c2d::kFreeZonePart = {true,
                                               add_free_zone,

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "bie/columns.hpp"
-#include "contact/frames.hpp"
+#include "contact/pairs/frames.hpp"
 #include "interface/model/refuse.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"

@@ -1,10 +1,10 @@
 // c2d_set_rigid and c2d_set_rigid_load.
-#include "contact/reduction.hpp"
+#include "contact/reduction/reduction.hpp"
 #include "interface/model/refuse.hpp"
 #include "memory/parts.hpp"
 #include "model/validate/validate_finding.hpp"
 #include "results/rigid.hpp"
-#include "solver/energy_adjoint.hpp"
+#include "solver/energy/energy_adjoint.hpp"
 
 const c2d::RigidPart c2d::kRigidPart = {true,        c2d_set_rigid,          c2d_set_rigid_load, c2d_add_platen,
                                         check_rigid, check_rigid_zones,      reduce_rigid,       add_rigid_motion,

@@ -1,6 +1,6 @@
 #pragma once
 // Validation of a model before anything is computed. All faults are reported, not only the first. The order in which a model is
-// completed (contact/frames.hpp runs all of it):
+// completed (contact/pairs/frames.hpp runs all of it):
 //   validate_data       bodies, regions and points exist, numbers are finite: the rest relies on it
 //   set_units           (model/unknowns.hpp)
 //   validate_symmetry   (model/symmetry.hpp) finds lines, moves points onto them, checks the model against them
@@ -8,7 +8,7 @@
 //   validate_curves     given curves fit the boundary points
 //   validate_zones      references of contact zones are valid, sides face each other
 //   validate_loads      point loads
-//   build_frames        (contact/frames.hpp) needs valid zones
+//   build_frames        (contact/pairs/frames.hpp) needs valid zones
 //   validate_conditions needs frames: the unknowns depend on whether a pair can slip
 //   find_free_motions   (model/rigid.hpp)
 #include "contact2d.h"

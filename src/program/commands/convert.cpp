@@ -3,8 +3,8 @@
 #include "program/exit_code.hpp"
 #include "program/files/deck_file.hpp"
 #include "program/messages.hpp"
-#include "program/real_in_columns.hpp"
 #include "program/sketch/read/read.hpp"
+#include "program/words/real_in_columns.hpp"
 #include "report/text.hpp"
 
 #include <contact2d_cards.h>

@@ -11,12 +11,12 @@
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
 #include "program/progress.hpp"
-#include "program/read_number.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read/read.hpp"
 #include "program/sketch/read/words.hpp"
 #include "program/sweep/parameters.hpp"
-#include "program/voice.hpp"
+#include "program/words/read_number.hpp"
+#include "program/words/voice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "program/files/system_file.hpp"
 #include "program/messages.hpp"
 #include "program/sketch/read/read.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

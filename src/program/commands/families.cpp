@@ -1,9 +1,9 @@
 #include "program/commands/families.hpp"
 
-#include "program/near_word.hpp"
-#include "program/read_number.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read/read.hpp"
+#include "program/words/near_word.hpp"
+#include "program/words/read_number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "program/drawing/drawing.hpp"
 
 #include "program/drawing/text.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The contents of a drawing: named curves, joined to loops and bodies.
 #pragma once
 
-#include "program/sketch/shape.hpp"
+#include "program/sketch/shapes/shape.hpp"
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "program/drawing/crossings.hpp"
 #include "program/drawing/graph.hpp"
 #include "program/drawing/text.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@
 #include "program/estimate/wanted.hpp"
 #include "program/interrupt.hpp"
 #include "program/sketch/refine.hpp"
-#include "program/sketch/region.hpp"
+#include "program/sketch/shapes/region.hpp"
 
 #include <algorithm>
 #include <cmath>

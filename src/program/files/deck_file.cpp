@@ -1,6 +1,6 @@
 #include "program/files/deck_file.hpp"
 
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 
 #include "program/files/system_file.hpp"
 #include "program/interrupt.hpp"

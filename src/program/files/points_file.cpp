@@ -1,6 +1,6 @@
 #include "program/files/points_file.hpp"
 
-#include "program/read_number.hpp"
+#include "program/words/read_number.hpp"
 
 #include <cmath>
 #include <string>

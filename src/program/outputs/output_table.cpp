@@ -1,9 +1,9 @@
 #include "program/outputs/output_row.hpp"
 #include "program/outputs/results.hpp"
 #include "report/csv.hpp"
-#include "report/json.hpp"
+#include "report/json/json.hpp"
 #include "report/listing/listing.hpp"
-#include "report/page.hpp"
+#include "report/page/page.hpp"
 #include "report/vtk.hpp"
 
 namespace app {

@@ -3,8 +3,8 @@
 // ln(1 + g s / h0) / g. The sizes increase from the first end, stay at or below `most`, and decrease towards the last end.
 #include "program/sketch/elements.hpp"
 
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

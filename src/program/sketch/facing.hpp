@@ -1,7 +1,7 @@
 // Finds the parts of two chains of curves that face each other, from the shapes alone.
 #pragma once
 
-#include "program/sketch/chain.hpp"
+#include "program/sketch/shapes/chain.hpp"
 
 namespace sketch {
 

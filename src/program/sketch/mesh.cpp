@@ -6,8 +6,8 @@
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/elements.hpp"
-#include "program/sketch/outline.hpp"
 #include "program/sketch/refine.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

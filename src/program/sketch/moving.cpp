@@ -5,7 +5,7 @@
 //   2. Every piece of the history becomes pieces between positions, with the factors of all cases.
 #include "program/sketch/moving.hpp"
 
-#include "program/sketch/region.hpp"
+#include "program/sketch/shapes/region.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // A sketch: bodies with named curves, contacts and ties, supports and loads, and requested results. It has no mesh.
 #pragma once
 
-#include "program/sketch/shape.hpp"
+#include "program/sketch/shapes/shape.hpp"
 #include "program/sketch/wants.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "program/sweep/parameters.hpp"
 
-#include "program/near_word.hpp"
+#include "program/words/near_word.hpp"
 
 #include <algorithm>
 #include <cctype>

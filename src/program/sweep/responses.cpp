@@ -1,9 +1,9 @@
 #include "program/sweep/responses.hpp"
 
-#include "program/near_word.hpp"
-#include "program/read_number.hpp"
 #include "program/sweep/tolerance_response.hpp"
 #include "program/sweep/wanted_response.hpp"
+#include "program/words/near_word.hpp"
+#include "program/words/read_number.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

@@ -15,7 +15,7 @@
 #include "program/sweep/journal.hpp"
 #include "program/sweep/parameters.hpp"
 #include "program/sweep/table.hpp"
-#include "program/voice.hpp"
+#include "program/words/voice.hpp"
 #include "report/text.hpp"
 
 #include <contact2d.h>

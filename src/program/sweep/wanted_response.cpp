@@ -3,7 +3,7 @@
 // last words.
 #include "program/sweep/wanted_response.hpp"
 
-#include "program/read_number.hpp"
+#include "program/words/read_number.hpp"
 
 #include <cmath>
 

@@ -25,7 +25,7 @@
 #include "memory/workers.hpp"
 #include "results/back.hpp"
 #include "results/interior/interior_elements.hpp"
-#include "solver/far_cells.hpp"
+#include "solver/demand/far_cells.hpp"
 
 namespace c2d {
 

@@ -1,8 +1,8 @@
 #pragma once
 // Interior points of large bodies (METHOD 16.7): the elements are grouped in clusters of a binary tree along the contour
 // (FarCell). For each part of the contour a point uses the largest cluster that is far enough away, or the elements themselves.
-// Only with compressed elimination (solver/compressed.hpp): the tree uses the work memory that back substitution no longer
-// needs.
+// Only with compressed elimination (solver/demand/compressed.hpp): the tree uses the work memory that back substitution no
+// longer needs.
 #include "results/interior/interior_placing.hpp"
 
 namespace c2d {

@@ -8,7 +8,7 @@
 //      closure, the interpolated surface decides the contact (C2D_WARN_SURFACE).
 #include "results/warnings/surface_warnings.hpp"
 
-#include "contact/frames.hpp"
+#include "contact/pairs/frames.hpp"
 #include "model/validate/validate_finding.hpp"
 
 namespace c2d {

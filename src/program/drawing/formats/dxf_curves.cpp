@@ -1,7 +1,7 @@
 #include "program/drawing/formats/dxf_curves.hpp"
 
 #include "program/drawing/formats/nurbs.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

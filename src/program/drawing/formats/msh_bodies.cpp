@@ -2,7 +2,7 @@
 #include "program/drawing/chain.hpp"
 #include "program/drawing/formats/msh.hpp"
 #include "program/drawing/loops.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

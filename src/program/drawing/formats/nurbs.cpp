@@ -1,7 +1,7 @@
 #include "program/drawing/formats/nurbs.hpp"
 
 #include "program/drawing/chain.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

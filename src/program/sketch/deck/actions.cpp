@@ -1,7 +1,7 @@
 #include "program/sketch/deck/actions.hpp"
 
 #include "program/sketch/deck/cycle.hpp"
-#include "program/sketch/region.hpp"
+#include "program/sketch/shapes/region.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include "program/sketch/deck/contacts.hpp"
 
 #include "program/sketch/facing.hpp"
-#include "program/sketch/outline.hpp"
 #include "program/sketch/part_ends.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 //    coincide with the elements opposite become matching zones if divisions are given or if two of them meet.
 #include "program/sketch/deck/zones.hpp"
 
-#include "program/sketch/outline.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

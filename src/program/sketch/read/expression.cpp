@@ -1,6 +1,6 @@
 #include "program/sketch/read/expression.hpp"
 
-#include "program/near_word.hpp"
+#include "program/words/near_word.hpp"
 
 #include <cctype>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "program/sketch/read/point_rows.hpp"
 
-#include "program/read_number.hpp"
+#include "program/words/read_number.hpp"
 
 #include <algorithm>
 #include <cmath>

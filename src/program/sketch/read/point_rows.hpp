@@ -1,7 +1,7 @@
 // The points of a text file, for splines.
 #pragma once
 
-#include "program/sketch/shape.hpp"
+#include "program/sketch/shapes/shape.hpp"
 
 #include <string_view>
 

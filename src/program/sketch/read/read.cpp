@@ -1,10 +1,10 @@
-#include "program/near_word.hpp"
 #include "program/sketch/deck/actions.hpp"
 #include "program/sketch/deck/contacts.hpp"
 #include "program/sketch/moving.hpp"
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
+#include "program/sketch/shapes/outline.hpp"
 #include "program/sketch/torsion.hpp"
+#include "program/words/near_word.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Statements that draw bodies: consecutive curves with the material on the left.
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/point_rows.hpp"
 #include "program/sketch/read/reader.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

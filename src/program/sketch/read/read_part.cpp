@@ -1,6 +1,6 @@
 // The statement `part`: names a part of a curve, so that a side may end within a curve.
-#include "program/sketch/outline.hpp"
 #include "program/sketch/read/reader.hpp"
+#include "program/sketch/shapes/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "program/sketch/read/statement.hpp"
 
-#include "program/near_word.hpp"
 #include "program/sketch/deck/deck_number.hpp"
+#include "program/words/near_word.hpp"
 
 #include <cctype>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The words of a statement being read, with errors for missing and wrong ones.
 #pragma once
 
-#include "program/sketch/shape.hpp"
+#include "program/sketch/shapes/shape.hpp"
 
 #include <initializer_list>
 #include <optional>
