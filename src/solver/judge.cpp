@@ -344,6 +344,7 @@ struct Sum {
 struct State {
   Sum tableau, rates, equations;  // of the tableau: values, and rates of the whole piece of the path
   double terms;                   // of what the loads' part in the equations is the rest of
+  double equation_tau;            // largest of Book::equation_tau
   double force;                   // magnitude of all forces, or of what the piece adds
   double no_force;                // that of pressures which round-off of motions makes: a body that goes along has only such
   double p, w;                    // largest pressure or friction (likewise), largest gap or motion
@@ -367,6 +368,7 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
     out.rates.add(-stick * (open ? tau_rate : motion_rate)[d]);
     out.equations.add(book.equation_w[j] * motion[d]);
     out.equations.add(-book.equation_tau[j] * tau[d]);
+    out.equation_tau = larger(out.equation_tau, fabs(static_cast<double>(book.equation_tau[j])));
     out.force += pair.weight * size;
     out.no_force += pair.weight;
     out.p = larger(out.p, size);
@@ -452,7 +454,8 @@ Findings look(Session& session, Agree with) {
   // What is there at no load is the round-off of what was, or of what this piece of the path adds.
   constexpr double kUnloaded = 1e-3;
   s->peak_terms[0] = larger(s->peak_terms[0], larger(state.tableau.size, state.rates.size));
-  s->peak_terms[1] = larger(s->peak_terms[1], larger(state.equations.size, state.terms));
+  // Where all terms vanish by symmetry, what they are is the round-off of one pressure with the largest coefficient.
+  s->peak_terms[1] = larger(larger(s->peak_terms[1], state.equation_tau * state.p), larger(state.equations.size, state.terms));
   s->peak_force = larger(s->peak_force, state.force);
   out.drift = larger(state.tableau.over(kUnloaded * s->peak_terms[0]), state.rates.over(0.0));
   out.size[C2D_BREACH_TABLEAU] = out.drift;
