@@ -106,7 +106,7 @@ std::string mesh_of(const std::string& sketch) {
 
 const Loads kPressed = {0.4, 0, 1, 0}, kRound = {1, .06, .5, .06, .5, -.06, 1, -.06, 1, 0};
 const How kPlain = {C2D_CYCLES_PLAIN, 2000, 1e-12};
-const How kExact = {C2D_CYCLES_EXACT, 400, 1e-11}; // a state is as far from the steady one as a hundred changes or more
+const How kExact = {C2D_CYCLES_EXACT, 400, 1e-12}; // a state is as far from the steady one as a hundred changes or more
 
 } // namespace
 

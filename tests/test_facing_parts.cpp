@@ -1,5 +1,7 @@
 // Which parts of the sides of a sketch face each other and may touch, from the shapes: against closed forms, and the same in
 // equivalent drawings.
+#include "dice.hpp"
+#include "effort.hpp"
 #include "program/commands/drawn_words.hpp"
 #include "program/estimate/loop.hpp"
 #include "sketch_runs.hpp"
@@ -113,7 +115,8 @@ TEST_CASE("facing parts: sides that cannot face are named by their curves") {
   CHECK(fault_of(text + "contact block.top lid.side\n").find("inclined to each other by 90 degrees") != std::string::npos);
   CHECK(fault_of(block(1, 4) + "body lid E 1 nu 0\nfrom 9 1\nline under to 10 1\nline side to 10 3\nline top to 9 3\nline edge "
                                "close\nfix block.bottom\nfix lid.edge\ncontact block.top lid.under\n")
-            .find("they lie beside each other, or another curve lies between them") != std::string::npos);
+            .find("they lie beside each other, or farther apart than their radii of curvature, or another curve lies between "
+                  "them") != std::string::npos);
 }
 
 TEST_CASE("facing parts: a load of zero, adhesion as a value, and what a drawing's digits overlap are no faults") {
@@ -316,4 +319,54 @@ tolerance 3 %
         CHECK(sketch::length(curve.curve->shape->at(curve.ends[e + 1]) - curve.curve->shape->at(curve.ends[e])) > 1e-6);
   // Contact stays away from the ends that were cut off.
   CHECK(a.deck.find("on coarser meshes the surfaces did not touch") == std::string::npos);
+}
+
+namespace {
+
+std::string digits(double x) {
+  char out[32];
+  std::snprintf(out, sizeof out, "(%.17g)", x);
+  return out;
+}
+
+// Two wavy surfaces. `near`: they just do not touch; else at any distance, also beyond their centres of curvature.
+std::string waves(random_decks::Dice& dice, bool near) {
+  const double most = near ? 0.1 : 0.25, a = dice.between(0, most), b = dice.between(0, most);
+  const double k = dice.between(1, 9), l = dice.between(1, 9), from = dice.between(0, 6), begin = dice.between(0, 6);
+  double touch = -1;
+  for (int i = 0; i <= 3000; ++i) {
+    const double t = -1.5 + 0.001 * i;
+    touch = std::max(touch, a * std::cos(k * t + from) - b * std::cos(l * t + begin));
+  }
+  const double high = near ? touch + dice.between(0, 0.02) : 0.5 + dice.between(0.02, 0.4);
+  const auto wave = [](double mean, double height, double number, double phase, const char* t) {
+    return "{" + digits(mean) + "+" + digits(height) + "*cos(" + t + "*" + digits(number) + "+" + digits(phase) + ")}";
+  };
+  return "body below E 1000 nu 0\nfrom -2 -1\nline foot to 2 -1\nline right to 2 " + wave(0, a, k, from, "2") +
+         "\ncurve n t 2 -2 x {t} y " + wave(0, a, k, from, "t") + "\nline left close\nbody above E 1000 nu 0\nfrom 1.5 3\n" +
+         "line top to -1.5 3\nline left to -1.5 " + wave(high, b, l, begin, "(-1.5)") + "\ncurve s t -1.5 1.5 x {t} y " +
+         wave(high, b, l, begin, "t") + "\nline right close\n" +
+         (dice.chance(0.5) ? "contact below.n above.s mu 0.2\n" : "contact above.s below.n mu 0.2\n") +
+         "fix below.foot\ncase push\nmove above.top x 0 y -0.01\nhistory push 1\ntolerance off\n";
+}
+
+} // namespace
+
+TEST_CASE("facing parts: waves at any distance: points advance against each other, and the mesh faces where the shapes do") {
+  for (int seed = 1; seed <= test::effort(1, 100); ++seed)
+    for (const bool near : {true, false}) {
+      random_decks::Dice dice(static_cast<uint64_t>(seed));
+      const std::string text = waves(dice, near);
+      CAPTURE(text);
+      const sketch::Reading drawn = read_text(text);
+      for (const sketch::Fault& fault : drawn.faults) FAIL_CHECK(fault.text);
+      if (near) CHECK(!drawn.sketch.contacts.empty());
+      for (const sketch::Contact& contact : drawn.sketch.contacts)
+        for (size_t i = 1; i < contact.map.size(); ++i) {
+          CHECK(contact.map[i][0] <= contact.map[i - 1][0] + 1e-7);
+          CHECK(contact.map[i][1] >= contact.map[i - 1][1] - 1e-7);
+        }
+      const Solution s = solve(drawn);
+      CHECK_MESSAGE(s.error.empty(), s.error);
+    }
 }

@@ -4,6 +4,8 @@
 // 2. Where a partner appears, disappears or jumps between neighbouring samples, bisect to locate the limit (fill).
 // 3. Join linked neighbours to runs (runs); trim fans of normals at their ends (run_of).
 // 4. Repeat with the weight m of METHOD 8.3 from the mean curvatures of each run (facing_runs), then snap ends to curve ends.
+// 5. Of a run whose weight has not settled, or that has been divided, keep what it has in common with a search by its own m,
+//    until m stays (agree_with_curvatures).
 #include "program/sketch/facing.hpp"
 
 #include <algorithm>
@@ -15,11 +17,13 @@ namespace {
 constexpr double kFaces = 0.6427876096865394; // cosine of 50 degrees: surfaces with a larger inclination do not face
 constexpr double kLinked = 2e-3; // of the other chain: neighbouring points face neighbouring points up to this far apart
 constexpr int kJumpDepth = 30, kBorderDepth = 60; // bisections of a jump, of a border
+constexpr double kTurnsBack = 1e-9;               // of the other chain: facing points advance against it but for this
 constexpr double kLeastRun = 1e-7;                // of the shorter chain
 constexpr double kMiddleOfWay = 0.02;             // of the line between two points: its ends lie on the surfaces themselves
 constexpr double kSnap = 1e-6;                    // of a run: an end nearer than this to the end of a chain moves there
 
 constexpr int kMostRounds = 3;       // of searches with an updated m
+constexpr int kMostWithin = 24;      // of searches within a run
 constexpr double kSameNormal = 1e-3; // smaller changes of m are ignored
 
 // The weighted normal along which points face each other.
@@ -134,6 +138,7 @@ Search::Look Search::look(ChainPlace place) const {
 bool Search::is_linked(const Look& p, const Look& q) const {
   if (!p.partner.found || !q.partner.found) return false;
   const double way = std::fabs(a_.way(p.length[0], q.length[0])), other = std::fabs(b_.way(p.length[1], q.length[1]));
+  if (b_.way(p.length[1], q.length[1]) > kTurnsBack * b_.length()) return false; // beyond a centre of curvature
   return other <= 4 * way + kLinked * b_.length() || a_.is_fan(p.place) || a_.is_fan(q.place);
 }
 
@@ -247,6 +252,47 @@ void snap(FacingRun& run) {
   }
 }
 
+// The place where two sides are nearest to each other.
+double nearest_place(const FacingRun& run) {
+  return std::min_element(run.points.begin(), run.points.end(),
+                          [](const auto& p, const auto& q) { return std::fabs(p.gap) < std::fabs(q.gap); })
+      ->length[0];
+}
+
+// Inserts a point between the two on either side of a length, if there are such.
+void divide_at(FacingRun& run, size_t side, double length) {
+  std::vector<FacingPoints>& p = run.points;
+  for (size_t i = 0; i + 1 < p.size(); ++i) {
+    const double from = run.chain[side]->way(p[i].length[side], length), way = p[i + 1].length[side] - p[i].length[side];
+    if (way == 0 || !(from / way > 0 && from / way < 1)) continue;
+    const double f = from / way;
+    FacingPoints at = p[f < 0.5 ? i : i + 1];
+    for (size_t k = 0; k < 2; ++k) at.length[k] = p[i].length[k] + f * (p[i + 1].length[k] - p[i].length[k]);
+    at.gap = p[i].gap + f * (p[i + 1].gap - p[i].gap);
+    p.insert(p.begin() + static_cast<std::ptrdiff_t>(i) + 1, at);
+    return;
+  }
+}
+
+// Keeps what lies between the ends of another run, on both sides. Is there any?
+bool keep_within(FacingRun& run, const FacingRun& ends) {
+  const auto is_beyond = [&](const FacingPoints& p) {
+    for (size_t side = 0; side < 2; ++side) {
+      const double middle = (ends.low(side) + ends.high(side)) / 2, off = run.chain[side]->way(middle, p.length[side]);
+      if (std::fabs(off) > (0.5 + kSnap) * ends.length(side)) return true;
+    }
+    return false;
+  };
+  for (size_t side = 0; side < 2; ++side) divide_at(run, side, ends.low(side)), divide_at(run, side, ends.high(side));
+  std::vector<FacingPoints>& p = run.points;
+  const size_t before = p.size();
+  const auto first = std::find_if_not(p.begin(), p.end(), is_beyond);
+  p.erase(std::find_if(first, p.end(), is_beyond), p.end());
+  p.erase(p.begin(), first);
+  run.ring = run.ring && p.size() == before;
+  return p.size() > 1 && run.length(0) > kLeastRun * ends.length(0) && run.length(1) > kLeastRun * ends.length(1);
+}
+
 bool are_same(const FacingRun& a, const FacingRun& b) {
   const double near = 1e-3 * a.length(0);
   return distance_to(b, a.points[a.points.size() / 2].length[0]) < near && std::fabs(a.length(0) - b.length(0)) < near;
@@ -257,9 +303,7 @@ bool are_same(const FacingRun& a, const FacingRun& b) {
 std::vector<FacingRun> facing_runs(const Chain& a, const Chain& b, const FacingLimits& limits) {
   std::vector<FacingRun> out;
   for (FacingRun& first : Search(a, b, limits, 0.5).runs()) {
-    const auto nearest = std::min_element(first.points.begin(), first.points.end(),
-                                          [](const auto& p, const auto& q) { return std::fabs(p.gap) < std::fabs(q.gap); });
-    const double place = nearest->length[0];
+    const double place = nearest_place(first);
     FacingRun run = std::move(first);
     double m = 0.5, next = part_of_normal(run);
     for (int round = 0; round < kMostRounds && std::fabs(next - m) >= kSameNormal; ++round) {
@@ -271,11 +315,29 @@ std::vector<FacingRun> facing_runs(const Chain& a, const Chain& b, const FacingL
       });
       next = part_of_normal(run);
     }
+    run.weight = m;
+    if (!agree_with_curvatures(run, limits)) continue;
     snap(run);
     if (std::none_of(out.begin(), out.end(), [&](const FacingRun& other) { return are_same(run, other); }))
       out.push_back(std::move(run));
   }
   return out;
+}
+
+bool agree_with_curvatures(FacingRun& run, const FacingLimits& limits) {
+  for (int round = 0; round < kMostWithin; ++round) {
+    const double m = part_of_normal(run);
+    if (std::fabs(m - run.weight) < kSameNormal) return true;
+    const double place = nearest_place(run);
+    std::vector<FacingRun> all = Search(*run.chain[0], *run.chain[1], limits, m).runs();
+    all.erase(std::remove_if(all.begin(), all.end(), [&](FacingRun& found) { return !keep_within(found, run); }), all.end());
+    if (all.empty()) return false;
+    run = *std::min_element(all.begin(), all.end(), [&](const FacingRun& p, const FacingRun& q) {
+      return distance_to(p, place) < distance_to(q, place);
+    });
+    run.weight = m;
+  }
+  return false;
 }
 
 double least_inclination(const Chain& a, const Chain& b) {

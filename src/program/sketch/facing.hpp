@@ -17,7 +17,8 @@ struct FacingPoints {
 struct FacingRun {
   const Chain* chain[2];
   std::vector<FacingPoints> points;
-  bool ring = false; // the whole of a closed chain
+  bool ring = false;   // the whole of a closed chain
+  double weight = 0.5; // m of METHOD 8.3 by which it was found
   double low(size_t side) const { return side == 0 ? points.front().length[0] : points.back().length[1]; }
   double high(size_t side) const { return side == 0 ? points.back().length[0] : points.front().length[1]; }
   double length(size_t side) const { return high(side) - low(side); }
@@ -32,6 +33,10 @@ struct FacingLimits {
 // Points a and b face each other if b - a is parallel to m n_a - (1 - m) n_b (METHOD 8.3), each is the nearest point facing
 // the other, and no other curve lies between them. The weight m follows from the mean curvatures of the two parts.
 std::vector<FacingRun> facing_runs(const Chain& a, const Chain& b, const FacingLimits& limits);
+
+// Finds a run anew within its ends until its weight m agrees with its mean curvatures. False: there is no such part; the
+// surfaces are then farther apart than their radii of curvature, where the points that face each other depend on m.
+bool agree_with_curvatures(FacingRun& run, const FacingLimits& limits);
 
 // The smallest angle in degrees between a normal of one chain and the reversed normal of the other, corners excluded.
 double least_inclination(const Chain& a, const Chain& b);

@@ -1,7 +1,7 @@
 // The contacts of a sketch (Cutter::run). Phases:
 // 1. Build the chains of every side and find their facing parts (find). If bodies overlap by rounded coordinates, move one of
 //    them and repeat (part_overlaps).
-// 2. Divide stretches that belong to two parts by distance (settle, share).
+// 2. Divide stretches that belong to two parts by distance (settle, share); drop parts too far apart (drop_far_parts).
 // 3. Choose the side with the contact conditions (side_of_pairs), make the contacts (contact_of), and extend their first sides
 //    (go_beyond).
 // 4. Divide the outlines at the ends of the contacts (cut).
@@ -20,6 +20,7 @@ namespace {
 constexpr double kTouches = 1e-3, kTieTouches = 0.01, kFitTouches = 0.05; // of the smaller body: largest overlaps
 constexpr double kClear = 0.02;       // of the smaller body: smaller gaps are not checked for curves in between
 constexpr double kBeyond = 0.05;      // of its part: extension of side 0 beyond the facing part
+constexpr double kFar = 0.1;          // of their radii of curvature: a larger distance of the sides is far
 constexpr double kOfWay = 0.4;        // of the distance to the next part: the largest extension
 constexpr double kCrumb = 0.1;        // of its part: a shorter rest of a curve is included
 constexpr double kOneOverlap = 1e-6;  // of the smaller part: shorter common stretches are ignored
@@ -67,6 +68,7 @@ private:
   bool part_overlaps();
   std::string why(const Interface& interface, const std::vector<Chain>& a, const std::vector<Chain>& b) const;
   bool settle(FacingPart& p, FacingPart& q);
+  void drop_far_parts();
   bool share(FacingPart& p, size_t side, FacingPart& q, size_t other);
   Support support_at(const Chain& chain, double length) const;
   bool is_supported(const FacingPart& part, size_t side) const;
@@ -138,7 +140,9 @@ std::string Cutter::why(const Interface& interface, const std::vector<Chain>& a,
   if (inclination > 50)
     return none + "they are inclined to each other by " + rounded(std::round(inclination)) +
            " degrees or more, expected less than 50 degrees at some place; " + nearest;
-  return none + "they lie beside each other, or another curve lies between them; " + nearest;
+  return none +
+         "they lie beside each other, or farther apart than their radii of curvature, or another curve lies between them; " +
+         nearest;
 }
 
 void Cutter::find(size_t index) {
@@ -265,6 +269,21 @@ bool Cutter::share(FacingPart& p, size_t side, FacingPart& q, size_t other) {
   return false;
 }
 
+// Drops parts that depend on their own mean curvatures, and finds fault where an interface has no other.
+void Cutter::drop_far_parts() {
+  std::vector<size_t> left(s_.interfaces.size()), dropped(s_.interfaces.size());
+  const auto is_far = [&](FacingPart& p) {
+    const auto& [one, two] = p.run.chain;
+    const bool stays = agree_with_curvatures(p.run, limits_of(s_.interfaces[p.interface], *one, *two));
+    ++(stays ? left : dropped)[p.interface];
+    return !stays;
+  };
+  parts_.erase(std::remove_if(parts_.begin(), parts_.end(), is_far), parts_.end());
+  for (size_t k = 0; k < s_.interfaces.size(); ++k)
+    if (left[k] == 0 && dropped[k] > 0)
+      faults_.push_back({s_.interfaces[k].at, why(s_.interfaces[k], chains_[k][0], chains_[k][1])});
+}
+
 bool Cutter::settle(FacingPart& p, FacingPart& q) {
   for (const size_t side : {size_t{0}, size_t{1}})
     for (const size_t other : {size_t{0}, size_t{1}})
@@ -335,9 +354,21 @@ Contact Cutter::contact_of(const FacingPart& part, size_t pairs) const {
   return out;
 }
 
-// Extends side 0 slightly beyond the facing part, within its chain and away from other parts.
+// Are the sides far apart for how they bend?
+bool is_far(const FacingRun& run) {
+  double gap = HUGE_VAL, bend[2] = {0, 0};
+  for (size_t i = 0; i < run.points.size(); ++i) {
+    gap = std::min(gap, std::fabs(run.points[i].gap));
+    for (size_t side = 0; side < 2 && i > 0; ++side)
+      bend[side] += std::fabs(angle_between(run.points[i - 1].normal[side], run.points[i].normal[side]));
+  }
+  return gap * bend[0] > kFar * run.length(0) || gap * bend[1] > kFar * run.length(1);
+}
+
+// Extends side 0 slightly beyond the facing part, within its chain and away from other parts. Of sides that are far apart what
+// faces what depends on their mean curvatures, so they stay as they are.
 void Cutter::go_beyond(const FacingPart& part, size_t pairs, Contact& contact) const {
-  if (contact.ring) return;
+  if (contact.ring || is_far(part.run)) return;
   Contact::Strip& strip = contact.side[0];
   const size_t side = 1 - pairs;
   const Chain& chain = *part.run.chain[side];
@@ -444,8 +475,10 @@ std::vector<Fault> Cutter::run() {
   for (size_t i = 0; i < parts_.size(); ++i)
     for (size_t k = 0; k < i; ++k)
       for (int round = 0; round < 8 && settle(parts_[i], parts_[k]);) ++round;
-  parts_.erase(std::remove_if(parts_.begin(), parts_.end(), [](const FacingPart& p) { return p.run.points.empty(); }),
-               parts_.end());
+  const auto is_empty = [](const FacingPart& p) { return p.run.points.empty(); };
+  parts_.erase(std::remove_if(parts_.begin(), parts_.end(), is_empty), parts_.end());
+  drop_far_parts();
+  if (!faults_.empty()) return faults_;
   for (const FacingPart& part : parts_) {
     const size_t pairs = side_of_pairs(part);
     Contact contact = contact_of(part, pairs);
