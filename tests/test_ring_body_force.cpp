@@ -211,3 +211,35 @@ TEST_CASE("ring body force: a ring stands on a block, by its weight" * doctest::
   CHECK(std::fabs(r.last().work / r.last().elastic - 1) < 0.05); // the rest is dissipated
   CHECK(std::fabs(r.last().defect) < 1e-9);
 }
+
+namespace {
+
+// Two columns upon each other, nu 0, pressed by p, the lower one heavy: the work, and what it is.
+double work_of_columns(int32_t plane, int32_t kind, bool swapped, double p, double weight, double& exact) {
+  const double r = 3, width = 0.6, area = plane == C2D_AXISYMMETRIC ? std::acos(-1.0) * width * (2 * r + width) : width;
+  Model m;
+  m.plane = plane, m.function_nodes = 3;
+  m.add(rectangle(r, 0, r + width, 1, {2, 2, 3, 2}, 1000, 0));
+  m.add(rectangle(r, 1, r + width, 2, {kind == C2D_ZONE_FREE ? 2 : 3, 2, 2, 2}, 1000, 0));
+  m.body(1).force[1] = -weight;
+  m.set(1, 1, end_of(kHeld)), m.set(2, 3, end_of(kPulled, 0, -p));
+  m.join(kind, 1, 3, 2, 1);
+  exact = area / 2000 * (2 * p * p + p * weight + weight * weight / 3);
+  return solved(swapped ? with_swapped_sides(m, 1) : m).last().work;
+}
+
+} // namespace
+
+TEST_CASE("body force: its work has what a free zone hands over, on either side, in the plane and round the axis") {
+  for (int32_t plane : {int32_t{C2D_PLANE_STRAIN}, int32_t{C2D_AXISYMMETRIC}})
+    for (int32_t kind : solved_bodies::kKinds)
+      for (bool swapped : {false, true}) {
+        if (plane == C2D_AXISYMMETRIC && kNoRings) continue;
+        double exact = 0;
+        const double work = work_of_columns(plane, kind, swapped, 1, 5, exact);
+        CAPTURE(plane);
+        CAPTURE(kind);
+        CAPTURE(swapped);
+        CHECK(std::fabs(work / exact - 1) < 1e-10);
+      }
+}

@@ -249,4 +249,19 @@ void resultants(const Integrator& in, double ox, double oy, double w[kElementNod
   }
 }
 
+void weigh(const Integrator& in, PlaneField field, const void* context, double w[kElementNodes][2]) {
+  for (int l = 0; l < in.functions; ++l) w[l][0] = w[l][1] = 0.0;
+  const GaussRule rule = gauss_legendre(6);
+  const Expansion at = expand(in, 0.0, 0.0, 0.0, false);
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint p = gauss_point(rule, i);
+    const Sample s = sample(in, at, p.x);
+    const double weight = p.w * s.jacobian * (is_ring(in) ? in.turn * measured_radius(in, s.eta) : 1.0);
+    double f[2];
+    field(context, s.rx, s.ry, f);
+    for (int l = 0; l < in.functions; ++l)
+      for (int c = 0; c < 2; ++c) w[l][c] += weight * s.shape[l] * f[c];
+  }
+}
+
 } // namespace c2d

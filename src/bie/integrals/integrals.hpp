@@ -91,5 +91,8 @@ void rigid_sum(const Integrator& in, double sx, double sy, int singular, double 
 // round-off in either mode (exact where the integrand is a polynomial).
 void resultants(const Integrator& in, double ox, double oy, double w[kElementNodes], double wx[kElementNodes],
                 double wy[kElementNodes]);
+// w[l] = int M_l f J deta with a field f of at most the third degree, in the same measure; exact for straight elements.
+using PlaneField = void (*)(const void* context, double x, double y, double f[2]);
+void weigh(const Integrator& in, PlaneField field, const void* context, double w[kElementNodes][2]);
 
 } // namespace c2d

@@ -1,7 +1,10 @@
 // Body forces in the energy's functionals: optional (memory/parts.hpp).
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "bie/transfer.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
+#include "model/pair_frame.hpp"
 #include "quadrature/gauss.hpp"
 #include "solver/energy/energy_adjoint.hpp"
 
@@ -63,6 +66,39 @@ namespace {
   }
 }
 
+struct ParticularOf {
+  const Model* m;
+  int b;
+  int32_t k;
+};
+// Positions and displacements in the length unit.
+void particular_at(const void* context, double x, double y, double u[2]) {
+  const ParticularOf& of = *static_cast<const ParticularOf*>(context);
+  const double unit = of.m->head->length_unit;
+  const Particular p = particular_solution(*of.m, of.b, of.k, unit * x, unit * y);
+  for (int c = 0; c < 2; ++c) u[c] = p.u[c] / unit;
+}
+
+// What a piece of a free zone hands over to the body, times u_p. Not inlined: a piece must not stand below the search for the
+// next.
+[[gnu::noinline]] void add_piece(Adjoint& a, const TransferWalk& walk, int32_t k) {
+  const Model& m = a.model();
+  Transfer piece;
+  kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
+  const ParticularOf of = {&m, a.b, k};
+  double u[kElementNodes][2];
+  weigh(piece.in, particular_at, &of, u);
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const Pair& pair = m.pair[piece.pair[l]];
+    for (int c = 0; c < 2; ++c) {
+      double sum = 0.0;
+      for (int i = 0; i < piece.in.functions; ++i) sum += piece.weight[i][l] * u[i][c];
+      for (int slot = 0; slot <= pair.tangential; ++slot)
+        a.tau[pair.dof + slot] -= static_cast<Real>(sum * along(pair, slot, c));
+    }
+  }
+}
+
 } // namespace
 
 void add_body_force(Adjoint& a, int32_t k) {
@@ -71,6 +107,9 @@ void add_body_force(Adjoint& a, int32_t k) {
   const double unit = m.head->stress_unit * m.head->length_unit * m.head->length_unit;
   for (int32_t element = 0; element < body_of(m, a.b).elements; ++element)
     if (is_integrated(m, a.b, element)) add_particular(a, element, k);
+  TransferWalk walk{};
+  walk.body = a.b;
+  while (m.body[a.b].free_rows > 0 && kFreeZonePart.next_transfer(m, walk)) add_piece(a, walk, k);
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += body_force_work(m, a.b, i, k) / unit;
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& load = m.point_load[i];
