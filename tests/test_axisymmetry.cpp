@@ -267,6 +267,54 @@ TEST_CASE("axisymmetric contact: columns stacked, forces and energies of the who
     }
 }
 
+// What is soft is the radius of a ring, by the square of its distance from the axis: pressures keep their digits all the same.
+TEST_CASE("axisymmetric contact: three rings upon each other, far from the axis" * doctest::skip(kNoRings || c2d::kSmallCode)) {
+  for (int32_t functions : {2, 3, 4})
+    for (double radius : {100.0, 1e4}) {
+      Model m = revolved(functions);
+      for (int i = 0; i < 3; ++i) m.add(rectangle(radius, i, radius + 1, i + 1, {3, 2, 3, 2}, 1000, 0));
+      m.friction = 0.3;
+      m.set(1, 1, end_of("0110"));
+      m.set(3, 3, end_of(kPulled, 0, -1));
+      m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1), m.join(C2D_ZONE_MATCHING, 2, 3, 3, 1);
+      CAPTURE(functions);
+      CAPTURE(radius);
+      const Result r = solved(m);
+      for (const Row& row : r.last().rows) CHECK(std::fabs(row[C2D_TN] - 1) < 1e-10);
+    }
+}
+
+namespace {
+
+// What is said of a coarse contact: of a wide block, crowned, on another one, at this distance from the axis.
+std::string coarse_contact(int32_t plane, double radius, double unit) {
+  Model m;
+  m.plane = plane, m.function_nodes = 2;
+  m.add(rectangle(radius, 0, radius + 10, 4, {6, 3, 10, 3}));
+  Body upper = rectangle(radius, 4, radius + 10, 8, {10, 3, 6, 3});
+  for (size_t i = 0; i <= 10; ++i) upper.xy[2 * i + 1] += 1e-4 * std::pow(static_cast<double>(i) - 5.2, 2);
+  m.add(upper);
+  m.set(1, 1, end_of(kHeld)), m.set(2, 3, end_of(kHeld, 0, 0, 0, -2e-4));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  const Result r = solved(scaled(m, unit, 1));
+  for (const c2d_error& e : r.told)
+    if (e.status == C2D_WARN_FEW_PAIRS) return e.text;
+  return "";
+}
+
+std::string behind(const std::string& text, const char* words) { return text.substr(std::min(text.find(words), text.size())); }
+
+} // namespace
+
+TEST_CASE("axisymmetric contact: what is said of a coarse contact is said of widths, not of areas" * doctest::skip(kNoRings)) {
+  const std::string strip = coarse_contact(C2D_PLANE_STRAIN, 0, 1);
+  CHECK(behind(strip, "(") != "");
+  CHECK(behind(coarse_contact(C2D_AXISYMMETRIC, 1e4, 1), "(") == behind(strip, "("));
+  const std::string ring = behind(coarse_contact(C2D_AXISYMMETRIC, 3, 1), "(");
+  CHECK(ring != "");
+  CHECK(behind(coarse_contact(C2D_AXISYMMETRIC, 3, 100), "(") == ring);
+}
+
 TEST_CASE("axisymmetric contact: elimination is dense, whatever the options say" * doctest::skip(kNoRings || c2d::kSmallCode)) {
   Model m = columns(C2D_ZONE_MATCHING, 2);
   m.elimination = C2D_ELIMINATION_COMPRESSED;

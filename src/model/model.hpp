@@ -255,6 +255,11 @@ struct Model { // a view, rebuilt on every call of the library: plain pointers, 
 
 // Bodies of revolution about x = 0: x is r, y is z (METHOD 21).
 inline bool is_axisymmetric(const Model& m) { return kRings && m.head->plane == C2D_AXISYMMETRIC; }
+// Length of the surface that a pair stands for. Weights of rings are areas; there it is a share of the element.
+inline double length_at(const Model& m, const Pair& pair) {
+  if (!is_axisymmetric(m)) return pair.weight * m.head->length_unit;
+  return m.head->function_nodes > 2 ? pair.length / (m.head->function_nodes - 1) : pair.length;
+}
 
 // ---- topology ---------------------------------------------------------------------------------------------------
 inline const Body& body_of(const Model& m, int b) { return m.body[b]; }

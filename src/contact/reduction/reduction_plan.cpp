@@ -2,6 +2,8 @@
 
 #include "model/geometry.hpp"
 
+#include <math.h>
+
 namespace c2d {
 
 namespace {
@@ -20,12 +22,17 @@ bool meets_kept(const Model& m, int b) {
   return false;
 }
 
-// How many squares of its thickness a strip is long: the square of the body's size over its area. About 2 for stout bodies.
+// A ring that widens gives way like a strip that is shorter by the root of this: it does not bend.
+constexpr double kOfRing = 32.0;
+
+// How many squares of its thickness a strip is long: the square of the body's size over its area. About 2 for stout bodies. Of
+// a ring also that of its distance from the axis.
 int32_t slenderness(const Model& m, int b) {
   double area = 0.0;
   for (int32_t region = 0; region < m.body[b].regions; ++region) area += region_area(m, b, region);
   const Box box = box_of_body(m, b);
-  const double dx = box.x_max - box.x_min, dy = box.y_max - box.y_min, size = dx * dx + dy * dy;
+  const double dx = box.x_max - box.x_min, dy = box.y_max - box.y_min, far = is_axisymmetric(m) ? box.x_max : 0.0;
+  const double size = fmax(dx * dx + dy * dy, far * far / kOfRing);
   return size < kMostSlender * area ? static_cast<int32_t>(size / area) : kMostSlender;
 }
 

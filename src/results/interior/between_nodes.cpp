@@ -125,7 +125,7 @@ double closed_in(const Session& session, const Zone& z) {
     const PairState now = pair_state(*session.follower.t, i, session.follower.y);
     closed = fmax(closed, m.pair[i].gap - now.wn * m.head->length_unit);
     pressure = fmax(pressure, now.p * m.head->stress_unit);
-    length = fmax(length, m.pair[i].weight * m.head->length_unit);
+    length = fmax(length, length_at(m, m.pair[i]));
   }
   return fmax(closed, pressure * (compliance(m, z.body[0]) + compliance(m, z.body[1])) * length);
 }

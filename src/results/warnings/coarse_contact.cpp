@@ -45,8 +45,8 @@ struct Looked {
   }
   double width(Stretch s) const {
     double sum = 0.0;
-    for (int32_t i = s.first; i <= s.last; ++i) sum += pair(i).weight;
-    return sum * session->model.head->length_unit;
+    for (int32_t i = s.first; i <= s.last; ++i) sum += length_at(session->model, pair(i));
+    return sum;
   }
 };
 

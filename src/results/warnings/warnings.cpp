@@ -107,7 +107,7 @@ constexpr double kMatters = 0.05; // of the contact length: on fine meshes a sli
 double closed_length(const Session& session, const Zone& z) {
   double sum = 0.0;
   for (int32_t i = z.first_pair; i < z.first_pair + z.pairs; ++i)
-    if (is_closed(session.model.pair[i])) sum += session.model.pair[i].weight * session.model.head->length_unit;
+    if (is_closed(session.model.pair[i])) sum += length_at(session.model, session.model.pair[i]);
   return sum;
 }
 
