@@ -541,6 +541,37 @@ std::string rigid_cards(const Body& b, int32_t number) {
   return text + reals({b.load[0], b.load[1], b.load[2]}) + "\n";
 }
 
+std::string platen_cards(const Model& m, const Platen& p) {
+  std::string text = "*PLATEN " + words({p.side.body, p.side.first, p.side.last}) + reals({p.point[0], p.point[1]}) + "\n";
+  const char* const moved[3] = {" UX", " UY", " TURN"};
+  const char* const loaded[3] = {" FX", " FY", " MOMENT"};
+  for (int32_t k = 1; k <= m.cases; ++k) {
+    text += std::to_string(k);
+    for (int i = 0; i < 3; ++i)
+      text += p.is_free[i] != 0 ? loaded[i] + reals({k == 1 ? p.load[i] : p.second_load[i]})
+                                : moved[i] + reals({k == 1 ? p.motion[i] : p.second_motion[i]});
+    text += "\n";
+  }
+  return text;
+}
+
+// Values of a second load case, and the factors of both.
+std::string case_cards(const Model& m) {
+  if (m.cases < 2) return "";
+  std::string text = "*CASES 2\ncase 2\n";
+  for (size_t b = 0; b < m.bodies.size(); ++b)
+    for (size_t i = 0; i < m.bodies[b].second.size(); ++i) {
+      const double* v = m.bodies[b].second[i].values;
+      const int32_t f = m.function_nodes, end = static_cast<int32_t>(i);
+      if (v[0] == 0 && v[1] == 0 && v[2] == 0 && v[3] == 0) continue;
+      text += "condition " + words({static_cast<int32_t>(b) + 1, end / f + 1, end % f + 1});
+      text += reals({v[0], v[1], v[2], v[3]}) + "\n";
+    }
+  text += "*PATH\n";
+  for (const Path& p : m.paths) text += std::to_string(p.increments) + reals({p.load, p.second}) + "\n";
+  return text;
+}
+
 } // namespace
 
 std::string deck_of(const Model& m, const std::string& title, std::vector<int32_t>& order) {
@@ -598,7 +629,9 @@ std::string deck_of(const Model& m, const std::string& title, std::vector<int32_
   text += regions + moduli + "1" + reals({m.friction}) + "\n" + nodes + conditions + zones + touching;
   text += words({static_cast<int32_t>(m.paths.size()), 50}) + "\n";
   for (const Path& p : m.paths) text += std::to_string(p.increments) + reals({p.load}) + "\n";
-  return text + keywords;
+  for (const Platen& p : m.platens) keywords += platen_cards(m, p);
+  if (m.interference > 0) keywords += "*INTERFERENCE " + std::to_string(m.interference) + "\n";
+  return text + case_cards(m) + keywords;
 }
 
 std::string Result::messages() const {
@@ -643,55 +676,121 @@ Model with_swapped_sides(Model m, int32_t zone) {
 
 namespace {
 
-void reflect_ends(const std::vector<End>& from, std::vector<End>& to, const Range& r, int32_t f) {
+// Along `axis`, 0 or 1, and turned round with it.
+void reflect_ends(const std::vector<End>& from, std::vector<End>& to, const Range& r, int32_t f, int axis) {
   for (int32_t e = r.first; e <= r.last; ++e)
     for (int32_t l = 0; l < f; ++l) {
       End end = from[index((e - 1) * f + l)];
-      end.values[0] = -end.values[0], end.values[2] = -end.values[2];
+      end.values[axis] = -end.values[axis], end.values[2 + axis] = -end.values[2 + axis];
       to[index((r.first + r.last - e - 1) * f + f - 1 - l)] = end;
     }
 }
 
-Body reflected_body(const Body& b, int32_t f) {
-  if (b.open_regions > 0) throw std::runtime_error("open curves are not reflected");
+Body reflected_body(const Body& b, int32_t f, int axis) {
   Body q = b;
-  for (const Range& r : b.regions) {
-    const int32_t base = (r.first - 1) * (b.element_nodes - 1), n = (r.last - r.first + 1) * (b.element_nodes - 1);
-    for (int32_t i = 0; i < n; ++i) {
-      const size_t here = index(2 * (base + i)), there = index(2 * (base + (n - i) % n));
-      q.xy[there] = -b.xy[here], q.xy[there + 1] = b.xy[here + 1];
+  for (size_t k = 0; k < b.regions.size(); ++k) {
+    const Range& r = b.regions[k];
+    const bool open = static_cast<int32_t>(k) < b.open_regions;
+    const int32_t per = b.element_nodes - 1, base = node_of(b, r.first, 0, per) - 1, n = (r.last - r.first + 1) * per;
+    for (int32_t i = 0; i < n + (open ? 1 : 0); ++i) {
+      const size_t here = index(2 * (base + i)), there = index(2 * (base + (open ? n - i : (n - i) % n)));
+      for (size_t c = 0; c < 2; ++c) q.xy[there + c] = static_cast<int>(c) == axis ? -b.xy[here + c] : b.xy[here + c];
     }
-    reflect_ends(b.ends, q.ends, r, f);
-    if (!b.second.empty()) reflect_ends(b.second, q.second, r, f);
+    reflect_ends(b.ends, q.ends, r, f, axis);
+    if (!b.second.empty()) reflect_ends(b.second, q.second, r, f, axis);
   }
   q.sides.clear(); // sides keep their numbers, elements do not
   for (const Range& s : b.sides) {
     const Range& r = region_of(b, s.first);
     q.sides.push_back({r.first + r.last - s.last, r.first + r.last - s.first});
   }
-  for (double* x : {&q.motion[0], &q.motion[2], &q.load[0], &q.load[2], &q.point[0], &q.force[0]}) *x = -*x;
+  for (double* x : {&q.motion[axis], &q.motion[2], &q.load[axis], &q.load[2], &q.point[axis], &q.force[axis]}) *x = -*x;
+  return q;
+}
+
+Model reflected_along(const Model& m, int axis) {
+  Model q = m;
+  for (Body& b : q.bodies) b = reflected_body(b, m.function_nodes, axis);
+  for (Zone& z : q.zones)
+    for (Side& s : z.side) {
+      const Range& r = region_of(m.body(s.body), s.first);
+      s.first = r.first + r.last - s.first, s.last = r.first + r.last - s.last;
+    }
+  for (PointLoad& l : q.point_loads)
+    for (double* x : {axis == 0 ? &l.x : &l.y, axis == 0 ? &l.fx : &l.fy}) *x = -*x;
+  for (Platen& p : q.platens) {
+    const Range& r = region_of(m.body(p.side.body), p.side.first);
+    const int32_t first = r.first + r.last - p.side.last;
+    p.side.last = r.first + r.last - p.side.first, p.side.first = first;
+    p.point[axis] = -p.point[axis];
+    for (double* v : {p.motion, p.load, p.second_motion, p.second_load}) v[axis] = -v[axis], v[2] = -v[2];
+  }
+  q.symmetry_at[axis] = -q.symmetry_at[axis];
   return q;
 }
 
 } // namespace
 
 Model reflected(const Model& m) {
-  Model q = m;
-  for (Body& b : q.bodies) b = reflected_body(b, m.function_nodes);
-  for (Zone& z : q.zones)
-    for (Side& s : z.side) {
-      const Range& r = region_of(m.body(s.body), s.first);
-      s.first = r.first + r.last - s.first, s.last = r.first + r.last - s.last;
+  for (const Body& b : m.bodies)
+    if (b.open_regions > 0) throw std::runtime_error("open curves are not reflected");
+  return reflected_along(m, 0);
+}
+Model upside_down(const Model& m) { return reflected_along(m, 1); }
+
+namespace {
+
+// The number of element e of its region when they are counted from another one, if the region is closed.
+int32_t counted_on(const Body& b, int32_t e, int32_t shift) {
+  bool open;
+  open_before(b, e, open);
+  const Range& r = region_of(b, e);
+  return open ? e : r.first + (e - r.first + shift) % (r.last - r.first + 1);
+}
+
+Body counted_anew(const Body& b, int32_t f, int32_t shift) {
+  Body q = b;
+  const int32_t per = b.element_nodes - 1;
+  for (int32_t e = 1; e <= b.elements(); ++e) {
+    const int32_t to = counted_on(b, e, shift);
+    for (int32_t k = 0; k < per; ++k)
+      for (int32_t c = 0; c < 2; ++c)
+        q.xy[index(2 * (node_of(b, to, k, per) - 1) + c)] = b.xy[index(2 * (node_of(b, e, k, per) - 1) + c)];
+    for (int32_t l = 0; l < f; ++l) {
+      q.ends[index((to - 1) * f + l)] = b.ends[index((e - 1) * f + l)];
+      if (!b.second.empty()) q.second[index((to - 1) * f + l)] = b.second[index((e - 1) * f + l)];
     }
-  for (PointLoad& l : q.point_loads) l.x = -l.x, l.fx = -l.fx;
-  for (Platen& p : q.platens) {
-    const Range& r = region_of(m.body(p.side.body), p.side.first);
-    const int32_t first = r.first + r.last - p.side.last;
-    p.side.last = r.first + r.last - p.side.first, p.side.first = first;
-    p.point[0] = -p.point[0];
-    for (double* v : {p.motion, p.load, p.second_motion, p.second_load}) v[0] = -v[0], v[2] = -v[2];
   }
-  return q;
+  return q; // its sides are no longer ranges
+}
+
+// False where the range could be read both ways.
+bool count_on(const Body& b, Side& side, int32_t shift) {
+  const int32_t count = std::abs(side.last - side.first) + 1, last = counted_on(b, side.last, shift);
+  side.first = counted_on(b, side.first, shift);
+  const bool whole = std::abs(last - side.first) + 1 == count;
+  const Range& r = region_of(b, last);
+  side.last = last, side.elements = whole ? 0 : count;
+  return whole || 2 * (count - 1) != r.last - r.first + 1;
+}
+
+} // namespace
+
+Model renumbered(const Model& m, int32_t shift) {
+  for (;; ++shift) {
+    Model q = m;
+    bool clear = true;
+    for (Body& b : q.bodies) b = counted_anew(b, m.function_nodes, shift);
+    for (Zone& z : q.zones)
+      for (Side& s : z.side) clear = count_on(m.body(s.body), s, shift) && clear;
+    for (Platen& p : q.platens) clear = count_on(m.body(p.side.body), p.side, shift) && clear;
+    if (clear) return q;
+  }
+}
+
+Model in_more_steps(Model m, int32_t times) {
+  for (Path& p : m.paths) p.increments *= times;
+  return m;
 }
 
 Model turned(Model m, double degrees) {
@@ -716,6 +815,7 @@ Model turned(Model m, double degrees) {
 }
 
 Model scaled(Model m, double length, double stress) {
+  const double force = stress * length * (m.plane == C2D_AXISYMMETRIC ? length : 1); // per thickness, or of the whole ring
   for (Body& b : m.bodies) {
     b.youngs_modulus *= stress;
     for (double& x : b.xy) x *= length;
@@ -724,19 +824,20 @@ Model scaled(Model m, double length, double stress) {
         for (int k = 0; k < 4; ++k) end.values[k] *= k < 2 ? stress : length;
     for (int c = 0; c < 2; ++c) {
       b.motion[c] *= length, b.point[c] *= length;
-      b.load[c] *= stress * length, b.force[c] *= stress / length;
+      b.load[c] *= force, b.force[c] *= stress / length;
     }
     b.spin *= stress / (length * length);
-    b.load[2] *= stress * length * length;
+    b.load[2] *= force * length;
   }
-  for (PointLoad& l : m.point_loads) l.x *= length, l.y *= length, l.fx *= stress * length, l.fy *= stress * length;
+  for (PointLoad& l : m.point_loads) l.x *= length, l.y *= length, l.fx *= force, l.fy *= force;
   for (Platen& p : m.platens) {
     for (int c = 0; c < 2; ++c) {
       p.point[c] *= length, p.motion[c] *= length, p.second_motion[c] *= length;
-      p.load[c] *= stress * length, p.second_load[c] *= stress * length;
+      p.load[c] *= force, p.second_load[c] *= force;
     }
-    p.load[2] *= stress * length * length, p.second_load[2] *= stress * length * length;
+    p.load[2] *= force * length, p.second_load[2] *= force * length;
   }
+  for (double& at : m.symmetry_at) at *= length;
   return m;
 }
 
@@ -779,10 +880,11 @@ Motion motion_in(const Row& a, const Row& b, const Mapping& map) {
   return m;
 }
 
-std::vector<const Step*> recorded(const Result& r) {
+std::vector<const Step*> recorded(const Result& r, int32_t every = 1) {
   std::vector<const Step*> out;
+  int32_t count = 0;
   for (const Step& s : r.steps)
-    if (s.kind != C2D_STEP_CHANGE) out.push_back(&s);
+    if (s.kind != C2D_STEP_CHANGE && ++count % every == 0) out.push_back(&s);
   return out;
 }
 
@@ -806,15 +908,16 @@ void compare_rows(const Row& a, const Row& b, const Mapping& map, Sizes& size) {
 }
 
 Sizes compare(const Result& a, const Result& b, const Mapping& map) {
-  const std::vector<const Step*> x = recorded(a), y = recorded(b);
+  const std::vector<const Step*> x = recorded(a), y = recorded(b, map.every);
   if (x.empty() || x.size() != y.size())
     throw std::runtime_error("different numbers of steps: " + std::to_string(x.size()) + " and " + std::to_string(y.size()) +
                              "\n" + a.messages() + b.messages());
   Sizes size;
+  size.p = map.least.pressure, size.u = map.least.displacement, size.energy = map.least.energy;
   for (size_t i = 0; i < x.size(); ++i) {
     if (x[i]->rows.size() != y[i]->rows.size()) throw std::runtime_error("different numbers of pairs");
     for (const Row& row : x[i]->rows) compare_rows(row, partner(row, *y[i], map), map, size);
-    const double unit = map.stress * map.length * map.length;
+    const double unit = map.stress * std::pow(map.length, map.dimensions);
     const double from[3] = {x[i]->work, x[i]->dissipated, x[i]->elastic}, to[3] = {y[i]->work, y[i]->dissipated, y[i]->elastic};
     for (int k = 0; k < 3; ++k) {
       size.energy = std::max(size.energy, std::fabs(from[k]));
@@ -832,17 +935,49 @@ double status_differences(const Result& a, const Result& b, const Mapping& map) 
 // ---- laws
 
 namespace {
-// Magnitudes of the tractions along a body, summed.
+// Magnitudes of the tractions along a body, summed; of a body of revolution, all round.
 double pull_on(const Model& m, const std::vector<EndResult>& ends) {
   const size_t f = index(m.function_nodes);
   double sum = 0;
   for (size_t e = 0; e + f <= ends.size(); e += f) {
     const EndResult &one = ends[e], &two = ends[e + f - 1];
-    sum += 0.5 * (std::hypot(one.tx, one.ty) + std::hypot(two.tx, two.ty)) * std::hypot(two.x - one.x, two.y - one.y);
+    const double round = m.plane == C2D_AXISYMMETRIC ? std::acos(-1.0) * (one.x + two.x) : 1;
+    sum += 0.5 * (std::hypot(one.tx, one.ty) + std::hypot(two.tx, two.ty)) * std::hypot(two.x - one.x, two.y - one.y) * round;
   }
   return sum;
 }
+
+struct Largest {
+  double p = 0, u = 0; // tractions and displacements of pairs
+};
+Largest largest_of(const Result& r) {
+  Largest out;
+  for (const Step& s : r.steps)
+    for (const Row& row : s.rows) {
+      out.p = std::max(out.p, larger(row[C2D_TN], row[C2D_TT]));
+      out.u = std::max({out.u, larger(row[C2D_UN1], row[C2D_UT1]), larger(row[C2D_UN2], row[C2D_UT2])});
+    }
+  return out;
+}
+
+// Does something of this component pass through a line of symmetry or the axis, which is not among the results?
+bool is_open(const Model& m, int k) {
+  if (m.plane == C2D_AXISYMMETRIC && k != 1) return true;
+  return k == 2 ? m.symmetry != 0 : (m.symmetry >> k & 1) != 0;
+}
 } // namespace
+
+Least least_sizes(const Model& m, const Result& r) {
+  double stiff = 0;
+  for (const Body& b : m.bodies)
+    if (b.rigid == 0) stiff = std::max(stiff, b.youngs_modulus);
+  Least out;
+  out.displacement = 1e-7 * m.scale();
+  const double u = std::max(largest_of(r).u, out.displacement);
+  out.pressure = 1e-4 * stiff * u / m.scale();
+  out.energy = out.pressure * u * std::pow(m.scale(), m.plane == C2D_AXISYMMETRIC ? 2 : 1);
+  return out;
+}
 
 double imbalance(const Model& m, const Result& r) {
   double force = 0, worst = 0;
@@ -850,11 +985,12 @@ double imbalance(const Model& m, const Result& r) {
   for (const c2d_body_result& b : r.bodies)
     force = std::max({force, std::hypot(b.applied[0], b.applied[1]), std::hypot(b.contact[0], b.contact[1])});
   for (const std::vector<EndResult>& ends : r.boundary) force = std::max(force, pull_on(m, ends));
+  const double pressure =
+      1e-2 * std::max(largest_of(r).p, least_sizes(m, r).pressure); // forces that were there before the loads went back to zero
+  force = std::max(force, pressure * arm * (m.plane == C2D_AXISYMMETRIC ? arm : 1));
   for (const c2d_body_result& b : r.bodies)
-    for (int k = 0; k < 3; ++k) {
-      if (k == 2 ? m.symmetry != 0 : (m.symmetry >> k & 1) != 0) continue; // what passes through the lines is not told
-      worst = std::max(worst, std::fabs(b.applied[k] + b.contact[k]) / (k == 2 ? arm : 1));
-    }
+    for (int k = 0; k < 3; ++k)
+      if (!is_open(m, k)) worst = std::max(worst, std::fabs(b.applied[k] + b.contact[k]) / (k == 2 ? arm : 1));
   return force > 0 ? worst / force : worst;
 }
 
@@ -868,13 +1004,9 @@ std::string fault(const Step& s, const Row& row, const char* what, double value)
 } // namespace
 
 std::string breach(const Model& m, const Result& r, double tolerance) {
-  double p = 0, u = 0;
-  for (const Step& s : r.steps)
-    for (const Row& row : s.rows) {
-      p = std::max(p, larger(row[C2D_TN], row[C2D_TT]));
-      u = std::max({u, larger(row[C2D_UN1], row[C2D_UT1]), larger(row[C2D_UN2], row[C2D_UT2])});
-    }
-  p *= tolerance, u *= tolerance;
+  const Largest largest = largest_of(r);
+  const Least least = least_sizes(m, r);
+  const double p = tolerance * std::max(largest.p, least.pressure), u = tolerance * std::max(largest.u, least.displacement);
   for (const Step& s : r.steps)
     for (const Row& row : s.rows) {
       const size_t zone = index(static_cast<int32_t>(row[C2D_PAIR_ZONE]) - 1);

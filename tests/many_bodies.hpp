@@ -164,8 +164,8 @@ private:
 };
 
 Result solve(const Model& model, int32_t stepping = C2D_STEPPING_EVENTS);
-// A deck of the model, in free form, of one load case. Matching zones are numbered before free ones: order[i - 1] is the
-// model's number of the deck's zone i.
+// A deck of the model, in free form, without cycles; load factors as long as they are, platens in place. Matching zones are
+// numbered before free ones: order[i - 1] is the model's number of the deck's zone i.
 std::string deck_of(const Model& model, const std::string& title, std::vector<int32_t>& order);
 Result solve_deck(const std::string& text);
 c2d_status feed(c2d_solver* solver, const Model& model); // the calls of section 5
@@ -179,22 +179,37 @@ Model rough(int32_t pairs);
 Model with_bodies_in_order(const Model& model, const std::vector<int32_t>& order); // new number i is old body order[i - 1]
 Model with_zones_in_order(const Model& model, const std::vector<int32_t>& order);
 Model with_swapped_sides(Model model, int32_t zone);
-Model reflected(const Model& model); // x -> -x
+Model reflected(const Model& model);   // x -> -x
+Model upside_down(const Model& model); // y -> -y
+// The elements of closed curves counted from another one, `shift` or a little more behind the first.
+Model renumbered(const Model& model, int32_t shift);
+Model in_more_steps(Model model, int32_t times); // every path in so many times as many increments
 Model turned(Model model, double degrees);
 Model scaled(Model model, double length, double stress);
 
 // Largest differences over all recorded steps of the pressures, the displacements, the gaps and the slips, each relative to the
 // largest of its kind (gaps and slips: displacement). `b` is the result of a model that was made from that of `a`: zone[i - 1]
 // is the number there of zone i, and place maps a's points to b's. Energies and balance are compared as well.
+struct Least { // sizes below which there is nothing but round-off
+  double pressure = 0, displacement = 0, energy = 0;
+};
+// That of motions against the bodies' sizes, and of their stiffness where they move without a load.
+Least least_sizes(const Model& model, const Result& result);
 struct Mapping {
   std::vector<int32_t> zone; // empty: the same
   test::Callable<void(double& x, double& y)> place;
   double tangential = 1, length = 1, stress = 1;
+  int32_t dimensions = 2; // 3: energies are those of whole bodies of revolution
+  Least least;            // of a's sizes
+  int32_t every = 1;      // only every so many-th recorded step of b has one of a
 };
 double difference(const Result& a, const Result& b, const Mapping& map = Mapping());
 double status_differences(const Result& a, const Result& b, const Mapping& map = Mapping());
 
 // ---- laws
+// Bodies that move without a load leave round-off of their stiffness in the place of pressures: a size below which there are
+// none.
+double least_pressure(const Model& model, const Result& result);
 // Of every body: |applied + contact| over the largest force on a body, added up along its boundary (moments: times the largest
 // coordinate).
 double imbalance(const Model& model, const Result& result);

@@ -32,9 +32,11 @@ TEST_BATCHES  := $(call test_batches,$(TEST_SOURCES))
 PROOF_BATCHES := $(call test_batches,$(PROOF_TESTS))
 SUPPORT_OBJECTS := $(TEST_SUPPORT:tests/%.cpp=$(BUILD)/tests/%.o)
 # Of other folders, what a file of tests includes: judges of random decks, the campaign of faults, the fuzzed functions, chapter 9.
-RANDOM_USERS := $(shell grep -l '^\#include "random/' tests/test_*.cpp)
+RANDOM_USERS := $(shell grep -l '^\#include "random/[^r]' tests/test_*.cpp)
+REVOLVED_USERS := $(shell grep -l '^\#include "random/revolved_bodies' tests/test_*.cpp)
 FAULTS_USERS := $(shell grep -l '^\#include "faults/[cd]' tests/test_*.cpp)
-judges_of = $(if $(filter $(RANDOM_USERS),$(1)),$(RANDOM_JUDGE)) $(if $(filter $(FAULTS_USERS),$(1)),$(FAULTS_JUDGE)) \
+judges_of = $(if $(filter $(RANDOM_USERS),$(1)),$(RANDOM_JUDGE)) $(if $(filter $(REVOLVED_USERS),$(1)),$(REVOLVED_JUDGE)) \
+  $(if $(filter $(FAULTS_USERS),$(1)),$(FAULTS_JUDGE)) \
   $(if $(filter tests/test_fuzz.cpp,$(1)),$(FUZZ_OBJECTS)) $(if $(filter tests/test_chapter9.cpp,$(1)),$(STUDY_OBJECT))
 TEST_OBJECTS  := $(SUPPORT_OBJECTS) $(call test_objects,$(TEST_BATCHES)) $(call judges_of,$(TEST_SOURCES))
 PROOF_OBJECTS := $(SUPPORT_OBJECTS) $(call test_objects,$(PROOF_BATCHES)) $(call judges_of,$(PROOF_TESTS))

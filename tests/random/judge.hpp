@@ -6,7 +6,8 @@
 
 namespace random_decks {
 
-enum class Kind { any, few_pairs, lifted, symmetric, three, resumed }; // the last two: three_bodies.hpp, resumed.hpp
+// The last three: three_bodies.hpp, revolved_bodies.hpp, resumed.hpp.
+enum class Kind { any, few_pairs, lifted, symmetric, three, revolved, resumed };
 
 struct Verdict {
   std::string title;
@@ -16,6 +17,7 @@ struct Verdict {
   double load = 0;                                  // reached
   double seconds = 0;                               // of the deck alone
   bool not_unique = false, undefined_place = false; // said so
+  bool unstressed = false;                          // of many bodies: nothing is pressed or bent
   bool tried = false;                               // all statuses
   bool unlike_its_image = false;                    // a symmetric model's state, where that is said
   int32_t other_choices = 0;                        // of equivalent forms, where that is said

@@ -1,9 +1,10 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
-//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|resume|punch]
+//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|revolved|resume|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
 #include "children.hpp"
 #include "judge.hpp"
 #include "resumed.hpp"
+#include "revolved_bodies.hpp"
 #include "spence.hpp"
 #include "three_bodies.hpp"
 
@@ -38,11 +39,15 @@ void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   Verdict v;
   try {
-    v = kind == Kind::three ? judge_three(seed) : kind == Kind::resumed ? judge_resumed(seed) : judge(kind, seed);
+    v = kind == Kind::three      ? judge_three(seed)
+        : kind == Kind::revolved ? judge_revolved(seed)
+        : kind == Kind::resumed  ? judge_resumed(seed)
+                                 : judge(kind, seed);
   } catch (const std::exception& e) {
     v.findings.push_back(std::string("the judge stopped: ") + e.what());
   }
   say(out, "count", "decks: " + outcome_of(v));
+  if (v.unstressed) say(out, "count", "without stress");
   if (v.tried) say(out, "count", "all statuses tried");
   if (v.not_unique) say(out, "count", "said to be not unique");
   if (v.not_unique && v.unlike_its_image) say(out, "count", "not unique, and not symmetric");
@@ -82,12 +87,13 @@ int main(int argc, char** argv) {
   const std::string folder = argc > 3 ? argv[3] : ".";
   const std::string name = argc > 4 ? argv[4] : "any";
   if (name == "punch") return run_punches();
-  const Kind kind = name == "few"      ? Kind::few_pairs
-                    : name == "lift"   ? Kind::lifted
-                    : name == "mirror" ? Kind::symmetric
-                    : name == "three"  ? Kind::three
-                    : name == "resume" ? Kind::resumed
-                                       : Kind::any;
+  const Kind kind = name == "few"        ? Kind::few_pairs
+                    : name == "lift"     ? Kind::lifted
+                    : name == "mirror"   ? Kind::symmetric
+                    : name == "three"    ? Kind::three
+                    : name == "revolved" ? Kind::revolved
+                    : name == "resume"   ? Kind::resumed
+                                         : Kind::any;
   Tally tally;
   random_work::Work work;
   work.judge = [&](uint64_t seed, FILE* out) { judge_one(kind, seed, folder, out); };

@@ -1,6 +1,7 @@
 # make random N=1000 SEED=1: random decks, judged (tests/random/judge.hpp). Those that fail are left in build/random, each
 # named after its seed. KIND=few: few pairs, all their statuses tried. KIND=lift: lifted off and put back. KIND=mirror:
-# symmetric bodies. KIND=three: three bodies. KIND=resume: runs that are ended and taken up. KIND=punch: the 84 punches of Spence.
+# symmetric bodies. KIND=three: three bodies. KIND=revolved: bodies of revolution. KIND=resume: runs that are ended and taken up.
+# KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
 # build/estimate. ELEMENTS and SECONDS are the limits of each. KIND=revolved: bodies of revolution.
 #: make random                      random decks with independent checks (N=, SEED=, KIND=)
@@ -13,6 +14,7 @@ SECONDS ?= 10
 KIND ?= any
 RANDOM_SOURCES := $(wildcard tests/random/*.cpp)
 RANDOM_OBJECTS := $(patsubst tests/random/%.cpp,$(BUILD)/tests/random_%.o,$(RANDOM_SOURCES))
+REVOLVED_JUDGE := $(BUILD)/tests/random_judged_bodies.o $(BUILD)/tests/random_revolved_bodies.o
 RANDOM_JUDGE := $(filter-out %/random_main.o %/random_main_sketches.o,$(RANDOM_OBJECTS))
 SKETCH_JUDGE := $(filter %/random_children.o %/random_sketches.o %/random_sketch_pen.o %/random_sketch_judge.o,$(RANDOM_OBJECTS))
 $(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags

@@ -1,10 +1,9 @@
 #include "three_bodies.hpp"
 
 #include "../dice.hpp"
+#include "judged_bodies.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace random_decks {
 
@@ -162,106 +161,30 @@ Three generate_three(uint64_t seed, std::string& title) {
   return a.m;
 }
 
-// ---- the judge
+// ---- the same, told otherwise
 
 namespace {
 
-struct Findings {
-  Verdict& v;
-  void say(const std::string& what, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, " (%.3g)", value);
-    v.findings.push_back(what + text);
-  }
-  void most(const std::string& what, double value, double limit) {
-    if (!(value <= limit)) say(what, value);
-  }
-};
-
-// Friction gives no energy back; work is what is stored and dissipated, but for the error of meshes as coarse as these.
-void check_energies(Findings& f, const Result& r) {
-  double before = 0, size = 0;
-  for (const Step& s : r.steps) size = std::max({size, std::fabs(s.work), s.elastic, s.dissipated});
-  for (const Step& s : r.steps) {
-    f.most("friction gives energy back", before - s.dissipated, 1e-9 * size);
-    before = s.dissipated;
-  }
-  f.most("energies", std::fabs(r.last().defect), 0.1);
-}
-
-bool was_told(const Result& r, int32_t warning) {
-  for (const c2d_error& e : r.told)
-    if (e.status == warning) return true;
-  return false;
-}
-
-void check_form(Findings& f, const std::string& what, const Result& r, const Three& other, const Mapping& map = Mapping()) {
-  const Result s = solve(other);
-  if (s.status != r.status) return f.say(what + ": another status of the call", s.status);
-  if (r.status != C2D_OK) return;
-  if (s.outcome != r.outcome) return f.say(what + ": another outcome", s.outcome);
-  if (s.steps.size() != r.steps.size()) return f.say(what + ": another number of steps", static_cast<double>(s.steps.size()));
-  if (!r.steps.empty()) f.most(what + ": other results", difference(r, s, map), 1e-8);
-}
-
-void check_forms(Findings& f, const Three& m, const Result& r) {
-  for (const std::vector<int32_t>& order : {std::vector<int32_t>{3, 1, 2}, {2, 1, 3}, {3, 2, 1}})
-    check_form(f, "bodies in another order", r, with_bodies_in_order(m, order));
-  std::vector<int32_t> order;
-  Mapping zones;
-  for (size_t i = m.zones.size(); i > 0; --i)
-    order.push_back(static_cast<int32_t>(i)), zones.zone.push_back(static_cast<int32_t>(i));
-  check_form(f, "zones in another order", r, with_zones_in_order(m, order), zones);
-  Mapping mirror;
-  mirror.tangential = -1;
-  mirror.place = [](double& x, double&) { x = -x; };
-  check_form(f, "mirror", r, reflected(m), mirror);
-  Mapping turn;
-  turn.place = [](double& x, double& y) {
+std::vector<BodyForm> forms_of_three(const Three& m) {
+  std::vector<BodyForm> forms = common_forms(m);
+  BodyForm mirror = {"mirror", reflected(m), Mapping()};
+  mirror.map.tangential = -1;
+  mirror.map.place = [](double& x, double&) { x = -x; };
+  BodyForm turn = {"turned", turned(m, 37), Mapping()};
+  turn.map.place = [](double& x, double& y) {
     const double angle = 37 * std::acos(-1.0) / 180, old = x;
     x = std::cos(angle) * old - std::sin(angle) * y, y = std::sin(angle) * old + std::cos(angle) * y;
   };
-  check_form(f, "turned", r, turned(m, 37), turn);
-  Mapping units;
-  units.length = 0.37, units.stress = 1e3;
-  units.place = [](double& x, double& y) { x *= 0.37, y *= 0.37; };
-  check_form(f, "other units", r, scaled(m, 0.37, 1e3), units);
+  forms.push_back(mirror), forms.push_back(turn);
+  return forms;
 }
 
 } // namespace
 
 Verdict judge_three(uint64_t seed) {
   Verdict v;
-  Findings f{v};
   const Three m = generate_three(seed, v.title);
-  std::vector<int32_t> order;
-  v.deck = deck_of(m, v.title, order);
-  const clock_t start = clock();
-  const Result r = solve(m);
-  v.seconds = static_cast<double>(clock() - start) / CLOCKS_PER_SEC;
-  v.status = r.status, v.outcome = r.outcome, v.load = r.summary.load;
-  v.not_unique = was_told(r, C2D_WARN_NOT_UNIQUE), v.undefined_place = was_told(r, C2D_WARN_UNDEFINED_PLACE);
-  if (r.status != C2D_OK) v.findings.push_back("refused: " + r.messages());
-  if (r.status == C2D_OK && r.outcome == C2D_REACHED) {
-    f.most("a body is not in balance", imbalance(m, r), 1e-10);
-    f.most("residual", r.summary.max_residual, 1e-9);
-    check_energies(f, r);
-  }
-  Result reached = r; // where a path cannot begin ties are told as open
-  while (!reached.steps.empty() && reached.last().outcome != C2D_REACHED) reached.steps.pop_back();
-  const std::string law = breach(m, reached);
-  if (!law.empty()) v.findings.push_back("a law: " + law);
-  if (v.not_unique || v.undefined_place) return v; // other forms may choose otherwise
-  check_forms(f, m, r);
-  if (r.status != C2D_OK) return v;
-  Mapping by_deck;
-  by_deck.zone.resize(order.size());
-  for (size_t i = 0; i < order.size(); ++i) by_deck.zone[static_cast<size_t>(order[i] - 1)] = static_cast<int32_t>(i) + 1;
-  const Result deck = solve_deck(v.deck);
-  if (deck.status != C2D_OK)
-    v.findings.push_back("the deck is refused: " + deck.messages());
-  else if (deck.steps.size() == r.steps.size() && !r.steps.empty())
-    f.most("by a deck: other results", difference(r, deck, by_deck), 1e-9);
+  judge_bodies(v, m, forms_of_three(m));
   return v;
 }
 
