@@ -114,7 +114,67 @@ estimate::Trial tied(double force, double moment) {
   return out;
 }
 
+struct Slipping {
+  int pairs;
+  double dissipated;
+  bool turn;
+};
+// Two bodies in contact along twenty elements; so many pairs slip in each state.
+estimate::Trial slipping(const std::vector<Slipping>& history) {
+  constexpr int kElements = 20;
+  estimate::Trial out;
+  out.nodes = 2;
+  out.lengths = {std::vector<double>(kElements, 0.1), std::vector<double>(kElements, 0.1)};
+  out.stiffness = {100, 100}, out.across = {0, 0};
+  out.zones = {{{{0, 0, kElements - 1}, {1, 0, kElements - 1}}}};
+  out.tied = {0};
+  for (const Slipping& now : history) {
+    estimate::State state;
+    state.turn = now.turn, state.loads = {1}, state.work = 1, state.dissipated = now.dissipated;
+    state.ends.resize(2);
+    for (auto& body : state.ends)
+      for (auto& field : body) field.assign(2 * kElements, 0.0);
+    for (int e = 0; e < kElements; ++e)
+      for (auto& body : state.ends) body[estimate::kStatus][static_cast<size_t>(2 * e)] = e < now.pairs ? C2D_SLIP : C2D_STICK;
+    for (const int32_t zone : {1, 0}) {
+      app::Quantity q;
+      q.what = app::Measure::kDissipated, q.zone = zone, q.value = now.dissipated;
+      state.quantities.push_back(q);
+    }
+    out.states.push_back(state);
+  }
+  return out;
+}
+
+// The stated error of what friction dissipated, of the zone and of all.
+std::vector<double> errors_of_slip(const std::vector<Slipping>& history, double coarse) {
+  std::vector<Slipping> other = history;
+  other.back().dissipated = coarse;
+  std::vector<double> out;
+  for (const app::Stated& s : estimate::state_numbers(slipping(other), slipping(history), {{}, {1e-6}, 0, {0}}, nullptr))
+    if (s.what == app::Measure::kDissipated) out.push_back(s.error);
+  return out;
+}
+
 } // namespace
+
+TEST_CASE("estimate: what friction dissipates is as uncertain as few slipping pairs make it") {
+  const auto check = [&](const std::vector<Slipping>& history, double coarse, double error) {
+    const std::vector<double> found = errors_of_slip(history, coarse);
+    REQUIRE(found.size() == 2);
+    for (size_t i = 0; i < 2; ++i) CHECK(std::fabs(found[i] - error) <= 1e-6);
+  };
+  check({{3, 0.1, true}}, 0.0999, 0.1 * 6 / 9);
+  check({{2, 0.1, true}}, 0.0999, 0.1);             // not more than there is
+  check({{20, 0.1, true}}, 0.0999, 0.1 * 6 / 400);  // many pairs
+  check({{20, 0.1, true}}, 0.09, 0.02);             // and meshes that differ
+  check({{3, 0.1, false}, {6, 0.4, true}}, 0.4, 0); // two meshes that do not: given by the loads
+  check({{3, 0.1, false}, {6, 0.4, true}}, 0.399, 0.1 * 6 / 9 + 0.3 / 6);
+  check({{0, 0.1, false}, {6, 0.4, true}}, 0.399, 0.4 / 6); // stuck between turns
+  check({{4, 0.1, true}, {8, 0.3, true}}, 0.299, 0.1 * 6 / 16 + 0.2 * 6 / 64);
+  for (const double error : errors_of_slip({{0, 0.1, true}}, 0)) CHECK(std::isnan(error)); // no pair was seen to slip
+  check({{0, 0.1, true}}, 0.0999, 2e-4);                                                   // on neither mesh, and both agree
+}
 
 TEST_CASE("estimate: forces and moments that are nothing but round-off are compared with what counts") {
   const estimate::Distance none{{}, {0}, 0, {0}};
