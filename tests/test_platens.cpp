@@ -517,8 +517,8 @@ TEST_CASE("platens: forces hold nothing, given motions do") {
   }
 }
 
-// All that the tied tractions do is a rigid motion: what is left of the equations that the state is judged by is round-off, which
-// must not be compared with itself.
+// All that the tied tractions do is a rigid motion: what is left of the equations that the state is judged by is round-off,
+// which must not be compared with itself.
 TEST_CASE("platens: a square of four elements, nu = 0, is pulled evenly") {
   for (const double high : {1.0, 0.7, 3.0}) {
     CAPTURE(high);
