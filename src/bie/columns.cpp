@@ -45,6 +45,14 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
     }
 }
 
+// Are values prescribed here that go to the right-hand sides of the panel?
+bool has_values(const ElementTargets& t, int function_nodes) {
+  bool known = false;
+  for (int l = 0; l < function_nodes; ++l)
+    for (int c = 0; c < 2; ++c) known = known || t.h[l][c].known || t.g[l][c].known;
+  return known;
+}
+
 } // namespace
 
 void add_element(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, const ElementTargets& t,
@@ -67,11 +75,12 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
     }
   // The first load case shares the pass over the sources with the unknowns. Of further ones each has a pass of its own; where
   // there are many, as many share one as the list of deposits has room for. (Few have the digits that they always had.)
-  const int32_t cases = panel.range.has_right() ? m.head->load_cases : 0;
-  const bool many = !kSmallCode && cases > kManyCases, shared = t.shared;
+  const int32_t first = panel.range.first_case(), cases = kSmallCode || has_values(t, nf) ? panel.range.end_case() : 0;
+  const bool many = !kSmallCode && m.head->load_cases > kManyCases, shared = t.shared;
   for (int32_t next = 0; next == 0 || next < cases; deposits.count = 0) {
-    if (cases > 0) aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
+    if (next < cases) aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
     const bool alone = next++ == 0 || !many;
+    if (next < first) next = first;
     for (; !alone && next < cases && deposits.count <= kMostDeposits - 4 * nf; ++next)
       aim_right_hand_side(panel, element, t, next, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
@@ -149,8 +158,9 @@ void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
     if (!hole) add_balance(system, panel, element, targets, Measure::contact, balance);
   }
   for (int32_t i = 0; i < m.head->point_loads && panel.range.has_right(); ++i)
-    if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k)
+    if (m.point_load[i].body == b && panel.column(panel.range.right + m.point_load[i].load_case))
+      add_point_load(system, hole, panel, m.point_load[i]);
+  for (int32_t k = panel.range.first_case(); k < panel.range.end_case() && has_body_force(m, b); ++k)
     kBodyForcePart.add_body_force_columns(system, hole, panel, k);
 }
 

@@ -27,8 +27,8 @@ struct Panel {
   template <class Value> void send(const Destination& d, int32_t row, double integral, Value value) const {
     for (const Target& target : d.target)
       if (target.column >= 0) add(row, target.column, target.factor * integral);
-    if (!d.known || !range.has_right()) return;
-    for (int32_t k = 0; k < m.head->load_cases; ++k)
+    if (!d.known) return;
+    for (int32_t k = range.first_case(); k < range.end_case(); ++k)
       if (const double given = value(k); given != 0.0) add(row, range.right + k, given * integral);
   }
   void send_h(const Destination& d, int32_t node, int c, int32_t row, double integral) const {

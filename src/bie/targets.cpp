@@ -36,24 +36,25 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
   return out;
 }
 
-// A component at a local node of an element.
-struct Place {
-  int b;
-  int32_t element, node;
-  int l, component;
+// What load cases of the range prescribe on an element that is not zero. Case by case, because the values of one lie together.
+struct Given {
+  bool h[kElementNodes][2], g[kElementNodes][2];
 };
+void find_given(const Model& m, int b, int32_t element, const Range& range, const int32_t node[kElementNodes], Given& out) {
+  const int nf = m.head->function_nodes;
+  for (int l = 0; l < nf; ++l)
+    for (int c = 0; c < 2; ++c) out.h[l][c] = out.g[l][c] = false;
+  for (int32_t k = range.first_case(); k < range.end_case(); ++k)
+    for (int l = 0; l < nf; ++l)
+      for (int c = 0; c < 2; ++c) {
+        out.h[l][c] |= given_displacement(m, b, node[l], c, k) != 0.0;
+        out.g[l][c] |= given_traction(m, b, element * nf + l, c, k) != 0.0;
+      }
+}
 
 // Does anything of this destination fall into the range? A prescribed value must also differ from zero in some load case.
-bool wanted(const Model& m, const Destination& d, const Range& range, const Place& at, bool traction) {
-  if (range.contains(d.target[0].column) || range.contains(d.target[1].column)) return true;
-  if (!d.known || !range.has_right()) return false;
-  for (int32_t k = 0; k < m.head->load_cases; ++k) {
-    if (!range.contains(range.right + k)) continue;
-    const double value = traction ? known_traction(m, at.b, at.element, at.l, at.component, k)
-                                  : known_displacement(m, at.b, at.node, at.component, k);
-    if (value != 0.0) return true;
-  }
-  return false;
+bool wanted(const Destination& d, const Range& range, bool given) {
+  return range.contains(d.target[0].column) || range.contains(d.target[1].column) || (d.known && given);
 }
 
 } // namespace
@@ -96,18 +97,19 @@ void aim(const Model& m, int b, int32_t element, const Range& range, ElementTarg
   for (int l = 0; l < m.head->function_nodes && !concerned; ++l)
     concerned = concerns(m, b, functional_node(m, b, element, l), range);
   if (!concerned) return;
+  for (int l = 0; l < m.head->function_nodes; ++l) out.node[l] = functional_node(m, b, element, l);
+  Given given;
+  find_given(m, b, element, range, out.node, given);
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    const int32_t node = functional_node(m, b, element, l);
-    out.node[l] = node;
+    const int32_t node = out.node[l];
     const PairSide contact = pair_of_end(m, b, element, l);
     Unknown unknown[2];
     unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c) {
       Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown[c]);
       Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown[c], contact);
-      const Place at{b, element, node, l, c};
       out.shared = out.shared || goes_to_two(h) || goes_to_two(g);
-      const bool want_h = wanted(m, h, range, at, false), want_g = wanted(m, g, range, at, true);
+      const bool want_h = wanted(h, range, given.h[l][c]), want_g = wanted(g, range, given.g[l][c]);
       if (!want_h) h = nowhere();
       if (!want_g) g = nowhere();
       out.want_h = out.want_h || want_h;

@@ -20,6 +20,9 @@ struct Range { // the columns wanted, and the first right-hand side
   int32_t first, last, right;
   bool contains(int32_t column) const { return column >= first && column < last; }
   bool has_right() const { return last > right; }
+  // The load cases whose right-hand sides are in it: first_case() ... end_case() - 1.
+  int32_t first_case() const { return first > right ? first - right : 0; }
+  int32_t end_case() const { return has_right() ? last - right : 0; }
 };
 
 struct ElementTargets {

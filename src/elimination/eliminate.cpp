@@ -499,18 +499,18 @@ struct Products {
       for (int32_t j = 0; j < columns; ++j) dots(n, data + j * ld, count, f, sum[j]);
       return;
     }
-    Real* const packed = tiles.room + static_cast<int64_t>(rows) * kFunctionalsAtOnce;
+    Real* const packed = tiles.room + static_cast<int64_t>(rows) * tiles.lanes;
     kernel->to_rows(n, data, ld, packed);
     for (int32_t j = 0; j < columns; ++j)
       for (int32_t k = 0; k < kFunctionalsAtOnce; ++k) sum[j][k] = 0;
     for (int32_t k = 0; k < count; k += kernel->rows)
-      kernel->tile(n, tiles.room + k, kFunctionalsAtOnce, packed, sum[0] + k, kFunctionalsAtOnce);
+      kernel->tile(n, tiles.room + k, tiles.lanes, packed, sum[0] + k, kFunctionalsAtOnce);
     for (int32_t j = 0; j < columns; ++j)
       for (int32_t k = 0; k < count; ++k) sum[j][k] = -sum[j][k];
   }
   // f[k][i] is known.
   void keep(int32_t k, int32_t i) const {
-    if (!kSmallCode && tiles.kernel) tiles.room[static_cast<int64_t>(i) * kFunctionalsAtOnce + k] = f[k][i];
+    if (!kSmallCode && tiles.kernel) tiles.room[static_cast<int64_t>(i) * tiles.lanes + k] = f[k][i];
   }
 };
 
@@ -539,7 +539,7 @@ c2d_status transposed_functionals(const EliminationPlan& uncut, Tapes& tapes, in
     return C2D_OK;
   }
   Products products = {tiles, count, plan.pivots, f, {}};
-  for (int64_t i = 0; i < plan.pivots * int64_t{kFunctionalsAtOnce} && !kSmallCode && tiles.kernel; ++i) tiles.room[i] = 0;
+  for (int64_t i = 0; i < plan.pivots * int64_t{tiles.lanes} && !kSmallCode && tiles.kernel; ++i) tiles.room[i] = 0;
   const int32_t width = !kSmallCode && tiles.kernel ? tiles.kernel->cols : 1;
   Buffers buffers = make_buffers(uncut, tapes, work, back_step(uncut));
   Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + (w != nullptr ? plan.trailing : 0));

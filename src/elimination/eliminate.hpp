@@ -71,14 +71,16 @@ c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real
 // The same of several functionals in one pass: f[i], w[i] of each. With `tiles` their sums are formed by its kernel; their last
 // digits are then those of its instruction set.
 struct FunctionalTiles {
-  const Kernel* kernel; // null: none; kFunctionalsAtOnce is a multiple of its rows, and its tiles are at most kWidestTile wide
-  Real* room;           // functional_tiles(pivots)
+  const Kernel* kernel; // null: none; its tiles are at most kWidestTile wide
+  Real* room;           // functional_tiles(lanes, pivots)
+  int32_t lanes;        // at least as many as there are functionals, a multiple of the kernel's rows
 };
-constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 24; // whole tiles of every kernel
+constexpr int32_t kTiledFunctionals = 24; // whole tiles of every kernel
+constexpr int32_t kFunctionalsAtOnce = kSmallCode ? 1 : 4 * kTiledFunctionals;
 c2d_status transposed_functionals(const EliminationPlan& plan, Tapes& tapes, int32_t count, Real* const* f, Real* const* w,
-                                  void* work, const FunctionalTiles& tiles = {nullptr, nullptr});
+                                  void* work, const FunctionalTiles& tiles = {});
 // Numbers: all functionals, entry by entry, and beside them as many columns of the factors as a tile is wide.
 constexpr int32_t kWidestTile = 8;
-inline int64_t functional_tiles(int64_t pivots) { return pivots * (kFunctionalsAtOnce + kWidestTile); }
+inline int64_t functional_tiles(int32_t lanes, int64_t pivots) { return pivots * (lanes + kWidestTile); }
 
 } // namespace c2d

@@ -121,9 +121,8 @@ void begin_component(Session& session, int b, const Part& part, int c, const Wor
   for (int32_t k = 0; k < m.head->load_cases; ++k) out.of_loads[c][k] = 0.0;
   for (int32_t j = 0; j < m.body[b].contact; ++j) work.own[j] = 0;
   for (int32_t j = 0; j < outer_columns(m, b); ++j) work.outer[j] = 0;
-  Adjoint a{&session, b, nullptr, nullptr, out.of_loads[c], nullptr, work.own, work.outer, work.coefficient, {},
-            false,    0, 0,       0,       nullptr};
-  visit_all_cases(a);
+  Adjoint a{&session,         b,  nullptr, nullptr, out.of_loads[c], nullptr, work.own, work.outer,
+            work.coefficient, {}, false,   0,       nullptr};
   add_mean(a, part, c);
 }
 

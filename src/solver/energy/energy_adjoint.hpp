@@ -18,9 +18,8 @@ struct Adjoint {
   Real* side[2];     // [m] each, of the displacements on the sides of the pairs
   bool touched;      // outer is not all zero
   int32_t number;    // of the functional in the books: U of case 0, R of case 0, U of case 1, ...
-  // Case 0 may prescribe values on the element at hand, and others from ... end - 1; where `cases` is null these are all. It
-  // has two numbers for each element of the body.
-  int32_t from, end;
+  // Of each element of the body the first case after case 0 that prescribes values there, and the last one plus 1. Null: not
+  // known.
   const Real* cases;
   const Model& model() const { return session->model; }
 };
@@ -29,16 +28,22 @@ enum class TractionKind { contact, solved, given };
 // `unknown`: of the end's node in the direction at hand, from unknowns_at.
 TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown);
 
-// visit(k) for the load cases that may prescribe something where the functional is being put together.
-template <class Visit> inline void for_cases(const Adjoint& a, Visit visit) {
-  visit(0);
-  for (int32_t k = a.from; k < a.end; ++k) visit(k);
-}
-inline void visit_all_cases(Adjoint& a) {
-  a.from = 1;
-  a.end = a.model().head->load_cases;
-}
-// Does load case k prescribe tractions, or displacements, of an element that are not zero?
+// Case 0 may prescribe a value, and cases from ... end - 1.
+struct CaseSpan {
+  int32_t from, end;
+};
+// A component in one unit: that of case k lies k * stride numbers behind that of case 0.
+struct Prescribed {
+  const double* value;
+  int64_t stride;
+  double unit;
+};
+Prescribed prescribed_displacement(const Model& m, int b, int32_t node, int c);
+Prescribed prescribed_traction(const Model& m, int b, int32_t element, int l, int c);
+// factor[i] times what load cases prescribe, into lambda[i] of each of `count` functionals.
+void add_prescribed(const Prescribed& given, const CaseSpan& cases, int32_t count, const double* factor, double* const* lambda);
+// Does load case k prescribe tractions, or displacements, of a body, or of an element, that are not zero?
+bool prescribes(const Model& m, int b, int32_t k, bool displacements);
 bool prescribes(const Model& m, int b, int32_t element, int32_t k, bool displacements);
 
 void add_outer(Adjoint& a, int32_t column, double factor);
@@ -49,15 +54,16 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, TractionKind kind, 
 
 // Tractions of case k times displacements, or reactions times prescribed displacements of case k.
 void add_boundary(Adjoint& a, int32_t k, bool reactions);
-// A point load's force times the displacement there, from the boundary integrals (the interior form of the equations).
-void add_point_load(Adjoint& a, const PointLoad& load);
+// What point loads do on a body, for several functionals together: each force times the displacement there, from the boundary
+// integrals (the interior form of the equations).
+void add_point_loads(Adjoint* a, int32_t count);
 // Of a point load's displacement: what the tractions do to it that free zones hand over to the body (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
 // Moves what functionals f[i] have of the body's outer unknowns to its trailing columns, w[i], by its transposed factors.
 // Errors: the block store's.
 c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const* f, Real* const* w,
-                            const FunctionalTiles& tiles = {nullptr, nullptr});
+                            const FunctionalTiles& tiles = {});
 // ---- optional, for bodies with body forces (memory/parts.hpp, energy_body_force.cpp) ----
 // The body force of case k times the displacements it moves through.
 void add_body_force(Adjoint& a, int32_t k);

@@ -20,6 +20,26 @@ c2d_status solve_transposed(Session& session, int b, int32_t count, Real* const*
   return status;
 }
 
+Prescribed prescribed_displacement(const Model& m, int b, int32_t node, int c) {
+  return {m.node_disp[b] + 2 * static_cast<int64_t>(node) + c, 2 * static_cast<int64_t>(m.body[b].nodes), m.head->length_unit};
+}
+
+Prescribed prescribed_traction(const Model& m, int b, int32_t element, int l, int c) {
+  const int64_t functions = m.head->function_nodes;
+  return {m.end_traction[b] + 2 * (element * functions + l) + c, 2 * (m.body[b].elements * functions),
+          2.0 * shear_modulus(m, b)};
+}
+
+void add_prescribed(const Prescribed& given, const CaseSpan& cases, int32_t count, const double* factor,
+                    double* const* lambda) {
+  const auto add = [&](int32_t k) { // most cases load other places
+    if (const double value = given.value[k * given.stride]; value != 0.0)
+      for (int32_t i = 0; i < count; ++i) lambda[i][k] += factor[i] * value / given.unit;
+  };
+  add(0);
+  for (int32_t k = cases.from; k < cases.end; ++k) add(k);
+}
+
 void add_outer(Adjoint& a, int32_t column, double factor) {
   a.outer[column] += static_cast<Real>(factor);
   a.touched = true;
@@ -35,7 +55,7 @@ void add_displacement(Adjoint& a, int32_t node, int c, const Unknown& unknown, d
   } else if (unknown.kind == UnknownKind::displacement) {
     add_outer(a, outer_column(m, a.b, node, c), factor);
   } else {
-    for_cases(a, [&](int32_t k) { a.lambda[k] += factor * given_displacement(m, a.b, node, c, k) / m.head->length_unit; });
+    add_prescribed(prescribed_displacement(m, a.b, node, c), {1, m.head->load_cases}, 1, &factor, &a.lambda);
   }
 }
 
@@ -50,21 +70,26 @@ TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int co
 
 void add_traction(Adjoint& a, int32_t element, int l, int c, TractionKind kind, double factor) {
   const Model& m = a.model();
-  const double modulus = 2.0 * shear_modulus(m, a.b);
-  const int32_t end = element * m.head->function_nodes + l;
   if (kind == TractionKind::contact) {
     const PairSide at = pair_of_end(m, a.b, element, l);
     const Pair& pair = m.pair[at.pair];
-    const double scaled = signed_on(at.side, factor) * m.head->stress_unit / modulus;
+    const double scaled = signed_on(at.side, factor) * m.head->stress_unit / (2.0 * shear_modulus(m, a.b));
     for (int slot = 0; slot <= pair.tangential; ++slot)
       a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
   } else if (kind == TractionKind::solved) {
     add_outer(a, outer_column(m, a.b, functional_node(m, a.b, element, l), c), factor);
   } else {
-    for_cases(a, [&](int32_t k) { // most cases load other ends
-      if (const double value = given_traction(m, a.b, end, c, k); value != 0.0) a.lambda[k] += factor * value / modulus;
-    });
+    add_prescribed(prescribed_traction(m, a.b, element, l, c), {1, m.head->load_cases}, 1, &factor, &a.lambda);
   }
+}
+
+bool prescribes(const Model& m, int b, int32_t k, bool displacements) {
+  const int64_t count = 2 * (displacements ? static_cast<int64_t>(m.body[b].nodes)
+                                           : static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes);
+  const double* const given = (displacements ? m.node_disp[b] : m.end_traction[b]) + k * count;
+  int64_t i = 0;
+  while (i < count && given[i] == 0.0) ++i;
+  return i < count;
 }
 
 bool prescribes(const Model& m, int b, int32_t element, int32_t k, bool displacements) {
@@ -78,6 +103,7 @@ bool prescribes(const Model& m, int b, int32_t element, int32_t k, bool displace
 
 void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
+  if (!kSmallCode && !prescribes(m, a.b, k, reactions)) return;
   for (int32_t element = 0; element < m.body[a.b].elements; ++element) {
     if (!prescribes(m, a.b, element, k, reactions) || !is_integrated(m, a.b, element)) continue;
     EndResultant weight[kElementNodes];

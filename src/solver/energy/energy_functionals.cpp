@@ -33,8 +33,10 @@ void add_overlaps(const Model& m, Real* tau) {
 struct Functionals {
   Adjoint* a;
   int32_t count;
+  FunctionalTiles tiles;
   Adjoint* begin() const { return a; }
-  Adjoint* end() const { return a + count; }
+  int32_t size() const { return kSmallCode ? 1 : count; }
+  Adjoint* end() const { return a + size(); }
 };
 
 int64_t most_outer(const PhaseSizes& sizes) {
@@ -50,18 +52,40 @@ int64_t numbers_of_functional(const PhaseSizes& sizes) {
 // With more load cases kernels form the sums. (Few have the digits that they always had.)
 constexpr int32_t kManyFunctionals = 32;
 
-// Room for them is the tableau's, behind the arrays of the functionals: none is built while energies are prepared. A call from
-// a step's callback may use none of it.
-FunctionalTiles tiles_in_tableau(const Session& session) {
+int64_t most_tiled(const PhaseSizes& sizes) {
+  const int64_t outer = most_outer(sizes);
+  return outer > sizes.widest ? outer : sizes.widest;
+}
+
+// How many functionals are put together at once, and by what sums. The first has the arrays of the path area, others take
+// theirs from `room`, and the tiles theirs behind them. That is the tableau's, which is not built while energies are prepared,
+// or the workspace behind the path area. A call from a step's callback may use neither.
+struct AtOnce {
+  int32_t functionals;
+  Real* room;
+  FunctionalTiles tiles;
+};
+AtOnce most_at_once(const Session& session) {
+  if (kSmallCode || is_on_demand(session.model)) return {1, nullptr, {}};
+  c2d_solver* s = session.solver;
   const PhaseSizes sizes = model_sizes(session.model);
-  if (kSmallCode || is_on_demand(session.model) || 2 * sizes.cases <= kManyFunctionals) return {nullptr, nullptr};
-  const int64_t first = (kFunctionalsAtOnce - 1) * numbers_of_functional(sizes);
-  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases);
-  const Kernel* const kernel = kernel_for(session.solver->instructions);
-  if (first + functional_tiles(most_outer(sizes)) > room || !kernel || kFunctionalsAtOnce % kernel->rows != 0 ||
-      kernel->cols > kWidestTile)
-    return {nullptr, nullptr};
-  return {kernel, session.area.tableau + first};
+  const int64_t room = sizes.m * (sizes.columns + 1 + sizes.cases), each = numbers_of_functional(sizes);
+  const auto needed = [&](int32_t lanes) { return (lanes - 1) * each + functional_tiles(lanes, most_tiled(sizes)); };
+  const Kernel* const kernel = kernel_for(s->instructions);
+  if (2 * sizes.cases <= kManyFunctionals || !kernel || kernel->cols > kWidestTile || kTiledFunctionals % kernel->rows != 0 ||
+      needed(kTiledFunctionals) > room)
+    return {static_cast<int32_t>(room / each < kFunctionalsAtOnce ? room / each + 1 : kFunctionalsAtOnce),
+            session.area.tableau,
+            {}};
+  PathArea area;
+  const uint64_t used = (open_path_area(s, session.model, s->keeps_flexibility != 0, area) + 63) / 64 * 64;
+  Real* const behind = reinterpret_cast<Real*>(array_of<char>(s, kPhase) + used);
+  const uint64_t bytes = s->bytes - s->layout.persistent;
+  const int64_t left = bytes > used ? static_cast<int64_t>((bytes - used) / sizeof(Real)) : 0;
+  int32_t lanes = kFunctionalsAtOnce;
+  while (lanes > kTiledFunctionals && needed(lanes) > room && needed(lanes) > left) lanes /= 2;
+  Real* const at = needed(lanes) <= room ? session.area.tableau : behind;
+  return {lanes, at, {kernel, at + (lanes - 1) * each, lanes}};
 }
 
 // Outer unknowns of a body out of the functionals: they follow from -u_c, t_c = +-tau and lambda.
@@ -73,7 +97,7 @@ c2d_status solve_outer(const Functionals& all, Session& session, int b) {
     f[count] = a.outer;
     w[count++] = a.coefficient;
   }
-  return count == 0 ? c2d_status{C2D_OK} : solve_transposed(session, b, count, f, w, tiles_in_tableau(session));
+  return count == 0 ? c2d_status{C2D_OK} : solve_transposed(session, b, count, f, w, all.tiles);
 }
 
 void add_solved(Adjoint& a) {
@@ -116,35 +140,73 @@ void gather_displacements(Adjoint& a) {
   });
 }
 
-// The functionals of a body's displacements that are not all zero.
+// The functionals of a body's displacements that are not all zero, and their products with columns of `numbers`.
 struct Touched {
-  int32_t count = 0;
+  int32_t count = 0, numbers;
   Adjoint* a[kFunctionalsAtOnce];
   const Real* u[kFunctionalsAtOnce];
-  explicit Touched(const Functionals& all) {
+  const FunctionalTiles& tiles;
+  double sum[kFunctionalsAtOnce];              // of one column,
+  Real tiled[kWidestTile][kFunctionalsAtOnce]; // or of some
+
+  typedef void (*Add)(Adjoint& a, int32_t i, double sum);
+
+  Touched(const Functionals& all, int32_t n) : numbers(n), tiles(all.tiles) {
     for (Adjoint& one : all) {
       if (!one.touched) continue;
       a[count] = &one;
       u[count++] = one.u;
     }
+    for (int32_t i = 0; i < numbers && is_tiled(); ++i)
+      for (int32_t k = 0; k < tiles.lanes; ++k) tiles.room[entry(i) + k] = k < count ? u[k][i] : Real(0);
+  }
+  int32_t size() const { return kSmallCode ? 1 : count; } // (of none no products are asked for)
+  bool is_tiled() const { return !kSmallCode && tiles.kernel; }
+  int64_t entry(int32_t i) const { return static_cast<int64_t>(i) * tiles.lanes; }
+  // Adds the products with columns first ... first + columns - 1 of a body's matrix to numbers `to` ... of each functional.
+  c2d_status add_sums(Session& session, int b, BodyMatrix matrix, int32_t first, int32_t columns, Add add, int32_t to,
+                      int side) {
+    Real* const column = session.area.column;
+    const int32_t width = is_tiled() ? tiles.kernel->cols : 1;
+    for (int32_t j = 0, some; j < columns; j += some) {
+      some = columns - j < width ? columns - j : width;
+      for (int32_t c = 0; c < some; ++c) {
+        if (const c2d_status status = read_column(session.tape, b, matrix, first + j + c, column); status != C2D_OK)
+          return status;
+        if (is_tiled())
+          pack(column, c);
+        else
+          dots(numbers, column, size(), u, sum);
+      }
+      if (is_tiled()) form_tiles();
+      for (int32_t c = 0; c < some; ++c)
+        for (int32_t k = 0; k < size(); ++k)
+          add(*a[k], to + j + c, signed_on(side, is_tiled() ? static_cast<double>(-tiled[c][k]) : sum[k]));
+    }
+    return C2D_OK;
+  }
+
+private:
+  Real* packed() const { return tiles.room + entry(numbers); }
+  void pack(const Real* column, int32_t c) const {
+    for (int32_t i = 0; i < numbers; ++i) packed()[int64_t{i} * tiles.kernel->cols + c] = column[i];
+  }
+  void form_tiles() {
+    for (Real* const row : tiled)
+      for (int32_t k = 0; k < kFunctionalsAtOnce; ++k) row[k] = 0;
+    for (int32_t k = 0; k < count; k += tiles.kernel->rows)
+      tiles.kernel->tile(numbers, tiles.room + k, tiles.lanes, packed(), tiled[0] + k, kFunctionalsAtOnce);
   }
 };
 
 // tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
 c2d_status add_compliance(const Functionals& all, Session& session, int b) {
-  const Model& m = session.model;
-  Real* column = session.area.column;
-  double sum[kFunctionalsAtOnce];
-  const Touched touched(all);
+  Touched touched(all, session.model.body[b].contact);
+  const auto add = [](Adjoint& a, int32_t i, double sum) { a.tau[i] += static_cast<Real>(sum); };
   c2d_status status = C2D_OK;
-  for_ranges(m, b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
-      status = read_column(session.tape, b, BodyMatrix::flexibility, range.own + i, column);
-      if (status != C2D_OK) return;
-      dots(m.body[b].contact, column, touched.count, touched.u, sum);
-      for (int32_t k = 0; k < touched.count; ++k)
-        touched.a[k]->tau[range.all + i] += static_cast<Real>(signed_on(range.side, sum[k]));
-    }
+  for_ranges(session.model, b, [&](const UnknownRange& range) {
+    if (status == C2D_OK)
+      status = touched.add_sums(session, b, BodyMatrix::flexibility, range.own, range.count, add, range.all, range.side);
   });
   return status;
 }
@@ -194,12 +256,9 @@ c2d_status remove_displacements(const Functionals& all, Session& session, int b)
   c2d_status status = is_rigid(m, b)            ? c2d_status{C2D_OK}
                       : has_displacements(m, b) ? add_unknowns(all, session, b)
                                                 : add_compliance(all, session, b);
-  double sum[kFunctionalsAtOnce];
-  const Touched touched(all);
-  for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
-    status = read_column(session.tape, b, BodyMatrix::response, k, column);
-    if (status == C2D_OK) dots(body.contact, column, touched.count, touched.u, sum);
-    for (int32_t i = 0; i < touched.count && status == C2D_OK; ++i) touched.a[i]->lambda[k] += sum[i];
+  if (status == C2D_OK) {
+    const auto add = [](Adjoint& a, int32_t k, double sum) { a.lambda[k] += sum; };
+    status = Touched(all, body.contact).add_sums(session, b, BodyMatrix::response, 0, m.head->load_cases, add, 0, 1);
   }
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) {
     status = read_column(session.tape, b, BodyMatrix::motions, j, column);
@@ -220,45 +279,57 @@ c2d_status add_given(Adjoint& a, int32_t k) {
   return status;
 }
 
-// What case k does on a body with its boundary, point loads and body force.
-void add_loads(Adjoint& a, int32_t k, bool reactions) {
-  const Model& m = a.model();
-  a.touched = false;
-  visit_all_cases(a);
-  for (int32_t j = 0; j < m.body[a.b].contact; ++j) a.u[j] = 0;
-  for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
-  add_boundary(a, k, reactions);
-  for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
-    if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
-  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
+// What the cases of some functionals do on a body with its boundary, point loads and body force.
+void add_loads(Adjoint* a, int32_t count) {
+  const Model& m = a->model();
+  for (int32_t i = 0; i < count; ++i) {
+    Adjoint& one = a[i];
+    one.touched = false;
+    for (int32_t j = 0; j < m.body[one.b].contact; ++j) one.u[j] = 0;
+    for (int32_t j = 0; j < outer_columns(m, one.b); ++j) one.outer[j] = 0;
+    add_boundary(one, one.number / 2, one.number % 2 == 1);
+  }
+  add_point_loads(a, count);
+  for (int32_t i = 0; i < count; ++i)
+    if (a[i].number % 2 == 0 && has_body_force(m, a[i].b)) kBodyForcePart.add_body_force(a[i], a[i].number / 2);
 }
 
-// What a functional has of the body.
-c2d_status add_body(Adjoint& a) {
+// What force, moment and motion of a rigid body do.
+c2d_status add_rigid(Adjoint& a) {
   const Model& m = a.model();
   const int32_t k = a.number / 2;
-  const bool reactions = a.number % 2 == 1;
   a.touched = false;
-  if (is_rigid(m, a.b)) {
-    if (reactions)
-      kRigidPart.add_rigid_motion(m, a.b, k, a.tau);
-    else if (m.body[a.b].contact > 0)
-      return add_given(a, k);
-    return C2D_OK;
+  if (a.number % 2 == 0) return m.body[a.b].contact > 0 ? add_given(a, k) : c2d_status{C2D_OK};
+  kRigidPart.add_rigid_motion(m, a.b, k, a.tau);
+  return C2D_OK;
+}
+
+// What functionals have of the body.
+c2d_status add_body(const Functionals& all, int b) {
+  const Model& m = all.a->model();
+  c2d_status status = C2D_OK;
+  if (!is_rigid(m, b)) add_loads(all.a, all.size());
+  for (Adjoint& a : all) {
+    if (status == C2D_OK && is_rigid(m, b)) status = add_rigid(a);
+    if (status == C2D_OK && is_on_demand(m) && a.touched)
+      status = kCompressedPart.functional_of_motions(*a.session, b, a.outer, a.motion);
   }
-  add_loads(a, k, reactions);
-  return is_on_demand(m) && a.touched ? kCompressedPart.functional_of_motions(*a.session, a.b, a.outer, a.motion)
-                                      : c2d_status{C2D_OK};
+  return status;
 }
 
 Real* room_of_cases(const Session& session, int b) { return session.area.traction + 2 * session.model.body[b].first_end; }
 
 // Of a body with point loads. Null: nobody looks there.
-const Real* cases_on(const Session& session, int b) {
+const Real* cases_of(const Session& session, int b) {
   const Model& m = session.model;
   bool loaded = false;
   for (int32_t i = 0; i < m.head->point_loads; ++i) loaded = loaded || m.point_load[i].body == b;
   return kSmallCode || !loaded || is_on_demand(m) || m.head->load_cases < 3 ? nullptr : room_of_cases(session, b);
+}
+
+// 1: load case k prescribes tractions on the body; 2: displacements.
+int32_t prescribed_kinds(const Model& m, int b, int32_t k) {
+  return (prescribes(m, b, k, false) ? 1 : 0) + (prescribes(m, b, k, true) ? 2 : 0);
 }
 
 // For each element the first case after case 0 that prescribes something there, and the last one plus 1: of loads that move
@@ -266,25 +337,25 @@ const Real* cases_on(const Session& session, int b) {
 void find_cases(const Session& session, int b) {
   const Model& m = session.model;
   Real* const cases = room_of_cases(session, b);
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    const auto is_given = [&](int32_t k) { return prescribes(m, b, element, k, false) || prescribes(m, b, element, k, true); };
-    int32_t from = 1, end = m.head->load_cases;
-    while (from < end && !is_given(from)) ++from;
-    while (from < end && !is_given(end - 1)) --end;
-    cases[2 * element] = static_cast<Real>(from);
-    cases[2 * element + 1] = static_cast<Real>(end);
-  }
+  for (int32_t i = 0; i < 2 * m.body[b].elements; ++i) cases[i] = 0;
+  for (int32_t k = 1; k < m.head->load_cases; ++k)
+    for (int32_t element = 0, kinds = prescribed_kinds(m, b, k); element < m.body[b].elements && kinds != 0; ++element) {
+      const bool given =
+          ((kinds & 1) != 0 && prescribes(m, b, element, k, false)) || ((kinds & 2) != 0 && prescribes(m, b, element, k, true));
+      if (!given) continue;
+      Real* const span = cases + 2 * element;
+      if (span[1] == Real(0)) span[0] = static_cast<Real>(k);
+      span[1] = static_cast<Real>(k + 1);
+    }
 }
 
 c2d_status add_bodies(const Functionals& all, Session& session) {
   for (int b = 0; b < session.model.head->bodies; ++b) {
-    c2d_status status = C2D_OK;
-    const Real* const cases = cases_on(session, b);
     for (Adjoint& a : all) {
       a.b = b;
-      a.cases = cases;
-      if (status == C2D_OK) status = add_body(a);
+      a.cases = cases_of(session, b);
     }
+    c2d_status status = add_body(all, b);
     if (status == C2D_OK) status = solve_outer(all, session, b);
     if (status != C2D_OK) return status;
     for (Adjoint& a : all) {
@@ -326,9 +397,8 @@ c2d_status remove_motions(const Functionals& all, Session& session) {
   return C2D_OK;
 }
 
-// The arrays that a functional is put together in: the first has those of the path area, others take theirs from the room of
-// the tableau, which is made later. False: there is no room left.
-bool place_arrays(Session& session, int32_t number, Adjoint& a) {
+// The arrays that a functional is put together in.
+void place_arrays(Session& session, Real* room, int32_t number, Adjoint& a) {
   const PathArea& area = session.area;
   a.session = &session;
   if (number == 0) {
@@ -337,19 +407,15 @@ bool place_arrays(Session& session, int32_t number, Adjoint& a) {
     a.outer = area.outer;
     a.coefficient = area.coefficient;
     for (int side = 0; side < 2; ++side) a.side[side] = area.u[side];
-    return true;
+    return;
   }
-  if (kSmallCode || is_on_demand(session.model)) return false;
   const PhaseSizes sizes = model_sizes(session.model);
-  const int64_t outer = most_outer(sizes), each = numbers_of_functional(sizes);
-  if (number * each > sizes.m * (sizes.columns + 1 + sizes.cases)) return false;
-  a.motion = area.tableau + (number - 1) * each;
+  a.motion = room + (number - 1) * numbers_of_functional(sizes);
   a.u = a.motion + sizes.widest;
   a.outer = a.u + sizes.widest;
-  a.coefficient = a.outer + outer;
+  a.coefficient = a.outer + most_outer(sizes);
   a.side[0] = a.coefficient + 2 * sizes.widest + sizes.cases;
   a.side[1] = a.side[0] + sizes.m;
-  return true;
 }
 
 // Nothing of this kind is prescribed on any body: the functional is zero. (Most load cases prescribe no displacements.)
@@ -357,23 +423,19 @@ bool is_zero(const Model& m, int32_t number) {
   const int32_t k = number / 2;
   const bool reactions = number % 2 == 1;
   bool zero = !reactions || k + 1 != m.head->interference;
-  for (int b = 0; b < m.head->bodies && zero; ++b) {
-    zero = !is_rigid(m, b) && (reactions || !has_body_force(m, b));
-    const int64_t count = 2 * (reactions ? static_cast<int64_t>(m.body[b].nodes)
-                                         : static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes);
-    const double* const given = reactions ? m.node_disp[b] : m.end_traction[b];
-    for (int64_t i = 0; i < count && zero; ++i) zero = given[k * count + i] == 0.0;
-  }
+  for (int b = 0; b < m.head->bodies && zero; ++b)
+    zero = !is_rigid(m, b) && (reactions || !has_body_force(m, b)) && !prescribes(m, b, k, reactions);
   for (int32_t i = 0; i < m.head->point_loads && zero && !reactions; ++i) zero = m.point_load[i].load_case != k;
   return zero;
 }
 
 // Functionals *next ... of the books, as many as fit, without those that are zero; how many. *next: the one after them.
-int32_t open_functionals(Session& session, const EnergyBook& book, int32_t* next, Adjoint* a) {
+int32_t open_functionals(Session& session, const EnergyBook& book, const AtOnce& at_once, int32_t* next, Adjoint* a) {
   const ModelHeader& head = *session.model.head;
   int32_t count = 0;
-  for (; count < kFunctionalsAtOnce && *next < 2 * book.cases && place_arrays(session, count, a[count]); ++*next) {
+  for (; count < at_once.functionals && *next < 2 * book.cases; ++*next) {
     Adjoint& one = a[count];
+    place_arrays(session, at_once.room, count, one);
     const int64_t number = *next;
     one.number = *next;
     one.tau = book.of_contact + 2 * number * book.m;
@@ -415,8 +477,8 @@ void add_demanded(Session& session, int b, const DemandedColumns& columns) {
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     // What the loads do without the solution has been counted: that goes where it is of no use.
     Adjoint a{&session,         b,  area.u[0], area.u[1], book.r, area.motion, area.own, area.outer,
-              area.coefficient, {}, false,     k,         1,      book.cases,  nullptr};
-    add_loads(a, k / 2, k % 2 == 1);
+              area.coefficient, {}, false,     k,         nullptr};
+    add_loads(&a, 1);
     Real* const of_tau = book.of_contact + 2 * static_cast<int64_t>(k) * book.m;
     const int32_t unknowns = outer_columns(session.model, b);
     for (int32_t j = 0; j < columns.count && a.touched; ++j) {
@@ -443,12 +505,13 @@ c2d_status build_energy(c2d_solver* s) {
   open_session(s, session);
   const EnergyBook book = energy_book(s);
   for (int b = 0; b < s->model.bodies; ++b)
-    if (cases_on(session, b)) find_cases(session, b);
+    if (cases_of(session, b)) find_cases(session, b);
+  const AtOnce at_once = most_at_once(session);
   for (int32_t next = 0; next < 2 * book.cases;) {
     tell_progress(s, C2D_PHASE_REDUCE, 0, next, 2 * static_cast<int64_t>(book.cases));
     if ((kSmallCode || s->state == C2D_STATE_MODEL) && asked_to_stop(s)) return C2D_ERR_CANCELLED; // (allow_friction)
     Adjoint a[kFunctionalsAtOnce];
-    const Functionals all = {a, open_functionals(session, book, &next, a)};
+    const Functionals all = {a, open_functionals(session, book, at_once, &next, a), at_once.tiles};
     const c2d_status status = all.count > 0 ? build_functionals(all, session) : c2d_status{C2D_OK};
     if (status != C2D_OK) return status;
   }
