@@ -986,7 +986,7 @@ double imbalance(const Model& m, const Result& r) {
     force = std::max({force, std::hypot(b.applied[0], b.applied[1]), std::hypot(b.contact[0], b.contact[1])});
   for (const std::vector<EndResult>& ends : r.boundary) force = std::max(force, pull_on(m, ends));
   const double pressure =
-      1e-2 * std::max(largest_of(r).p, least_sizes(m, r).pressure); // forces that were there before the loads went back to zero
+      0.1 * std::max(largest_of(r).p, least_sizes(m, r).pressure); // forces that were there before the loads went back to zero
   force = std::max(force, pressure * arm * (m.plane == C2D_AXISYMMETRIC ? arm : 1));
   for (const c2d_body_result& b : r.bodies)
     for (int k = 0; k < 3; ++k)
