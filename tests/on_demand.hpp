@@ -127,7 +127,8 @@ struct Host {
   uint64_t bytes = 0;
   c2d_limits limits = C2D_INIT(c2d_limits);
   std::vector<c2d_body_limits> list;
-  explicit Host(const many::Model& m, runs::RamStore* shared = nullptr) : store(shared != nullptr ? shared : &own) {
+  explicit Host(const many::Model& m, runs::RamStore* shared = nullptr, uint64_t least = 0)
+      : store(shared != nullptr ? shared : &own) {
     port.context = this;
     const auto at = [](void* c) -> void* { return static_cast<Host*>(c)->store; };
     static const auto stored = at;
@@ -141,6 +142,7 @@ struct Host {
     port.cancel = [](void* c) { return static_cast<Host*>(c)->chances-- == 0 ? 1 : 0; };
     limits = many::limits_of(m, list);
     REQUIRE(c2d_memory_need(&limits, &bytes, nullptr, nullptr) == C2D_OK);
+    bytes = std::max(bytes, least);
     machine = std::make_unique<runs::Machine>(limits, bytes, &port, 8);
     REQUIRE(machine->created == C2D_OK);
     c2d_options options = C2D_INIT(c2d_options);

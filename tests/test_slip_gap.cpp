@@ -186,6 +186,56 @@ TEST_CASE("slip gap: what even curvature adds is left out: a pin that turns in i
   }
 }
 
+// Curves end where the boundary ends, at an element without length, and at a corner to the next curve, as where no curve is
+// given.
+TEST_CASE("slip gap: whatever ends the curves, the gap stays what it was there") {
+  for (const int kind : {0, 1, 2, 3}) {
+    CAPTURE(kind);
+    fixture::ModelData d = facing_bodies(all_curves());
+    if (kind == 1) // (as where it ends on a line of symmetry)
+      for (auto& regions : d.regions) regions[0].open = 1;
+    if (kind == 2)
+      for (int c = 0; c < 2; ++c) d.xy[0][24 + static_cast<size_t>(c)] = d.xy[0][static_cast<size_t>(c)];
+    if (kind == 3)
+      for (const int32_t b : {0, 1})
+        for (const int32_t e : {10, 12}) d.surfaces.push_back({C2D_CURVE_LINE, b, e, e, 0, 0, {0, 0}, 0});
+    const c2d::Model m = d.view();
+    for (const double x : {2.0, 0.0, 3.0})
+      for (const double s : {-40.0, 2.0, 1.0, 40.0}) { // 2, 1: as far as a boundary point
+        CAPTURE(x);
+        CAPTURE(s);
+        int32_t pair = 0;
+        while (m.xy[0][2 * m.pair[pair].node[0]] != x) ++pair;
+        const double far = std::min({std::fabs(0.5 * s), x + 2, end_of_arc() - x});
+        const double right = 2 * height(x) - height(x + far) - height(x - far);
+        CHECK(std::fabs(c2d::slip_gap(m, pair, s) - right) < 1e-13);
+      }
+  }
+}
+
+TEST_CASE("slip gap: a surface along the normal is not followed, and one that turns back no farther than that") {
+  fixture::ModelData d = facing_bodies(all_curves());
+  const c2d::Model m = d.view();
+  const c2d::FacePoint flat[2] = {{6, 6, 0.0}, {3, 3, 0.0}};
+  const double along[2] = {1, 0};
+  CHECK(c2d::slip_gap(m, m.zone[0], flat, along, 0.5, 0) == 0);
+  // A disc of arcs on a block: all of the slip passes the disc, whose surface turns back at its radius.
+  fixture::Points disc;
+  for (int i = 0; i < 16; ++i) disc.insert(disc.end(), {3 * std::cos(kPi * i / 8), 3 * std::sin(kPi * i / 8)});
+  fixture::ModelData round(2);
+  round.body(2, {disc});
+  round.body(2, {{5, 4, -5, 4, -5, 3, 5, 3}});
+  round.surfaces = {{C2D_CURVE_ARC, 0, 0, 15, 0, 0, {0, 0}, 3}};
+  c2d::Zone z = {};
+  z.body[1] = 1;
+  z.normal_part = 1;
+  const c2d::Model r = round.view();
+  const double up[2] = {0, 1};
+  const c2d::FacePoint top[2] = {{4, 0, -1.0}, {2, 0, 0.0}};
+  for (const double s : {-1.5, 1.5}) CHECK(c2d::slip_gap(r, z, top, up, s, 0) == doctest::Approx(3 - std::sqrt(9 - 1.5 * 1.5)));
+  for (const double s : {-4.0, 4.0}) CHECK(c2d::slip_gap(r, z, top, up, s, 0) == doctest::Approx(3));
+}
+
 TEST_CASE("slip gap: half planes, flat and arc, slid to and fro with friction: the rounded punch as the flats overlap now") {
   const estimate::Adapted a =
       adapt(test::slip_pads() + "history normal 1; shift 1, -1\nsteps 2\ntolerance 2 %\n", {{"mu", 0.3}, {"d", 0.43}});
