@@ -7,9 +7,11 @@
 #include "shell.hpp"
 #include "slip_pads.hpp"
 
+#include "contact/tableau.hpp"
 #include "memory/parts.hpp"
 #include "model/surface.hpp"
 #include "results/approach.hpp"
+#include "solver/cycle.hpp"
 #include "solver/hold_demand.hpp"
 #include "solver/on_demand.hpp"
 #include "solver/session.hpp"
@@ -17,6 +19,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstring>
+#include <fstream>
 #include <limits>
 #include <sstream>
 
@@ -228,6 +232,105 @@ TEST_CASE("core edges: ends of a zone without a pair carry no pressure between n
   CHECK(force == doctest::Approx(3).epsilon(1e-6));
 }
 
+// A plate between the arms of a clevis: the faces of the gap may touch the plate, not each other.
+TEST_CASE("core edges: a gap whose faces touch in different zones is a slit") {
+  many::Model m;
+  const double t = 0.04;
+  m.add(many::polygon(
+      {{0, -1, 4}, {4, -1, 2}, {4, 0, 3}, {1, 0, 1}, {0.5, 0, 1}, {0.5, t, 1}, {1, t, 3}, {4, t, 2}, {4, 1, 4}, {0, 1, 3}},
+      100));
+  m.add(many::rectangle(1, 0, 4, t, {3, 1, 3, 1}, 100));
+  m.set(1, 10, many::end_of(many::kHeld));
+  m.set(1, 9, many::end_of(many::kPulled, 0, -0.01));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.join(C2D_ZONE_MATCHING, 1, 7, 2, 3);
+  m.friction = 0.3;
+  many::Machine machine(m);
+  REQUIRE_MESSAGE(machine.status == C2D_OK, last_text(machine.solver));
+  const many::Result r = machine.run();
+  bool told = r.told_of("lies beside a slit 0.04 wide");
+  for (const c2d_error& e : machine.told)
+    told = told || std::string(e.text).find("lies beside a slit 0.04") != std::string::npos;
+  CHECK_MESSAGE(told, r.messages());
+}
+
+// A point of the lower face stands 0.01 above the upper one's, between its nodes. No load closes any gap.
+TEST_CASE("core edges: bodies that overlap between nodes where nothing moves") {
+  many::Model m;
+  m.add(many::polygon({{0, 0, 3}, {3, 0, 1}, {3, 1, 3}, {1.5, 1.01, 3}, {0, 1, 1}}, 100));
+  m.add(many::rectangle(0, 1, 3, 2, {3, 2, 3, 2}, 100));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kHeld));
+  many::Zone zone = {C2D_ZONE_FREE, {{1, m.side(1, 3).first, m.side(1, 4).last}, {2, m.side(2, 1).last, m.side(2, 1).first}}};
+  m.zones.push_back(zone);
+  const many::Result r = many::solve(m);
+  CHECK_MESSAGE(r.told_of("the bodies overlap by"), r.messages());
+  CHECK(!r.told_of("while the loads close gaps"));
+}
+
+// A disc that touches its hole all round: there is no room for two sums at once.
+TEST_CASE(
+    "core edges: the approach of bodies that touch all round, before other results and after, and on a store that fails") {
+  runs::Deck deck;
+  std::ifstream file(paths::root() + "/tests/data/sweep/disc_in_hole.dat");
+  for (std::string line; std::getline(file, line);) deck.lines.push_back(line);
+  const host::Limits limits = deck.limits();
+  uint64_t bytes = 0;
+  REQUIRE(c2d_memory_need(&limits, &bytes, nullptr, nullptr) == C2D_OK);
+  int failed = 0;
+  double approach[2] = {};
+  for (bool whole = false; !whole; ++failed) {
+    REQUIRE(failed < 1000);
+    runs::RamStore store;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    runs::Machine machine(limits, bytes, &port);
+    REQUIRE(machine.created == C2D_OK);
+    c2d_solver* const s = machine.solver;
+    REQUIRE((runs::read_deck(s, deck) == C2D_OK && c2d_prepare(s) == C2D_OK && c2d_run(s, nullptr, nullptr) == C2D_OK));
+    const size_t n = store.done.size() + static_cast<size_t>(failed);
+    store.before = [n](const runs::RamStore::Operation&, size_t i) { return i == n ? 5 : 0; };
+    c2d_zone_state zone = C2D_INIT(c2d_zone_state);
+    const c2d_status status = c2d_get_zone_state(s, 1, &zone);
+    whole = store.done.size() <= n;
+    if (!whole) {
+      CHECK(status == C2D_ERR_STORE_READ);
+      CHECK(c2d_get_state(s) == C2D_STATE_BROKEN);
+      continue;
+    }
+    store.before = {};
+    approach[0] = zone.approach;
+    double ux[2];
+    REQUIRE((status == C2D_OK && c2d_get(s, C2D_END_UX, 1, 1, 2, ux, 1) == C2D_OK));
+    REQUIRE(c2d_get_zone_state(s, 1, &zone) == C2D_OK);
+    approach[1] = zone.approach;
+  }
+  CHECK(approach[0] == doctest::Approx(approach[1]).epsilon(1e-9));
+}
+
+// A cylinder above another, pressed on it by what the contact alone balances.
+TEST_CASE("core edges: a cylinder that rests on another, with functions of all orders") {
+  double force[3] = {};
+  for (const int32_t nodes : {2, 3, 4}) {
+    many::Model m;
+    m.plane = C2D_AXISYMMETRIC;
+    m.function_nodes = nodes;
+    m.add(many::open_polygon({{0, -1, 4}, {1, -1, 2}, {1, 0, 4}, {0, 0, 0}}));
+    m.add(many::open_polygon({{0, 0.01, 4}, {1, 0.01, 2}, {1, 1.01, 4}, {0, 1.01, 0}}));
+    for (many::Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * nodes), many::End());
+    m.set(1, 1, many::end_of(many::kHeld));
+    m.set(2, 3, many::end_of(many::kPulled, 0, -1));
+    m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+    m.friction = 0.3;
+    const many::Result r = many::solve(m);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    CHECK(r.outcome == C2D_REACHED);
+    force[nodes - 2] = std::fabs(r.bodies[1].contact[1]);
+  }
+  CHECK(force[0] > 0.1);
+  for (const double f : force) CHECK(f == doctest::Approx(force[0]).epsilon(1e-6));
+}
+
 TEST_CASE("core edges: points of two curves of a body may not be in one place") {
   many::Model m = two_blocks();
   many::add_polygon(m.body(1), {{0.5, 0.8, 2}, {1, 0.2, 2}, {0.2, 0.2, 2}});
@@ -303,6 +406,16 @@ TEST_CASE("core edges: zones meshed freely cannot be on demand, nor bodies with 
   many::Model m = many::rough(84);
   m.zones[0].kind = C2D_ZONE_FREE;
   check_refused(m);
+  m = many::rough(84); // beside a body whose slit may close
+  const int32_t slit =
+      m.add(many::polygon({{2, 0, 4}, {6, 0, 4}, {6, 1.99, 4}, {4, 2, 4}, {6, 2.01, 4}, {6, 4, 4}, {2, 4, 4}}));
+  m.set(slit, 1, many::end_of(many::kHeld));
+  m.join(C2D_ZONE_MATCHING + C2D_ZONE_SELF, slit, 3, slit, 4);
+  m.zones.back().without[1] = 1;
+  check_refused(m);
+  many::Machine few(on_demand(two_blocks(), 1)); // too few for columns that are made later
+  REQUIRE(few.status == C2D_OK);
+  CHECK(few.run().status == C2D_ERR_MEMORY);
   m = floating(0.03);
   for (int32_t k = 0; k < 4; ++k) { // each with three motions of its own
     const double x = 2 + 2 * k;
@@ -349,6 +462,52 @@ TEST_CASE("core edges: on demand with all pairs in touch there is room for all t
   REQUIRE(machine.status == C2D_OK);
   CHECK(machine.run().status == C2D_ERR_MEMORY);
   CHECK(last_text(machine.solver).find("than the 50 of c2d_limits.touching; room for 84 takes ") != std::string::npos);
+}
+
+// All normals are along y: friction alone holds the upper body along x, and turned.
+TEST_CASE("core edges: on demand, tangents hold what normals do not" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = floating(0.03);
+  const many::Range face = m.side(2, 1);
+  for (int32_t i = face.first - 1; i <= face.last; ++i) m.body(2).xy[2 * static_cast<size_t>(i) + 1] = 1e-6;
+  many::Machine machine(on_demand(m, kTouching));
+  REQUIRE(machine.status == C2D_OK);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  CHECK(machine.solver->model.columns > 0);
+  CHECK(c2d_run(machine.solver, nullptr, nullptr) == C2D_ERR_MEMORY); // all 84 pairs touch at once
+  CHECK(last_text(machine.solver).find("room for 84 takes ") != std::string::npos);
+}
+
+TEST_CASE("core edges: on demand of bodies that contact holds, room for few pairs is enough for rates" *
+          doctest::skip(c2d::kSmallCode)) {
+  uint64_t bytes[3] = {};
+  for (const int k : {0, 1, 2}) {
+    const many::Model m = on_demand(floating(0.03), k == 0 ? 3 : k == 1 ? 10 : 60);
+    std::vector<c2d_body_limits> list;
+    const c2d_limits limits = many::limits_of(m, list);
+    REQUIRE(c2d_memory_need(&limits, &bytes[k], nullptr, nullptr) == C2D_OK);
+  }
+  CHECK((bytes[0] <= bytes[1] && bytes[1] <= bytes[2]));
+  check_alike(floating(0.03), 3); // hardly any touch
+}
+
+// Kernels of vectors and those without make the same results, up to round-off.
+TEST_CASE("core edges: without vectors, compressed and inside" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = many::rough(200);
+  m.elimination = C2D_ELIMINATION_COMPRESSED;
+  std::vector<double> of[2];
+  for (const int plain : {0, 1}) {
+    many::Machine machine(m);
+    REQUIRE(machine.status == C2D_OK);
+    if (plain != 0) machine.solver->instructions = c2d::Instructions::plain;
+    REQUIRE((c2d_prepare(machine.solver) == C2D_OK && c2d_run(machine.solver, nullptr, nullptr) == C2D_OK));
+    of[plain].resize(200 + 3 * C2D_POINT_FIELDS);
+    REQUIRE(c2d_get(machine.solver, C2D_TN, 0, 1, 200, of[plain].data(), 1) == C2D_OK);
+    const double at[] = {0.3, -0.1, 0.5, -0.5, 0.7, -0.3};
+    REQUIRE(c2d_interior(machine.solver, 1, 3, at, 2, of[plain].data() + 200, C2D_POINT_FIELDS) == C2D_OK);
+  }
+  double most = 0;
+  for (const double each : of[0]) most = std::max(most, std::fabs(each));
+  for (size_t i = 0; i < of[0].size(); ++i) CHECK(std::fabs(of[1][i] - of[0][i]) < 10 * kNear * most);
 }
 
 TEST_CASE("core edges: on demand behind a body that touches nothing" * doctest::skip(c2d::kSmallCode)) {
@@ -414,7 +573,7 @@ TEST_CASE("core edges: what holds bodies on demand is not found on a store that 
   many::Body& body = m.body(2);
   body.rigid = 1, body.is_free[0] = body.is_free[1] = body.is_free[2] = 1;
   body.point[0] = body.point[1] = 0.5, body.load[1] = -0.03;
-  Host host(on_demand(m, kTouching));
+  Host host(on_demand(many::with_bodies_in_order(m, {2, 1}), kTouching)); // the rigid one first
   REQUIRE(host.begin() == C2D_OK);
   REQUIRE(host.go(1) == C2D_OK);
   c2d_solver* const s = host.solver();
@@ -459,10 +618,18 @@ template <class LifeOf> int check_life(const many::Model& m, size_t at_most, Lif
   for (size_t n = 0; n < operations; n += step) {
     CAPTURE(n);
     Host host(m, nullptr, least);
+    runs::RamStore::Operation operation{};
     const c2d_status status = life(host, [&] {
       const size_t which = host.own.done.size() + n;
-      host.own.before = [which](const runs::RamStore::Operation&, size_t i) { return i == which ? 5 : 0; };
+      host.own.before = [&operation, which](const runs::RamStore::Operation& now, size_t i) {
+        if (i == which) operation = now;
+        return i == which ? 5 : 0;
+      };
     });
+    if (status == C2D_OK) { // at most what says how far the tapes are used
+      CHECK(operation.tape == C2D_TAPE_CONTROL);
+      continue;
+    }
     CHECK(status >= C2D_ERR_STORE_OPEN);
     CHECK(status <= C2D_ERR_STORE_SYNC);
     CHECK(c2d_get_state(host.solver()) == C2D_STATE_BROKEN);
@@ -491,7 +658,7 @@ many::Model layered(int32_t layers, double t, int32_t kind) {
 TEST_CASE("core edges: layers whose displacements are unknowns, prepared and pressed on a store that fails" *
           doctest::skip(c2d::kSmallCode)) {
   for (const many::Model& m : {layered(2, 1e-4, C2D_ZONE_MATCHING), layered(2, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED)})
-    CHECK(check_life(m, 1000, [](Host& host, auto arm) {
+    CHECK(check_life(m, 4000, [](Host& host, auto arm) {
             arm();
             const c2d_status status = host.begin();
             return status == C2D_OK ? host.go(1) : status;
@@ -535,9 +702,86 @@ TEST_CASE("core edges: a cycle behind a path without friction, on a store that f
   m.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
   m.repeated = 2, m.cycle_start = C2D_START_WITHOUT_FRICTION;
   m.cycle_states = 4;
-  CHECK(check_life(m, 400, [](Host& host, auto arm) {
+  CHECK(check_life(m, 3000, [](Host& host, auto arm) {
           const c2d_status status = c2d_prepare(host.solver());
           arm();
           return status == C2D_OK ? c2d_run(host.solver(), nullptr, nullptr) : status;
         }) > 20);
+}
+
+TEST_CASE("core edges: plates that fall on each other, and a compressed body, on a store that fails" *
+          doctest::skip(c2d::kSmallCode)) {
+  many::Model m;
+  for (const double y : {0.0, 1.01, 2.03}) m.add(many::rectangle(0, y, 3, y + 1, {4, 2, 4, 2}, 100));
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(3, 3, [](double x, double) { return many::end_of(many::kPulled, 0.1, -1 - 0.2 * x); });
+  for (int i = 1; i <= 2; ++i) m.join(C2D_ZONE_MATCHING, i, 3, i + 1, 1);
+  m.friction = 0.4;
+  const auto pressed = [](Host& host, auto arm) {
+    arm();
+    const c2d_status status = host.begin();
+    return status == C2D_OK ? host.go(1) : status;
+  };
+  CHECK(check_life(m, 3000, pressed) > 50);
+  m = many::rough(40);
+  m.elimination = C2D_ELIMINATION_COMPRESSED;
+  CHECK(check_life(m, test::effort<size_t>(200, 2000), pressed) > 50);
+}
+
+TEST_CASE("core edges: a tableau some of whose pairs sleep is not built on a store that fails" *
+          doctest::skip(c2d::kSmallCode)) {
+  Host host(many::rough(84));
+  REQUIRE(host.begin() == C2D_OK);
+  REQUIRE(host.go(0.5) == C2D_OK);
+  c2d::Session session;
+  c2d::open_session(host.solver(), session);
+  int32_t culprit = -1;
+  CHECK(check_step(host, [&] { return c2d::build_tableau(session.tableau, *session.follower.tape, &culprit); }) > 10);
+  CHECK(host.go(1) == C2D_OK);
+}
+
+TEST_CASE("core edges: friction that begins on a store that fails") {
+  many::Model m = cyclic::cylinder(6);
+  m.cycle_states = 4;
+  Host host(m);
+  const double mu = 0.3, loads[] = {1, 0};
+  c2d_outcome outcome = C2D_UNDECIDED;
+  REQUIRE((c2d_prepare(host.solver()) == C2D_OK && c2d_begin(host.solver(), &mu, 1) == C2D_OK));
+  REQUIRE(c2d_advance(host.solver(), loads, 2, &outcome) == C2D_OK);
+  c2d::Session session;
+  c2d::open_session(host.solver(), session);
+  host.solver()->coefficient = 1;
+  CHECK(check_step(host, [&] { return c2d::start_friction(session); }) > 0);
+}
+
+// A double node in the middle of a straight side, between two elements in line.
+TEST_CASE("core edges: stresses on either side of a double node") {
+  many::Model m;
+  m.add(many::polygon({{0, 0, 3}, {3, 0, 1}, {3, 0.5, 1}, {3, 0.5, 1}, {3, 1, 3}, {0, 1, 2}}, 100));
+  m.set(1, 1, many::end_of("0110"));
+  m.set(1, 6, many::end_of("1001"));
+  m.set(1, 5, many::end_of(many::kPulled, 0, -1));
+  const many::Result r = many::solve(m);
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  for (size_t i = 0; i < r.boundary[0].size(); ++i) {
+    const many::EndResult& e = r.boundary[0][i];
+    if (static_cast<int32_t>(i / 2) + 1 == m.side(1, 3).first) continue; // has no length
+    CHECK(e.syy == doctest::Approx(-1).epsilon(1e-8));
+    CHECK(std::fabs(e.sxx) < 1e-8);
+  }
+}
+
+TEST_CASE("core edges: a state in which a path was begun without a coefficient, or whose title has no end, is refused") {
+  for (const int kind : {0, 1, 2}) {
+    CAPTURE(kind);
+    Host host(two_blocks());
+    REQUIRE((host.begin() == C2D_OK && host.go(1) == C2D_OK));
+    c2d_solver* const s = host.solver();
+    if (kind == 1) s->run_step = 1, s->coefficient = 0;
+    if (kind == 2) std::memset(s->model.title, 'x', sizeof s->model.title);
+    REQUIRE(c2d_save(s) == C2D_OK);
+    const c2d_status status = c2d_restore(s);
+    CHECK((status == C2D_OK) == (kind == 0));
+    if (kind != 0) CHECK(c2d_get_state(s) == C2D_STATE_BROKEN);
+  }
 }
