@@ -489,7 +489,7 @@ c2d_status form_rates(const Reduction& r) {
     lu_solve(r.engine, s.rows(), 1, r.first, s.n(), r.pivots, b, s.n());
     if (!pushed && s.border > s.motions) status = only_bends(s, k, b, loaded, &moves);
     for (int32_t i = 0; i < s.m && moves; ++i) b[i] = 0;
-    if (s.motions > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
+    if (status == C2D_OK && s.motions > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
     if (status == C2D_OK)
       status = for_bodies(r, is_unknown, [&](int body) {
         return write_column(r.tape, body, BodyMatrix::response, k, b + s.first_displacement(body));
