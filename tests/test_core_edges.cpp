@@ -12,8 +12,8 @@
 #include "model/surface.hpp"
 #include "results/approach.hpp"
 #include "solver/cycle.hpp"
-#include "solver/hold_demand.hpp"
-#include "solver/on_demand.hpp"
+#include "solver/demand/hold_demand.hpp"
+#include "solver/demand/on_demand.hpp"
 #include "solver/session.hpp"
 
 #include <doctest/doctest.h>

@@ -414,7 +414,7 @@ void draw_rank(Problem& problem, int pairs, int rank, std::mt19937& draw) {
 
 TEST_CASE("rates: a path on the tableau passes motions that nothing holds, and its cells are those of the systems") {
   std::mt19937 draw(17);
-  int solved = 0, spoilt = 0; // by pivots that are round-off: whoever asks for cells judges them (contact/search.cpp)
+  int solved = 0, spoilt = 0; // by pivots that are round-off: whoever asks for cells judges them (contact/rates/search.cpp)
   for (int trial = 0; trial < 20000; ++trial) {
     CAPTURE(trial);
     const int pairs = 1 + trial % 4;
