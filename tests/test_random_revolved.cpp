@@ -13,7 +13,7 @@ using namespace random_decks;
 
 TEST_CASE("random bodies: a draw of revolution" * doctest::skip(!c2d::kRings || c2d::kSmallCode)) {
   int reached = 0, forces = 0;
-  const uint64_t count = test::effort<uint64_t>(4, 40);
+  const uint64_t count = test::effort<uint64_t>(3, 40);
   for (uint64_t seed = 1; seed <= count; ++seed) {
     const Verdict v = judge_revolved(seed);
     std::string all;
@@ -26,4 +26,11 @@ TEST_CASE("random bodies: a draw of revolution" * doctest::skip(!c2d::kRings || 
   }
   CHECK(2 * static_cast<uint64_t>(reached) > count); // or the draw says little
   CHECK(2 * static_cast<uint64_t>(forces) > count);
+}
+
+TEST_CASE("random bodies: rings that nothing presses any more move freely, in all forms" *
+          doctest::skip(!c2d::kRings || c2d::kSmallCode)) {
+  const Verdict v = judge_revolved(1272);
+  CHECK(v.outcome == C2D_FREE_MOTION);
+  CHECK(v.findings.empty());
 }

@@ -270,7 +270,8 @@ void name_motion(Session& session, c2d_outcome outcome) {
   s->outcome_body = s->blocked ? s->blocked : moving + 1;
   if (!s->keeps_energy) return;
   kEnergyPart.find_outcome_motion(session, outcome);
-  if (outcome == C2D_TIPPING && is_motion(s->outcome_motion) && s->outcome_motion[2] == 0.0) s->outcome = C2D_GROSS_SLIDING;
+  if (outcome == C2D_TIPPING && is_motion(s->outcome_motion) && s->outcome_motion[2] == 0.0)
+    s->outcome = unloaded ? C2D_FREE_MOTION : C2D_GROSS_SLIDING;
 }
 
 // That there are no rates, although forces could balance those of the loads, is told as the motion of a body that the contact
