@@ -1,8 +1,7 @@
 #include "contact/reduction/reduction_plan.hpp"
 
+#include "memory/math.hpp"
 #include "model/geometry.hpp"
-
-#include <math.h>
 
 namespace c2d {
 

@@ -10,6 +10,8 @@
 
 namespace c2d {
 
+C2D_USES(FreeZonePart);
+
 void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const double factor[2]) {
   const Model& m = a.model();
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
