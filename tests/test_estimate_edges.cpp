@@ -3,6 +3,7 @@
 #include "refused_calls.hpp"
 #include "sketches.hpp"
 
+#include "program/estimate/error.hpp"
 #include "program/estimate/fatigue.hpp"
 #include "program/estimate/loop.hpp"
 #include "program/estimate/tolerances.hpp"
@@ -155,6 +156,20 @@ const std::string kBeam = "body b E 1e3 nu 0.3\nfrom 0 0\nline s to 12 0\nline e
                           "fix b.w\ntraction b.e y 1\nwant approach at b 11.9 0.5 b 0.1 0.5 1 %\n";
 
 } // namespace
+
+TEST_CASE("estimate edges: friction in a cycle may vanish on two meshes and not on a finer one, so its error is not zero") {
+  estimate::Distance between;
+  between.pressure = {0.1};
+  app::Stated energy;
+  energy.what = app::Measure::kCycleDissipated;
+  energy.value = 0, energy.scale = 1e-10, energy.unseen = 2;
+  const auto error_of = [&](const app::Stated& s) { return estimate::state_wanted({s}, {s}, between, nullptr)[0].error; };
+  CHECK(error_of(energy) == doctest::Approx(2 * 0.5 * 0.1 * 2)); // doubled in the first round
+  energy.other_rule = true;                                      // the contact is pressed by turns
+  CHECK(error_of(energy) == doctest::Approx(2 * 0.2 * 0.1 * 2));
+  energy.what = app::Measure::kFindley; // other numbers that two meshes give are those of the loads
+  CHECK(error_of(energy) < 1e-18);
+}
 
 TEST_CASE("estimate edges: digits that arithmetic does not have are not reached") {
   const estimate::Adapted a = found(kPulled + "want stress at b 0.5 0.5 1e-12 %\nlimit elements 50\n");

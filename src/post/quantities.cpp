@@ -354,8 +354,9 @@ template <Measure What, size_t Component> void take_motion(const BodyStep& b, Qu
 constexpr ErrorRule kNone{0, 0, 0, 0, 0}, kPeak{1.1, 0.5, 0.3, 0, 0}, kMean{0.8, 0.1, 0, 0, 1}, kForce{1, 0.3, 0.1, 0, 0},
     kEdge{1.2, 0.4, 0.15, 0, 1}, kBorder{1, 0.5, 0.05, 0.05, 0}, kMovedBorder{1.5, 0.7, 0.05, 0.03, 0},
     kIntensity{1, 0.5, 0.5, 0, 1}, kSlip{1, 0.5, 1.5, 0, 1}, kTorque{1, 0.4, 0.03, 0, 0}, kEnergy{1, 0.5, 0.7, 0, 0},
-    kMotion{1, 1, 0, 0, 0}, kOfCycle{1.5, 0.7, 0.05, 0, 0}, kCycleEnergy{2, 0.7, 0.2, 0, 0}, kWholePairs{1, 0.5, 0.05, 0.5, 0},
-    kInside{1, 0.3, 0.07, 0, 0}, kSurface{1.5, 0.1, 0.2, 0, 1}, kExtrapolated{1, 0.1, 0.05, 0, 1};
+    kMotion{1, 1, 0, 0, 0}, kOfCycle{0.7, 0.4, 0.15, 0, 0}, kCycleEnergy{0.8, 0.5, 0.5, 0, 0},
+    kPressedEnergy{2, 0.7, 0.2, 0, 0}, kWholePairs{1, 0.5, 0.05, 0.5, 0}, kInside{1, 0.3, 0.07, 0, 0},
+    kSurface{1.5, 0.1, 0.2, 0, 1}, kExtrapolated{1, 0.1, 0.05, 0, 1};
 
 using M = Measure;
 using U = Unit;
@@ -391,6 +392,9 @@ constexpr MeasureRow surface(M what, const char* name, U unit = U::kStress) {
   return {what, name, unit, S::kGiven, {kSurface, kExtrapolated}, {0, 0}, false, PlaceKind::kRefined, nullptr, nullptr};
 }
 
+constexpr MeasureRow of_cycle(M what, const char* name, U unit, ErrorRule rule, ErrorRule other) {
+  return {what, name, unit, S::kGiven, {rule, other}, {0, 0}, false, PlaceKind::kNone, nullptr, nullptr};
+}
 constexpr MeasureRow round_axis(M what, const char* name, U unit) {
   return {what, name, unit, S::kGiven, {kTorque, kTorque}, {0, 0}, false, PlaceKind::kNone, nullptr, nullptr};
 }
@@ -438,7 +442,7 @@ constexpr MeasureRow kRows[] = {
     surface(M::kPressureOn, "pressure on "),
     inside(M::kApproachOf, "approach of points", U::kLength),
     inside(M::kShiftOf, "shift of points", U::kLength),
-    zone(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, S::kGiven, nullptr, kCycleEnergy),
+    of_cycle(M::kCycleDissipated, "dissipated in the last cycle", U::kWork, kCycleEnergy, kPressedEnergy),
     surface(M::kSwt, "SWT"),
     surface(M::kFatemiSocie, "Fatemi-Socie", U::kNone),
     surface(M::kFindley, "Findley"),

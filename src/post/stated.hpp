@@ -17,6 +17,7 @@ struct Stated {
   int32_t zone = 0, body = 0, item = 0; // if applicable, else 0
   double value = 0, error = NAN;        // absolute
   double scale = 0;                     // reference of the tolerance
+  double unseen = 0;                    // what a mesh may not resolve is judged by: where it is above `scale`, in place of it
   double tolerance = NAN;               // NaN: not requested
   double at[2] = {NAN, NAN};
   double along = NAN;    // Quantity::along of that place
@@ -28,7 +29,8 @@ struct Stated {
   // the two meshes, that of the round before reduced, the distance of the tractions times the scale, the spacing of pairs, the
   // difference from another method on the same mesh; and the error with the second in place of the first.
   double apart = NAN, before = NAN, hidden = NAN, spacing = 0, doubt = 0, error_by_before = NAN;
-  int way = 0; // method by which it was found: higher is better
+  bool other_rule = false; // of a cycle in which the pressure changes: slip follows the edges, and settles slowly
+  int way = 0;             // method by which it was found: higher is better
   std::string name() const { return name_of(what) + of; }
   bool has_value() const { return what != Measure::kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }

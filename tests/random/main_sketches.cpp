@@ -1,5 +1,5 @@
 // make estimate N=...: many random sketches, each in a process that may crash or hang without ending the others.
-//   run_sketches COUNT FIRST_SEED FOLDER [ELEMENTS] [SECONDS] [ELEMENTS OF TRUTH] [revolved]
+//   run_sketches COUNT FIRST_SEED FOLDER [ELEMENTS] [SECONDS] [ELEMENTS OF TRUTH] [revolved | cycles]
 // Prints a line per sketch and one per number whose true error is above the stated one, then totals; exit status 1 if a sketch
 // crashed, hung, was not taken, or failed without a word. Numbers that are off are counted, not judged: an error is an
 // estimate.
@@ -78,9 +78,9 @@ void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out
   }
 }
 
-void judge_one(uint64_t number, bool is_revolved, const std::string& folder, const Limits& limits, FILE* out) {
+void judge_one(uint64_t number, Drawn (*draw_one)(uint64_t), const std::string& folder, const Limits& limits, FILE* out) {
   const std::string seed = std::to_string(number);
-  const Drawn drawn = is_revolved ? draw_revolved(number) : draw(number);
+  const Drawn drawn = draw_one(number);
   std::ofstream(folder + "/" + seed + ".c2s") << drawn.text;
   const itimerval patience{{0, 0}, {kPatience, 0}};
   setitimer(ITIMER_PROF, &patience, nullptr);
@@ -119,11 +119,12 @@ int main(int argc, char** argv) {
   if (argc > 4) limits.elements = std::atoi(argv[4]);
   if (argc > 5) limits.seconds = std::atof(argv[5]);
   if (argc > 6) limits.of_truth = std::atoi(argv[6]);
-  const bool is_revolved = argc > 7 && std::string(argv[7]) == "revolved";
+  const std::string kind = argc > 7 ? argv[7] : "";
+  Drawn (*const draw_one)(uint64_t) = kind == "revolved" ? draw_revolved : kind == "cycles" ? draw_cycles : draw;
   Tally tally;
   const std::string folder = argc > 3 ? argv[3] : ".";
   random_work::Work work;
-  work.judge = [&](uint64_t seed, FILE* out) { judge_one(seed, is_revolved, folder, limits, out); };
+  work.judge = [&](uint64_t seed, FILE* out) { judge_one(seed, draw_one, folder, limits, out); };
   work.heard = [&](const std::string& word, const std::string& rest) {
     if (word == "begin") ++tally.sketches;
     if (word == "count") ++tally.ends[rest];

@@ -3,7 +3,7 @@
 # symmetric bodies. KIND=three: three bodies. KIND=revolved: bodies of revolution. KIND=resume: runs that are ended and taken up.
 # KIND=punch: the 84 punches of Spence.
 # make estimate N=200 SEED=1: random sketches, taken through the loop over meshes and held against finer ones. They are left in
-# build/estimate. ELEMENTS and SECONDS are the limits of each. KIND=revolved: bodies of revolution.
+# build/estimate. ELEMENTS and SECONDS are the limits of each. KIND=revolved: bodies of revolution; KIND=cycles: cycles until they are steady.
 #: make random                      random decks with independent checks (N=, SEED=, KIND=)
 #: make estimate                    random sketches against finer meshes (N=, SEED=, ELEMENTS=, SECONDS=)
 .PHONY: random estimate
@@ -29,4 +29,4 @@ $(BUILD)/tests/run_sketches: $(BUILD)/tests/random_main_sketches.o $(SKETCH_JUDG
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 estimate: $(BUILD)/tests/run_sketches
 	@mkdir -p $(BUILD)/estimate
-	@$(BUILD)/tests/run_sketches $(if $(filter file,$(origin N)),200,$(N)) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS) $(if $(filter revolved,$(KIND)),700 revolved)
+	@$(BUILD)/tests/run_sketches $(if $(filter file,$(origin N)),200,$(N)) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS) $(if $(filter revolved cycles,$(KIND)),700 $(KIND))

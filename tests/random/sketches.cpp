@@ -328,6 +328,70 @@ void crack_scene(Pen& p) {
   p.line("tolerance 2 %");
 }
 
+// ---- cycles that are repeated until they are steady -------------------------------------------------------------------
+
+// `shears`: there is a case of it.
+void write_cycle(Pen& p, bool shears) {
+  const std::string low = Pen::number(p.dice.between(0.3, 0.8));
+  const int32_t kind = shears ? p.dice.whole(0, 2) : 3;
+  const char* const words[] = {"shear to and fro", "pressed by turns beside shear", "round a square", "pressed by turns"};
+  const std::string history[] = {"", "; shear " + low, "; shear " + low, ""};
+  const std::string cycle[] = {"shear 1, -1, 1", "normal " + low + ", 1",
+                               "normal " + low + "; shear -" + low + "; normal 1; shear " + low, "normal " + low + ", 1"};
+  p.tell(words[kind]);
+  p.line("history normal 1" + history[kind]);
+  p.line("cycle " + cycle[kind] + " until steady");
+  p.line("steps 1");
+}
+
+void want_cycle(Pen& p) {
+  const std::string tolerance = " " + std::to_string(p.dice.whole(2, 10)) + " %";
+  for (const char* number : {"walk", "loss", "slip"}) p.line(std::string("want ") + number + tolerance);
+}
+
+// An indenter on a ground; the force aside is below what friction holds.
+void cycle_scene(Pen& p) {
+  draw_ground(p, 0, p.dice.chance(0.2));
+  const Indenter shape = draw_indenter(p);
+  p.line("contact ground.top pad.face" + p.mu());
+  if (!p.rigid[0]) p.line("fix ground.bottom");
+  const std::string moved = (p.rigid[1] ? "drive pad about " : "platen pad.top about ") + p.xy(0, shape.height);
+  const double P = press(p, shape);
+  p.line("case normal");
+  p.line("  " + moved + " fx 0 fy " + p.force(-P) + " turn 0");
+  const bool shears = p.dice.chance(0.75);
+  if (shears) p.line("case shear");
+  if (shears) p.line("  " + moved + " fx " + p.force(p.dice.between(0.1, 0.85) * p.friction * P));
+  write_cycle(p, shears);
+  want_cycle(p);
+}
+
+// A ring in its housing, pressed outward, and a patch of pressure that goes round on its bore.
+void creep_scene(Pen& p) {
+  const double wall = p.dice.between(0.05, 0.2), outside = p.dice.between(1.25, 2), fit = p.stress * p.dice.power(-6, -4.5);
+  p.tell("ring in its housing");
+  const std::string housing = p.material(0);
+  p.line("body ground" + housing);
+  p.line("  circle rim centre 0 0 radius " + p.length(outside));
+  p.line("  hole");
+  p.line("  circle seat centre 0 0 radius " + p.length(1));
+  p.line("body ring" + (p.dice.chance(0.5) ? housing : p.material(1)));
+  p.line("  circle outer centre 0 0 radius " + p.length(1));
+  p.line("  hole");
+  p.line("  circle bore centre 0 0 radius " + p.length(1 - wall));
+  p.line("contact ring.outer ground.seat" + p.mu());
+  p.line("fix ground.rim");
+  p.line("case fit");
+  p.line("  pressure ring.bore " + Pen::number(fit));
+  p.line("case roll round 0 0 positions " + std::to_string(4 * p.dice.whole(2, 3)));
+  p.line("  pressure ring.bore {" + Pen::number(fit * p.dice.power(2, 3)) + "*max(0, cos(atan2(y, x)) - cos(" +
+         std::to_string(p.dice.whole(20, 45)) + "*deg))}");
+  p.line("history fit 1; roll 1");
+  p.line("cycle roll to 1 until steady digits 3");
+  p.line("steps 1");
+  want_cycle(p);
+}
+
 // The x line of symmetry becomes the axis.
 std::string revolved(const std::string& text) {
   std::string out;
@@ -348,6 +412,15 @@ Drawn draw_revolved(uint64_t seed) {
   p.tell("of revolution");
   (p.dice.chance(0.75) ? half_scene : press_scene)(p);
   out.text = revolved(out.text);
+  return out;
+}
+
+Drawn draw_cycles(uint64_t seed) {
+  Drawn out;
+  Pen p(seed, out);
+  if (p.friction < 0.05 || p.friction > 0.9) p.friction = p.dice.between(0.05, 0.9);
+  p.tell("a cycle with mu " + Pen::number(p.friction));
+  (p.dice.chance(0.85) ? cycle_scene : creep_scene)(p);
   return out;
 }
 

@@ -15,5 +15,7 @@ struct Drawn {
 Drawn draw(uint64_t seed);
 // Bodies of revolution: an indenter on a block, a hollow ball pressed into a shell.
 Drawn draw_revolved(uint64_t seed);
+// Cycles until they are steady: an indenter that is loaded by turns, a ring that creeps in its housing.
+Drawn draw_cycles(uint64_t seed);
 
 } // namespace random_sketches

@@ -132,7 +132,7 @@ double scale_of(const Sizes& sizes, const State& state, const app::Quantity& q) 
   case Scale::kApproach: return sizes.approach;
   case Scale::kMotion: return sizes.motion;
   case Scale::kRotation: return sizes.rotation;
-  case Scale::kWalk: return std::max(size, slip_range_of(state, q.zone));
+  case Scale::kWalk: return std::max({size, slip_range_of(state, q.zone), kUnseen * kNothing * sizes.approach});
   case Scale::kWork: return size > kUnseen * sizes.work ? std::max(size, sizes.work) : 0;
   case Scale::kSlip: return size > kUnseen * kNothing * sizes.approach ? std::max(size, kNothing * sizes.approach) : 0;
   case Scale::kContact: return sizes.length[zone];
@@ -195,7 +195,8 @@ double change_before(const app::Stated* then, const Round* before, const Distanc
 // Sets the stated error of a number. `seen.before` is filled in here.
 void state(app::Stated& s, Seen seen, double before, const app::ErrorRule& rule) {
   s.apart = seen.apart, s.before = before, s.hidden = seen.hidden, s.spacing = seen.spacing, s.doubt = seen.doubt;
-  if (seen.apart <= kExact * s.scale && !(seen.doubt > kExact * s.scale)) {
+  // Friction in a cycle may vanish on two meshes, and not on a finer one.
+  if (s.what != Measure::kCycleDissipated && seen.apart <= kExact * s.scale && !(seen.doubt > kExact * s.scale)) {
     s.error = s.error_by_before = kRoundOff * s.scale;
     return;
   }
@@ -403,7 +404,8 @@ std::vector<app::Stated> state_wanted(const std::vector<app::Stated>& coarse, st
     if (i >= coarse.size()) continue;
     // A value found by a less accurate method on the coarse mesh gives no error estimate.
     const double apart = coarse[i].way < s.way ? kOfDoubt * s.doubt : std::fabs(s.value - coarse[i].value);
-    state(s, {apart, 0, d * s.scale, 0, s.doubt}, then, app::row_of(s.what).rule[s.way > 0 ? 1 : 0]);
+    state(s, {apart, 0, d * std::max(s.scale, s.unseen), 0, s.doubt}, then,
+          app::row_of(s.what).rule[s.way > 0 || s.other_rule ? 1 : 0]);
   }
   return fine;
 }

@@ -175,14 +175,37 @@ double tolerance_of(const sketch::Sketch& sketch, const sketch::WantRow& row) {
   return least;
 }
 
+// Of what friction dissipates in the whole history: slip of a cycle in less than an element is seen by no mesh.
+constexpr double kOfHistory = 0.1;
+constexpr double kNoLoss = 0.01; // of the same: what a smaller energy is compared with
+
+// Does the largest pressure of some contact change from turn to turn of the last cycle, which begins with state `first`?
+constexpr double kSamePressure = 0.9;
+bool is_pressed_by_turns(const Trial& trial, size_t first) {
+  for (size_t z = 0; z < trial.zones.size(); ++z) {
+    double least = HUGE_VAL, most = 0;
+    for (size_t i = first; i < trial.states.size(); ++i) {
+      if (!trial.states[i].turn) continue;
+      const double pressure = peak_pressure(trial.states[i], static_cast<int32_t>(z) + 1);
+      least = std::min(least, pressure), most = std::max(most, pressure);
+    }
+    if (trial.tied[z] == 0 && least < kSamePressure * most) return true;
+  }
+  return false;
+}
+
 // Energy dissipated by friction in the last cycle. Relative to itself where it is asked for, else to that of the whole history.
 void add_cycle_energy(std::vector<app::Stated>& out, const sketch::Sketch& sketch, const Trial& trial, size_t first) {
   if (first >= trial.states.size() || trial.states.back().dissipated <= 0) return;
   const double energy = trial.states.back().dissipated - trial.states[first].dissipated;
   const double tolerance = tolerance_of(sketch, sketch::want_row("loss"));
-  const double scale = std::isnan(tolerance) ? trial.states.back().dissipated : std::fabs(energy);
+  const State& end = trial.states.back();
+  const double least = kNoLoss * end.dissipated;
+  const double scale = std::isnan(tolerance) ? end.dissipated : std::max(std::fabs(energy), least);
   out.push_back(number(Measure::kCycleDissipated, 0, energy, scale, tolerance));
   out.back().body = 0;
+  out.back().unseen = kOfHistory * end.dissipated;
+  out.back().other_rule = is_pressed_by_turns(trial, first);
 }
 
 // Points given only by a stress statement, without a tolerance.
