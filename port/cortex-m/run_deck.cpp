@@ -25,7 +25,7 @@ alignas(64) unsigned char workspace[RUN_DECK_BYTES];
 c2d_semihosting_store store;
 c2d_semihosting_deck deck;
 char arguments[104];
-char line[320];
+char line[312];
 int32_t results;
 c2d_error why;
 

@@ -74,7 +74,7 @@ struct ParticularOf {
   int32_t k;
 };
 // Positions and displacements in the length unit.
-void particular_at(const void* context, double x, double y, double u[2]) {
+void particular_displacement(const void* context, double x, double y, double u[2]) {
   const ParticularOf& of = *static_cast<const ParticularOf*>(context);
   const double unit = of.m->head->length_unit;
   const Particular p = particular_solution(*of.m, of.b, of.k, unit * x, unit * y);
@@ -89,7 +89,7 @@ void particular_at(const void* context, double x, double y, double u[2]) {
   kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
   const ParticularOf of = {&m, a.b, k};
   double u[kElementNodes][2];
-  weigh(piece.in, particular_at, &of, u);
+  weigh(piece.in, particular_displacement, &of, u);
   for (int l = 0; l < m.head->function_nodes; ++l) {
     const Pair& pair = m.pair[piece.pair[l]];
     for (int c = 0; c < 2; ++c) {

@@ -140,6 +140,9 @@ void gather_displacements(Adjoint& a) {
   });
 }
 
+void add_to_tractions(Adjoint& a, int32_t i, double sum) { a.tau[i] += static_cast<Real>(sum); }
+void add_to_loads(Adjoint& a, int32_t k, double sum) { a.lambda[k] += sum; }
+
 // The functionals of a body's displacements that are not all zero, and their products with columns of `numbers`.
 struct Touched {
   int32_t count = 0, numbers;
@@ -202,11 +205,11 @@ private:
 // tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
 c2d_status add_compliance(const Functionals& all, Session& session, int b) {
   Touched touched(all, session.model.body[b].contact);
-  const auto add = [](Adjoint& a, int32_t i, double sum) { a.tau[i] += static_cast<Real>(sum); };
   c2d_status status = C2D_OK;
   for_ranges(session.model, b, [&](const UnknownRange& range) {
     if (status == C2D_OK)
-      status = touched.add_sums(session, b, BodyMatrix::flexibility, range.own, range.count, add, range.all, range.side);
+      status = touched.add_sums(session, b, BodyMatrix::flexibility, range.own, range.count, add_to_tractions, range.all,
+                                range.side);
   });
   return status;
 }
@@ -257,8 +260,7 @@ c2d_status remove_displacements(const Functionals& all, Session& session, int b)
                       : has_displacements(m, b) ? add_unknowns(all, session, b)
                                                 : add_compliance(all, session, b);
   if (status == C2D_OK) {
-    const auto add = [](Adjoint& a, int32_t k, double sum) { a.lambda[k] += sum; };
-    status = Touched(all, body.contact).add_sums(session, b, BodyMatrix::response, 0, m.head->load_cases, add, 0, 1);
+    status = Touched(all, body.contact).add_sums(session, b, BodyMatrix::response, 0, m.head->load_cases, add_to_loads, 0, 1);
   }
   for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) {
     status = read_column(session.tape, b, BodyMatrix::motions, j, column);
