@@ -831,9 +831,11 @@ TEST_CASE("core edges: on demand, a state of a preparation that has been replace
   const std::vector<double> before = host.results();
   REQUIRE((c2d_change_loads(host.solver()) == C2D_OK && c2d_prepare(host.solver()) == C2D_OK));
   REQUIRE(c2d_get_state(host.solver()) == C2D_STATE_PREPARED);
-  CHECK(c2d_restore(host.solver()) == C2D_ERR_MISMATCH);
+  const c2d_status refused = c2d_restore(host.solver());
+  CHECK((refused == C2D_ERR_STORE_STALE || refused == C2D_ERR_STORE_FORMAT)); // older, or overwritten
   CHECK(c2d_get_state(host.solver()) == C2D_STATE_PREPARED);
-  REQUIRE((host.begin() == C2D_OK && host.go(0.7) == C2D_OK));
+  const double mu = 0.3;
+  REQUIRE((c2d_begin(host.solver(), &mu, 1) == C2D_OK && host.go(0.7) == C2D_OK));
   const std::vector<double> after = host.results();
   double most = 0;
   for (size_t i = 0; i < 84; ++i) most = std::max(most, std::fabs(before[i])); // the normal tractions come first
