@@ -519,6 +519,31 @@ TEST_CASE("core edges: without vectors, compressed and inside" * doctest::skip(c
   for (size_t i = 0; i < of[0].size(); ++i) CHECK(std::fabs(of[1][i] - of[0][i]) < 10 * kNear * most);
 }
 
+// Each load case of a free body has its own point loads.
+TEST_CASE("core edges: point loads of two load cases on a body that contact holds") {
+  many::Model m = two_blocks();
+  m.cases = 2;
+  for (many::Body& body : m.bodies) body.second.assign(body.ends.size(), many::End());
+  m.set_second(1, 1, many::end_of(many::kHeld));
+  m.set_second(2, 3, many::end_of(many::kPulled, 0, -1));
+  m.paths = {{1, 1.0, 1.0}, {1, -1.0, 0.5}};       // and off
+  m.point_loads.push_back({2, 1.5, 1.5, 0, -0.5}); // near the surface: its share is known roughly
+  m.point_loads.push_back({1, 1.5, 0.5, 0, -0.25});
+  many::Machine machine(m);
+  REQUIRE(machine.status == C2D_OK);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  const double mu = 0.3, on[] = {1, 1}, off[] = {-1, 0.5};
+  c2d_outcome outcome = C2D_UNDECIDED;
+  REQUIRE(c2d_begin(machine.solver, &mu, 1) == C2D_OK);
+  REQUIRE(c2d_advance(machine.solver, on, 2, &outcome) == C2D_OK);
+  CHECK(outcome == C2D_REACHED);
+  c2d_body_state body = C2D_INIT(c2d_body_state);
+  REQUIRE(c2d_get_body_state(machine.solver, 2, &body) == C2D_OK);
+  CHECK(std::fabs(body.contact[1]) == doctest::Approx(6.5).epsilon(0.05));
+  REQUIRE(c2d_advance(machine.solver, off, 2, &outcome) == C2D_OK);
+  CHECK(outcome == C2D_FREE_MOTION);
+}
+
 TEST_CASE("core edges: on demand behind a body that touches nothing" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = many::rough(84);
   m.add(many::rectangle(5, 0, 6, 1, {4, 4, 4, 4}));
