@@ -340,6 +340,16 @@ TEST_CASE("core edges: a weight in one of two load cases, with sums over cells" 
   check_alike(m, 95);
 }
 
+// At the tip, where the boundary begins and ends, two elements lie back to back.
+TEST_CASE("core edges: the tip of a sliver is no slit") {
+  many::Model m = two_blocks();
+  const int32_t sliver = m.add(many::polygon({{6, 0, 3}, {9, -0.1, 1}, {9, 0.1, 3}}, 100));
+  m.set(sliver, 2, many::end_of(many::kHeld));
+  const many::Result r = many::solve(m);
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(!r.told_of("slit"));
+}
+
 TEST_CASE("core edges: points of two curves of a body may not be in one place") {
   many::Model m = two_blocks();
   many::add_polygon(m.body(1), {{0.5, 0.8, 2}, {1, 0.2, 2}, {0.2, 0.2, 2}});
@@ -865,4 +875,23 @@ TEST_CASE("core edges: on demand, a state of a preparation that has been replace
   double most = 0;
   for (size_t i = 0; i < 84; ++i) most = std::max(most, std::fabs(before[i])); // the normal tractions come first
   for (size_t i = 0; i < 84; ++i) CHECK(std::fabs(after[i] - before[i]) < kNear * most);
+}
+
+TEST_CASE("core edges: a cylinder that falls on another, on a store that fails") {
+  many::Model m;
+  m.plane = C2D_AXISYMMETRIC;
+  m.function_nodes = 3;
+  m.add(many::open_polygon({{0, -1, 4}, {1, -1, 2}, {1, 0, 4}, {0, 0, 0}}));
+  m.add(many::open_polygon({{0, 0.01, 4}, {1, 0.01, 2}, {1, 1.01, 4}, {0, 1.01, 0}}));
+  for (size_t i = 0; i + 1 < 10; i += 2) m.body(2).xy[i + 1] += 1e-3 * m.body(2).xy[i]; // touches on the axis first
+  for (many::Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * 3), many::End());
+  m.set(1, 1, many::end_of(many::kHeld));
+  m.set(2, 3, many::end_of(many::kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.3;
+  CHECK(check_life(m, 2000, [](Host& host, auto arm) {
+          arm();
+          const c2d_status status = host.begin();
+          return status == C2D_OK ? host.go(1) : status;
+        }) > 50);
 }
