@@ -554,6 +554,51 @@ TEST_CASE("core edges: point loads of two load cases on a body that contact hold
   CHECK(outcome == C2D_FREE_MOTION);
 }
 
+// Held along x by friction alone, which any of the coefficients has.
+TEST_CASE("core edges: on demand, a body that friction holds, with two coefficients" * doctest::skip(c2d::kSmallCode)) {
+  many::Model m = floating(0.03);
+  m.friction = 0.125;
+  const many::Range face = m.side(2, 1);
+  for (int32_t i = face.first - 1; i <= face.last; ++i) m.body(2).xy[2 * static_cast<size_t>(i) + 1] = 1e-3;
+  for (const int32_t i : {10, 11, 12, 70, 71, 72}) m.body(2).xy[2 * static_cast<size_t>(i) + 1] = 0; // two flats touch
+  std::vector<int32_t> order;
+  std::stringstream text(many::deck_of(m, "two coefficients", order));
+  std::vector<double> tn[2];
+  for (const int two : {0, 1}) {
+    runs::Deck deck;
+    text.clear(), text.seekg(0);
+    for (std::string line; std::getline(text, line);) {
+      std::stringstream words(line);
+      double count = 0, mu = 0, more = 0;
+      if (two != 0 && words >> count >> mu && !(words >> more) && count == 1 && mu == m.friction) line = "2 0.125 0.25";
+      deck.lines.push_back(line);
+    }
+    host::Limits limits = deck.limits();
+    limits.touching = kTouching;
+    CHECK(limits.coefficients == 1 + two);
+    uint64_t bytes = 0;
+    REQUIRE(c2d_memory_need(&limits, nullptr, &bytes, nullptr) == C2D_OK);
+    runs::RamStore store;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    runs::Machine machine(limits, bytes, &port);
+    REQUIRE(machine.created == C2D_OK);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.elimination = C2D_ELIMINATION_COMPRESSED;
+    REQUIRE(c2d_set_options(machine.solver, &options) == C2D_OK);
+    REQUIRE(runs::read_deck(machine.solver, deck) == C2D_OK);
+    const c2d_status prepared = c2d_prepare(machine.solver);
+    REQUIRE_MESSAGE(prepared == C2D_OK, last_text(machine.solver));
+    CHECK(machine.solver->model.columns > 0);
+    const double mu = 0.3, all = 1;
+    c2d_outcome outcome = C2D_UNDECIDED;
+    REQUIRE((c2d_begin(machine.solver, &mu, 1) == C2D_OK && c2d_advance(machine.solver, &all, 1, &outcome) == C2D_OK));
+    tn[two].resize(84);
+    REQUIRE(c2d_get(machine.solver, C2D_TN, 0, 1, 84, tn[two].data(), 1) == C2D_OK);
+  }
+  CHECK(tn[0] == tn[1]);
+}
+
 TEST_CASE("core edges: on demand behind a body that touches nothing" * doctest::skip(c2d::kSmallCode)) {
   many::Model m = many::rough(84);
   m.add(many::rectangle(5, 0, 6, 1, {4, 4, 4, 4}));
