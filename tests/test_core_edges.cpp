@@ -940,3 +940,28 @@ TEST_CASE("core edges: a cylinder that falls on another, on a store that fails")
           return status == C2D_OK ? host.go(1) : status;
         }) > 50);
 }
+
+TEST_CASE("core edges: a cycle of a path is cancelled wherever that is asked for, and run again") {
+  many::Model m = cyclic::cylinder(4);
+  m.paths = {{1, 1.0, 0}, {1, 0.4, 0}, {1, 1.0, 0}};
+  m.repeated = 2, m.cycle_start = C2D_START_WITHOUT_FRICTION;
+  m.cycle_states = 4;
+  Host whole(m);
+  REQUIRE((c2d_prepare(whole.solver()) == C2D_OK && c2d_run(whole.solver(), nullptr, nullptr) == C2D_OK));
+  const std::vector<double> expected = whole.results();
+  int cancelled = 0;
+  for (int64_t chance = 0; chance < 400; ++chance) {
+    CAPTURE(chance);
+    Host host(m);
+    REQUIRE(c2d_prepare(host.solver()) == C2D_OK);
+    host.chances = chance;
+    const c2d_status status = c2d_run(host.solver(), nullptr, nullptr);
+    if (status == C2D_OK) break;
+    CHECK(status == C2D_ERR_CANCELLED);
+    ++cancelled;
+    host.chances = -1;
+    REQUIRE(c2d_run(host.solver(), nullptr, nullptr) == C2D_OK);
+    CHECK(host.results() == expected);
+  }
+  CHECK(cancelled > 5);
+}
