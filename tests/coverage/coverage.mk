@@ -4,7 +4,7 @@
 # percentages of COVERAGE_LEAST. Debian: apt install clang-14 llvm-14.
 #: make coverage                    branches not covered by tests (COVERAGE_LEAST=)
 .PHONY: coverage coverage-table
-COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -DC2D_COUNTED
+COVERAGE_FLAGS := -O2 -fprofile-instr-generate -fcoverage-mapping -DC2D_COUNTED
 COVERAGE_LEAST ?= core:100,ports:98,report:98,program:98
 COVERAGE = $(BUILD)/coverage
 COVERAGE_SMALL = $(BUILD)/coverage/small
