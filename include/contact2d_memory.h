@@ -131,7 +131,7 @@
   ARRAY(double, PairTable, pairs, 16)                 /* results, C2D_PAIR_FIELDS columns (UNION)                  */  \
   ARRAY(double, Loads, cases, 4)                      /* load factors: reached, target, direction, at stick        */  \
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
-  ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy/energy.hpp             */  \
+  ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy/energy.hpp */      \
   ARRAY(double, MotionOfLoads, zones, 4 * (cases))    /* results/approach.cpp                                      */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* points for interior results                               */  \
   ARRAY(void, Judge, 2, 20 * (cases) + 5 * C2D_REAL_BYTES * (pairs) + 8 * (zones)) /* solver/judge.hpp              */  \

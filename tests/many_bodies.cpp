@@ -1063,4 +1063,18 @@ Model rough(int32_t pairs) {
   return m;
 }
 
+Model pressed_layers(int32_t layers, double t, int32_t kind, int32_t n) {
+  Model m;
+  m.function_nodes = 3;
+  m.add(rectangle(0, 0, 1, 1, {n, n / 2, n, n / 2}, 1000, 0));
+  for (int32_t i = 0; i < layers; ++i) m.add(rectangle(0, 1 + t * i, 1, 1 + t * (i + 1), {n, 1, n, 1}, 500, 0));
+  m.add(rectangle(0, 1 + t * layers, 1, 2 + t * layers, {n, n / 2, n, n / 2}, 2000, 0));
+  for (Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * 3), End());
+  m.set(1, 1, end_of(kHeld));
+  m.set(layers + 2, 3, end_of(kPulled, 0, -1));
+  for (int32_t b = 1; b <= layers + 1; ++b) m.join(kind, b, 3, b + 1, 1);
+  m.friction = 0.5;
+  return m;
+}
+
 } // namespace many

@@ -213,6 +213,10 @@ double least_pressure(const Model& model, const Result& result);
 // Of every body: |applied + contact| over the largest force on a body, added up along its boundary (moments: times the largest
 // coordinate).
 double imbalance(const Model& model, const Result& result);
+// Thin layers between blocks, which bend more than the contact system resolves: their displacements are its unknowns. Quadratic
+// functions, n elements along a layer.
+Model pressed_layers(int32_t layers, double thickness, int32_t kind, int32_t n);
+
 // Coulomb's law and contact conditions of every recorded step; empty, or the first breach. Sizes relative to the largest
 // pressure and displacement.
 std::string breach(const Model& model, const Result& result, double tolerance = 1e-9);

@@ -727,29 +727,14 @@ template <class LifeOf> int check_life(const many::Model& m, size_t at_most, Lif
   return failed;
 }
 
-// Thin layers between blocks, which bend more than the contact system resolves: their displacements are its unknowns.
-many::Model layered(int32_t layers, double t, int32_t kind) {
-  many::Model m;
-  m.function_nodes = 3;
-  m.add(many::rectangle(0, 0, 1, 1, {4, 2, 4, 2}, 1000, 0));
-  for (int32_t i = 0; i < layers; ++i) m.add(many::rectangle(0, 1 + t * i, 1, 1 + t * (i + 1), {4, 1, 4, 1}, 500, 0));
-  m.add(many::rectangle(0, 1 + t * layers, 1, 2 + t * layers, {4, 2, 4, 2}, 2000, 0));
-  for (many::Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * 3), many::End());
-  m.set(1, 1, many::end_of(many::kHeld));
-  m.set(layers + 2, 3, many::end_of(many::kPulled, 0, -1));
-  for (int32_t b = 1; b <= layers + 1; ++b) m.join(kind, b, 3, b + 1, 1);
-  m.friction = 0.5;
-  return m;
-}
-
 } // namespace
 
 TEST_CASE("core edges: layers whose displacements are unknowns, prepared and pressed on a store that fails" *
           doctest::skip(c2d::kSmallCode)) {
-  many::Model lowered = layered(2, 1e-4, C2D_ZONE_MATCHING); // by what moves its upper side: no force is given
+  many::Model lowered = many::pressed_layers(2, 1e-4, C2D_ZONE_MATCHING, 4); // by what moves its upper side: no force is given
   lowered.set(4, 3, many::end_of(many::kHeld, 0, 0, 0, -1e-3));
-  for (const many::Model& m :
-       {layered(2, 1e-4, C2D_ZONE_MATCHING), layered(2, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED), lowered})
+  for (const many::Model& m : {many::pressed_layers(2, 1e-4, C2D_ZONE_MATCHING, 4),
+                               many::pressed_layers(2, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED, 4), lowered})
     CHECK(check_life(m, 4000, [](Host& host, auto arm) {
             arm();
             c2d_status status = host.begin();

@@ -259,27 +259,8 @@ TEST_CASE("store edges: a body on demand that overlaps push off" * doctest::skip
   sweep({"overlaps", demand::on_demand(m, kTouching), {{1, 1}}, {0.3}});
 }
 
-namespace {
-
-// Thin layers between blocks, which bend more than the contact system resolves: their displacements are its unknowns.
-many::Model layered(int32_t layers, double t, int32_t kind) {
-  many::Model m;
-  m.function_nodes = 3;
-  m.add(many::rectangle(0, 0, 1, 1, {6, 3, 6, 3}, 1000, 0));
-  for (int32_t i = 0; i < layers; ++i) m.add(many::rectangle(0, 1 + t * i, 1, 1 + t * (i + 1), {6, 1, 6, 1}, 500, 0));
-  m.add(many::rectangle(0, 1 + t * layers, 1, 2 + t * layers, {6, 3, 6, 3}, 2000, 0));
-  for (many::Body& b : m.bodies) b.ends.assign(static_cast<size_t>(b.elements() * 3), many::End());
-  m.set(1, 1, many::end_of(many::kHeld));
-  m.set(layers + 2, 3, many::end_of(many::kPulled, 0, -1));
-  for (int32_t b = 1; b <= layers + 1; ++b) m.join(kind, b, 3, b + 1, 1);
-  m.friction = 0.5;
-  return m;
-}
-
-} // namespace
-
 TEST_CASE("store edges: layers whose displacements are unknowns" * doctest::skip(c2d::kSmallCode)) {
-  sweep({"layers", layered(2, 1e-4, C2D_ZONE_MATCHING), {{1}}, {0.5, 0.0}});
-  sweep({"tied layers", layered(3, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED), {{1}}, {0.5}});
-  sweep({"free layers", layered(2, 1e-5, C2D_ZONE_FREE), {{1}}, {0.5}});
+  sweep({"layers", many::pressed_layers(2, 1e-4, C2D_ZONE_MATCHING, 6), {{1}}, {0.5, 0.0}});
+  sweep({"tied layers", many::pressed_layers(3, 1e-4, C2D_ZONE_MATCHING + C2D_ZONE_TIED, 6), {{1}}, {0.5}});
+  sweep({"free layers", many::pressed_layers(2, 1e-5, C2D_ZONE_FREE, 6), {{1}}, {0.5}});
 }

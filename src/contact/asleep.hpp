@@ -1,7 +1,7 @@
 #pragma once
 // Pairs that are far from touching sleep: the tableau has their rows, which tell when they touch, and their columns are on the
 // tape as they were with every pair open (contact/reduction/open_form.hpp). What becomes of such a column when others change
-// places is made up for as it wakes, METHOD (11.5).
+// places is made up for when it is activated, METHOD (11.5).
 #include "contact/basis.hpp"
 #include "contact/path.hpp"
 

@@ -329,8 +329,9 @@ bool agree_with_curvatures(FacingRun& run, const FacingLimits& limits) {
     const double m = part_of_normal(run);
     if (std::fabs(m - run.weight) < kSameNormal) return true;
     const double place = nearest_place(run);
-    std::vector<FacingRun> all = Search(*run.chain[0], *run.chain[1], limits, m).runs();
-    all.erase(std::remove_if(all.begin(), all.end(), [&](FacingRun& found) { return !keep_within(found, run); }), all.end());
+    std::vector<FacingRun> all;
+    for (FacingRun& found : Search(*run.chain[0], *run.chain[1], limits, m).runs())
+      if (keep_within(found, run)) all.push_back(std::move(found));
     if (all.empty()) return false;
     run = *std::min_element(all.begin(), all.end(), [&](const FacingRun& p, const FacingRun& q) {
       return distance_to(p, place) < distance_to(q, place);

@@ -272,13 +272,14 @@ bool Cutter::share(FacingPart& p, size_t side, FacingPart& q, size_t other) {
 // Drops parts that depend on their own mean curvatures, and finds fault where an interface has no other.
 void Cutter::drop_far_parts() {
   std::vector<size_t> left(s_.interfaces.size()), dropped(s_.interfaces.size());
-  const auto is_far = [&](FacingPart& p) {
+  std::vector<FacingPart> kept;
+  for (FacingPart& p : parts_) {
     const auto& [one, two] = p.run.chain;
     const bool stays = agree_with_curvatures(p.run, limits_of(s_.interfaces[p.interface], *one, *two));
     ++(stays ? left : dropped)[p.interface];
-    return !stays;
-  };
-  parts_.erase(std::remove_if(parts_.begin(), parts_.end(), is_far), parts_.end());
+    if (stays) kept.push_back(std::move(p));
+  }
+  parts_ = std::move(kept);
   for (size_t k = 0; k < s_.interfaces.size(); ++k)
     if (left[k] == 0 && dropped[k] > 0)
       faults_.push_back({s_.interfaces[k].at, why(s_.interfaces[k], chains_[k][0], chains_[k][1])});
